@@ -5,13 +5,14 @@
 #include <vector>
 
 #include "viscera/coordinates/registry.h"
+#include "viscera/core/phrase.h"
 
 namespace viscera::app {
 
 /// The coordinate systems that this program can use, built in or from plugins.
 struct AvailableSystems {
   coordinates::Registry registry;
-  std::vector<std::string> problems; ///< One sentence for each plugin that was left out.
+  std::vector<Text> problems; ///< One sentence for each plugin that was left out.
 };
 
 /// The built-in systems and those of plugins: from `pluginPath` (folders and files), the environment variable

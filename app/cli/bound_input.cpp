@@ -22,7 +22,7 @@ void BoundInputOptions::addTo(CLI::App& options, bool posed) {
   system_.addTo(options);
 }
 
-BoundInput BoundInputOptions::read(const CommandContext& context, std::vector<std::string>& warnings) const {
+BoundInput BoundInputOptions::read(const CommandContext& context, std::vector<Text>& warnings) const {
   BoundInput input;
   input.system = system_.system(context);
   input.options = system_.bindOptions(*input.system, context);
@@ -33,7 +33,7 @@ BoundInput BoundInputOptions::read(const CommandContext& context, std::vector<st
 }
 
 WitnessedOrgan interiorOf(const BoundInput& input, const live::WitnessOptions& witnesses,
-                          std::vector<std::string>& warnings, Progress& progress,
+                          std::vector<Text>& warnings, Progress& progress,
                           const std::vector<std::shared_ptr<const geometry::TriangleMesh>>& cavities) {
   WitnessedOrgan interior;
   interior.sample = live::sampleWitnesses(*input.organ.mesh, witnesses, progress);

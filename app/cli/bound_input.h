@@ -6,6 +6,7 @@
 
 #include "cli/inputs.h"
 #include "cli/system_options.h"
+#include "viscera/core/phrase.h"
 #include "viscera/deformation/witness_gradients.h"
 #include "viscera/live/witness_sampling.h"
 
@@ -28,7 +29,7 @@ public:
 
   /// Reads what is named; without a pose the handles are at rest. Adds to `warnings` what was odd about the
   /// handles. Throws what `SystemOptions` and the readers of inputs throw.
-  BoundInput read(const CommandContext& context, std::vector<std::string>& warnings) const;
+  BoundInput read(const CommandContext& context, std::vector<Text>& warnings) const;
 
   /// ORGAN as it was given, for messages.
   const std::string& organ() const { return organ_; }
@@ -54,7 +55,7 @@ struct WitnessedOrgan {
 ///
 /// `cavities` are closed surfaces in the organ: what they hold is no tissue.
 WitnessedOrgan interiorOf(const BoundInput& input, const live::WitnessOptions& witnesses,
-                          std::vector<std::string>& warnings, Progress& progress,
+                          std::vector<Text>& warnings, Progress& progress,
                           const std::vector<std::shared_ptr<const geometry::TriangleMesh>>& cavities = {});
 
 } // namespace viscera::app::cli

@@ -7,6 +7,7 @@
 
 #include "viscera/coordinates/registry.h"
 #include "viscera/core/parallel.h"
+#include "viscera/core/phrase.h"
 #include "viscera/core/progress.h"
 #include "viscera/sample_organs/sample_organ.h"
 
@@ -19,9 +20,9 @@ namespace viscera::app::cli {
 /// The result of a command, as text for the terminal and as JSON for `--json`; the program prints one of
 /// them.
 struct Outcome {
-  nlohmann::ordered_json json;       ///< One object; its keys are those of docs/user_guide.md.
-  std::string text;                  ///< Lines for a reader, each with its line break.
-  std::vector<std::string> warnings; ///< What to be careful about, a sentence each; they go to stderr.
+  nlohmann::ordered_json json; ///< One object; its keys are those of docs/user_guide.md.
+  std::string text;            ///< Lines for a reader, each with its line break.
+  std::vector<Text> warnings;  ///< What to be careful about, a sentence each; they go to stderr.
 };
 
 /// Sample organs, coordinate systems, output and progress, which every command gets. Lives as long as the

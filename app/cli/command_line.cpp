@@ -46,7 +46,7 @@ public:
   ProgressBar& operator=(const ProgressBar&) = delete;
 
   /// `fraction` in [0, 1] of `step`.
-  void show(double fraction, const std::string& step) {
+  void show(double fraction, const Text& step) {
     if (!terminal_)
       return;
     const int full = static_cast<int>(std::lround(fraction * kWidth));
@@ -144,15 +144,15 @@ void print(std::ostream& out, const Outcome& outcome, bool json) {
     throw CannotCreateError("It cannot be written", "standard output");
 }
 
-void warn(std::ostream& err, const std::vector<std::string>& warnings) {
-  for (const std::string& warning : warnings)
-    err << "viscera: warning: " << oneLine(warning) << '\n';
+void warn(std::ostream& err, const std::vector<Text>& warnings) {
+  for (const Text& warning : warnings)
+    err << "viscera: warning: " << oneLine(warning.english()) << '\n';
 }
 
 int runCommand(Command& command, const CommonOptions& common, std::ostream& out, std::ostream& err) {
   return guarded(err, [&] {
     ProgressBar bar(err, ::isatty(STDERR_FILENO) == 1); // Removed before an error is printed.
-    Progress progress([&](double fraction, const std::string& step) { bar.show(fraction, step); });
+    Progress progress([&](double fraction, const Text& step) { bar.show(fraction, step); });
     const Interrupt interrupt(progress);
     const sample_organs::SampleLibrary samples = sample_organs::standardLibrary();
     const AvailableSystems systems = availableSystems(common.pluginPath);

@@ -7,6 +7,7 @@
 
 #include "viscera/coordinates/cage/cage.h"
 #include "viscera/core/error.h"
+#include "viscera/core/phrase.h"
 #include "viscera/document/open_files.h"
 #include "viscera/document/session_file.h"
 #include "viscera/document/system_commands.h"
@@ -116,8 +117,8 @@ std::vector<document::Organ> organInputs(medical_io::LabelMap map, const std::st
                                          Progress& progress) {
   std::vector<document::Organ> result;
   for (document::NewOrgan& item : document::labelBatch(std::move(map), organ, {}, progress)) {
-    for (std::string& warning : item.organ.warnings)
-      warning = organ + ": " + item.organ.name + ": " + warning;
+    for (Text& warning : item.organ.warnings)
+      warning = phrase("%1: %2", organ + ": " + item.organ.name, warning);
     requireSize(item.organ, organ);
     result.push_back(std::move(item.organ));
   }
@@ -130,14 +131,14 @@ std::vector<document::Organ> organInputs(const std::string& organ,
   if (const auto labels = labelReference(organ)) {
     result = document::readLabelOrgans(labels->file, labels->labels, progress);
     for (document::Organ& one : result)
-      for (std::string& warning : one.warnings)
-        warning = organ + ": " + one.name + ": " + warning;
+      for (Text& warning : one.warnings)
+        warning = phrase("%1: %2", phrase("%1: %2", organ, one.name), warning);
   } else if (const auto session = isSample(organ) ? std::nullopt : sessionReference(organ)) {
     result.push_back(organOf(*session, document::readSession(session->session, samples, progress)));
   } else if (!isSample(organ)) {
     result.push_back(document::readOrgan(organ));
-    for (std::string& warning : result.back().warnings)
-      warning = organ + ": " + warning;
+    for (Text& warning : result.back().warnings)
+      warning = phrase("%1: %2", organ, warning);
   } else {
     const SampleReference reference = sampleReference(organ);
     const sample_organs::SampleOrgan sample =
@@ -195,11 +196,11 @@ int RigInput::indexOf(const std::string& label) const {
   return static_cast<int>(found - labels.begin());
 }
 
-RigInput rigInput(const std::filesystem::path& file, std::vector<std::string>& warnings,
+RigInput rigInput(const std::filesystem::path& file, std::vector<Text>& warnings,
                   const std::filesystem::path& cage) {
   const medical_io::HandleFile contents = medical_io::readHandles(file);
-  for (const std::string& warning : contents.warnings)
-    warnings.push_back(file.string() + ": " + warning);
+  for (const Text& warning : contents.warnings)
+    warnings.push_back(phrase("%1: %2", file.string(), warning));
   const document::NewRig rig = document::rigFrom(contents, file.string());
   RigInput input;
   input.handles.positions.resize(static_cast<Eigen::Index>(rig.handles.size()), 3);
@@ -219,11 +220,10 @@ RigInput rigInput(const std::filesystem::path& file, std::vector<std::string>& w
   return input;
 }
 
-Points poseInput(const std::filesystem::path& file, const RigInput& rest,
-                 std::vector<std::string>& warnings) {
+Points poseInput(const std::filesystem::path& file, const RigInput& rest, std::vector<Text>& warnings) {
   const medical_io::HandleFile contents = medical_io::readHandles(file);
-  for (const std::string& warning : contents.warnings)
-    warnings.push_back(file.string() + ": " + warning);
+  for (const Text& warning : contents.warnings)
+    warnings.push_back(phrase("%1: %2", file.string(), warning));
   std::map<std::string, int> rows;
   for (std::size_t i = 0; i < rest.labels.size(); ++i)
     rows.emplace(rest.labels[i], static_cast<int>(i));

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "viscera/coordinates/handle_set.h"
+#include "viscera/core/phrase.h"
 #include "viscera/core/progress.h"
 #include "viscera/document/document.h"
 #include "viscera/medical_io/label_map.h"
@@ -82,12 +83,12 @@ struct RigInput {
 /// Reads a handle file as rest handles. Throws `NoInputError`, and `DataError` also for handles that nothing
 /// can be bound to: fewer than four, all in one plane, two at one place. Where `cage` names a surface file,
 /// the handles at its vertices get its triangles; throws as `document::readCage` and `coordinates::cageOver`.
-RigInput rigInput(const std::filesystem::path& file, std::vector<std::string>& warnings,
+RigInput rigInput(const std::filesystem::path& file, std::vector<Text>& warnings,
                   const std::filesystem::path& cage = {});
 
 /// Reads a handle file as a pose of `rest`, `n x 3` mm: handles are matched by label, those that the file
 /// does not have stay at rest. Throws `DataError` for a label that the rest handles do not have or that comes
 /// twice.
-Points poseInput(const std::filesystem::path& file, const RigInput& rest, std::vector<std::string>& warnings);
+Points poseInput(const std::filesystem::path& file, const RigInput& rest, std::vector<Text>& warnings);
 
 } // namespace viscera::app::cli

@@ -43,20 +43,21 @@ nlohmann::ordered_json numbersJson(const Vec3& v) {
 nlohmann::ordered_json findingsJson(const std::vector<medical_io::Finding>& findings) {
   auto list = nlohmann::ordered_json::array();
   for (const medical_io::Finding& finding : findings)
-    list.push_back(
-        {{"light", nameOf(finding.severity)}, {"text", finding.text}, {"repairs", finding.repairs}});
+    list.push_back({{"light", nameOf(finding.severity)},
+                    {"text", finding.text.english()},
+                    {"repairs", finding.repairs}});
   return list;
 }
 
-void appendFindings(std::vector<std::string>& warnings, const std::vector<medical_io::Finding>& findings) {
+void appendFindings(std::vector<Text>& warnings, const std::vector<medical_io::Finding>& findings) {
   for (const medical_io::Finding& finding : findings)
     if (finding.severity >= medical_io::FindingSeverity::doubt &&
         std::find(warnings.begin(), warnings.end(), finding.text) == warnings.end())
       warnings.push_back(finding.text);
 }
 
-void removeFindings(std::vector<std::string>& warnings, const std::vector<medical_io::Finding>& findings) {
-  std::erase_if(warnings, [&](const std::string& warning) {
+void removeFindings(std::vector<Text>& warnings, const std::vector<medical_io::Finding>& findings) {
+  std::erase_if(warnings, [&](const Text& warning) {
     return std::any_of(findings.begin(), findings.end(),
                        [&](const medical_io::Finding& finding) { return finding.text == warning; });
   });

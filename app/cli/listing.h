@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "viscera/core/arrays.h"
+#include "viscera/core/phrase.h"
 #include "viscera/core/text.h"
 #include "viscera/medical_io/assess_surface.h"
 
@@ -30,9 +31,9 @@ nlohmann::ordered_json numbersJson(const Vec3& v);
 nlohmann::ordered_json findingsJson(const std::vector<medical_io::Finding>& findings);
 
 /// Adds a warning for each finding that is a doubt or a fault, unless the same warning is there already.
-void appendFindings(std::vector<std::string>& warnings, const std::vector<medical_io::Finding>& findings);
+void appendFindings(std::vector<Text>& warnings, const std::vector<medical_io::Finding>& findings);
 
 /// Removes the warnings about a surface that has been repaired since.
-void removeFindings(std::vector<std::string>& warnings, const std::vector<medical_io::Finding>& findings);
+void removeFindings(std::vector<Text>& warnings, const std::vector<medical_io::Finding>& findings);
 
 } // namespace viscera::app::cli

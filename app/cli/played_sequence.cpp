@@ -10,6 +10,7 @@
 #include "cli/session_input.h"
 #include "viscera/circulation/scenario.h"
 #include "viscera/core/error.h"
+#include "viscera/core/phrase.h"
 #include "viscera/document/open_files.h"
 #include "viscera/document/organ_commands.h"
 #include "viscera/document/rig_commands.h"
@@ -92,7 +93,7 @@ std::string ownOrgan(const std::string& sequence) {
 
 /// Throws when the handles of a file are not the sequence's own.
 void requireOwnHandles(const std::string& file, const sequences::Sequence& sequence,
-                       std::vector<std::string>& warnings) {
+                       std::vector<Text>& warnings) {
   const RigInput input = rigInput(file, warnings);
   document::Rig rig;
   for (const auto& position : input.handles.positions.rowwise()) {
@@ -117,15 +118,15 @@ live::Landmark landmarkOf(const std::string& text) {
   return {text.substr(0, equal), place, false};
 }
 
-live::Landmarks givenLandmarks(const PlayRequest& request, std::vector<std::string>& warnings) {
+live::Landmarks givenLandmarks(const PlayRequest& request, std::vector<Text>& warnings) {
   live::Landmarks landmarks;
   for (const std::string& text : request.landmark)
     landmarks.points.push_back(landmarkOf(text));
   if (request.landmarks.empty())
     return landmarks;
   const medical_io::HandleFile file = medical_io::readHandles(request.landmarks);
-  for (const std::string& warning : file.warnings)
-    warnings.push_back(request.landmarks + ": " + warning);
+  for (const Text& warning : file.warnings)
+    warnings.push_back(phrase("%1: %2", request.landmarks, warning));
   const live::Landmarks inFile = live::landmarksFrom(file, request.sequence, request.landmarks);
   for (const live::Landmark& landmark : inFile.points)
     if (!landmarks.find(landmark.role) || landmarks.find(landmark.role)->role == "centreline")
@@ -160,8 +161,8 @@ live::SequenceSetup setUpFor(const PlayRequest& request, sample_organs::Resoluti
   circulation::Parameters parameters = circulation::scenarioParameters(request.scenario);
   if (request.ratePerMinute > 0)
     circulation::setParameter(parameters, "rate", request.ratePerMinute);
-  return live::circulatingHeart(context.samples, circulation::scenario(request.scenario).name, parameters,
-                                resolution, context.progress, context.threads);
+  return live::circulatingHeart(context.samples, named(circulation::scenario(request.scenario).name),
+                                parameters, resolution, context.progress, context.threads);
 }
 
 /// A shipped sequence on its own organ, or on one of that organ's surfaces.
@@ -225,7 +226,7 @@ std::optional<PlayedSequence> onHeartWithChambers(const PlayRequest& request, Co
   const std::shared_ptr<const document::Organ> heart = heartAmong(around);
   if (!heart)
     return std::nullopt;
-  std::vector<std::string> warnings = heart->warnings;
+  std::vector<Text> warnings = heart->warnings;
   live::TextbookBeat beat;
   beat.given = givenLandmarks(request, warnings);
   if (request.ratePerMinute > 0)
@@ -275,7 +276,7 @@ PlayedSequence fromFile(const PlayRequest& request, CommandContext& context) {
   if (request.organ.empty())
     return playRecorded(file, surfacesOf(file), context);
   Surfaces surfaces;
-  std::vector<std::string> warnings;
+  std::vector<Text> warnings;
   for (document::Organ& organ : organInputs(request.organ, context.samples, context.progress)) {
     warnings.insert(warnings.end(), organ.warnings.begin(), organ.warnings.end());
     const std::string name = surfaces.names.empty() ? "outer" : organ.name.substr(organ.name.find('/') + 1);
@@ -335,7 +336,7 @@ PlayedSequence fromSession(const PlayRequest& request, CommandContext& context) 
     played.surfaces.push_back({names[i], organ});
     const live::BindingStatus status = played.document->organs().status(organ);
     if (status.state != live::BindingStatus::State::bound)
-      played.warnings.push_back(names[i] + " stays at rest: " + status.message);
+      played.warnings.push_back(names[i] + " stays at rest: " + status.message.english());
   }
   return played;
 }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "cli/command.h"
+#include "viscera/core/phrase.h"
 #include "viscera/document/undo_stack.h"
 #include "viscera/live/live_binding.h"
 #include "viscera/live/motion_runner.h"
@@ -55,7 +56,7 @@ struct PlayedSequence {
   document::NewRig rig;                    ///< The handles with their labels and groups; none of a session.
   std::unique_ptr<BoundDocument> document; ///< The surfaces as organs with their looks, the rig, the system.
   std::vector<PlayedSurface> surfaces;     ///< The first organs of the document, the outer surface first.
-  std::vector<std::string> warnings;       ///< About the files that were read.
+  std::vector<Text> warnings;              ///< About the files that were read.
   /// Of the sample heart: whether two further organs come last, hidden, only to be measured: its chambers
   /// from outside, without vessels, and the left ventricle from outside.
   bool hasWalls = false;

@@ -32,7 +32,7 @@ std::string_view nameOf(medical_io::ScanFinding::Kind kind) {
 ordered_json scanFindingsJson(const medical_io::Scan& scan) {
   ordered_json list = ordered_json::array();
   for (const medical_io::ScanFinding& finding : scan.findings)
-    list.push_back({{"kind", nameOf(finding.kind)}, {"text", finding.sentence}});
+    list.push_back({{"kind", nameOf(finding.kind)}, {"text", finding.sentence.english()}});
   return list;
 }
 
@@ -90,7 +90,7 @@ medical_io::Scan ScanInputOptions::read(const std::string& file, Progress& progr
   return medical_io::readScan(file, chosen_, progress);
 }
 
-void appendFindings(std::vector<std::string>& warnings, const medical_io::Scan& scan) {
+void appendFindings(std::vector<Text>& warnings, const medical_io::Scan& scan) {
   for (const medical_io::ScanFinding& finding : scan.findings)
     if (finding.kind != medical_io::ScanFinding::Kind::order)
       warnings.push_back(finding.sentence);

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "cli/command.h"
+#include "viscera/core/phrase.h"
 #include "viscera/medical_io/scan.h"
 
 /// Reads the scan that a command names in its arguments, and describes it.
@@ -28,7 +29,7 @@ private:
 };
 
 /// Adds a warning for each finding of a scan, without the harmless ones such as the order of files.
-void appendFindings(std::vector<std::string>& warnings, const medical_io::Scan& scan);
+void appendFindings(std::vector<Text>& warnings, const medical_io::Scan& scan);
 
 /// Describes the contents of a scan and lists the other series in its folder.
 Outcome describeScan(const medical_io::Scan& scan, const std::string& file, CommandContext& context);

@@ -124,14 +124,14 @@ PosedSession::PosedSession(const document::DocumentState& state, const presentat
     live_.showPose(view.shownPose);
 }
 
-std::string PosedSession::makeStress(const presentation::ViewState& view, CommandContext& context) {
+Text PosedSession::makeStress(const presentation::ViewState& view, CommandContext& context) {
   stress_.setWanted(view.stress.witnesses);
   if (const auto organ = presentation::currentOrgan(state(), view.selection.organ))
     stress_.follow(organ->id);
   box_.runUntil([&] { return jobs_.idle(); });
   const live::StressStatus& status = stress_.status();
   if (status.state != live::StressStatus::State::ready)
-    return status.message.empty() ? "there is no organ" : status.message;
+    return status.message.empty() ? Text("there is no organ") : status.message;
   findStressCycle(view, context);
   return {};
 }
@@ -237,8 +237,8 @@ SessionPicture sessionPicture(const document::OpenedSession& opened, const Stage
   PosedSession posed(state, view, context);
   SessionPicture picture;
   if (view.shown.stress)
-    if (const std::string missing = posed.makeStress(view, context); !missing.empty())
-      picture.leftOut.push_back("the stress map (" + missing + ")");
+    if (const Text missing = posed.makeStress(view, context); !missing.empty())
+      picture.leftOut.push_back("the stress map (" + missing.english() + ")");
   const live::StressFrame frame = posed.stress().frame();
   std::optional<presentation::Warping> warping;
   if (view.scan.standing && view.scan.warped)

@@ -11,6 +11,7 @@
 #include "cli/slice_picture.h"
 #include "cli/stage_options.h"
 #include "viscera/core/job_queue.h"
+#include "viscera/core/phrase.h"
 #include "viscera/document/session_file.h"
 #include "viscera/document/undo_stack.h"
 #include "viscera/live/live_binding.h"
@@ -57,7 +58,7 @@ public:
   live::LiveWarp* makeWarp();
   /// Computes the stress map of the view's current organ, with its course over the sequence that the session
   /// was playing. Returns why that is not possible; empty on success.
-  std::string makeStress(const presentation::ViewState& view, CommandContext& context);
+  Text makeStress(const presentation::ViewState& view, CommandContext& context);
 
 private:
   void findStressCycle(const presentation::ViewState& view, CommandContext& context);

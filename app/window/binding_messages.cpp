@@ -48,7 +48,7 @@ void BindingMessages::sync() {
     }
     allBound = allBound && status.state == State::bound;
     seconds += status.report.seconds;
-    for (const std::string& note : status.report.notes)
+    for (const Text& note : status.report.notes)
       if (!notes.contains(asSentence(note)))
         notes.push_back(asSentence(note));
   }

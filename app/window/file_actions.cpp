@@ -15,7 +15,6 @@
 #include "viscera/medical_io/surface_file.h"
 #include "window/import/arriving_surfaces.h"
 #include "window/language.h"
-#include "window/phrase_translator.h"
 #include "window/widgets/new_file.h"
 
 namespace viscera::app {
@@ -180,7 +179,7 @@ void FileActions::reportOpenFailure(const Error& error, const QStringList& files
   const QStringList missing = missingAmong(files);
   if (missing.isEmpty())
     return workspace_.report(error);
-  const bool there = QFileInfo::exists(QString::fromStdString(error.where()));
+  const bool there = QFileInfo::exists(QString::fromStdString(error.where().english()));
   sayProblems(missing, there ? QStringList(sentenceOf(error)) : QStringList(), check);
 }
 
@@ -265,12 +264,12 @@ void FileActions::take(document::OpenedFiles opened, const QStringList& files) {
   sayWarnings(opened.warnings);
 }
 
-void FileActions::sayWarnings(const std::vector<std::string>& warnings) {
+void FileActions::sayWarnings(const std::vector<Text>& warnings) {
   if (warnings.empty())
     return;
   QStringList lines;
-  for (const std::string& warning : warnings)
-    lines.push_back(messageInWords(warning));
+  for (const Text& warning : warnings)
+    lines.push_back(inWords(warning));
   if (lines.size() > kShownFileWarnings) {
     const int more = static_cast<int>(lines.size()) - kShownFileWarnings;
     lines = lines.mid(0, kShownFileWarnings);

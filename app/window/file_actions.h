@@ -5,6 +5,7 @@
 
 #include <functional>
 
+#include "viscera/core/phrase.h"
 #include "viscera/document/import_draft.h"
 #include "viscera/document/scan_item.h"
 #include "viscera/document/system_commands.h"
@@ -104,7 +105,7 @@ private:
   void rememberFolder(const QString& file);
   void take(document::OpenedFiles opened, const QStringList& files);
   void reviewOrImport(document::ImportDraft draft, const QStringList& files, bool check);
-  void sayWarnings(const std::vector<std::string>& warnings);
+  void sayWarnings(const std::vector<Text>& warnings);
   void takeCage(const document::GivenCage& cage, const QString& file);
   void saySaved(const QString& what, const QString& file);
 

@@ -10,12 +10,12 @@
 #include <cmath>
 #include <set>
 
-#include "window/phrase_translator.h"
-
 namespace viscera::app {
 namespace {
 
 constexpr const char* kEnglish = "en";
+/// The context of the texts of the numerical modules in resources/translations/names_*.ts.
+constexpr const char* kNames = "viscera::presentation";
 
 } // namespace
 
@@ -57,12 +57,11 @@ InstalledLanguage::InstalledLanguage(const QString& code) : code_(code) {
   install(std::make_unique<QTranslator>(), QStringLiteral("qtbase_") + code,
           QLibraryInfo::location(QLibraryInfo::TranslationsPath));
   const QString folder = QStringLiteral(":/viscera/translations");
-  auto ours = std::make_unique<PhraseTranslator>();
-  names_ = ours.get();
-  ours->readPatterns(folder + QStringLiteral("/names_%1.ts").arg(code));
+  auto ours = std::make_unique<QTranslator>();
+  ours_ = ours.get();
   install(std::move(ours), QStringLiteral("viscera_") + code, folder);
-  if (translators_.empty() || translators_.back().get() != names_)
-    names_ = nullptr; // It could not be loaded.
+  if (translators_.empty() || translators_.back().get() != ours_)
+    ours_ = nullptr; // It could not be loaded.
 }
 
 void InstalledLanguage::addTextsOf(const coordinates::Registry& systems) {
@@ -73,9 +72,18 @@ void InstalledLanguage::addTextsOf(const coordinates::Registry& systems) {
       files.insert(library.dir().filePath(library.completeBaseName() + QLatin1Char('_') + code_ +
                                           QStringLiteral(".qm")));
     }
-  for (const QString& file : files)
-    if (names_ && QFileInfo::exists(file)) // QTranslator would look for files with shorter names, too.
-      names_->addPlugin(file);
+  for (const QString& file : files) {
+    if (!ours_ || !QFileInfo::exists(file)) // QTranslator would look for files with shorter names, too.
+      continue;
+    auto texts = std::make_unique<QTranslator>();
+    if (!texts->load(file))
+      continue;
+    // The one installed last is asked first: what the program has itself, no plugin can rename.
+    QCoreApplication::removeTranslator(ours_);
+    QCoreApplication::installTranslator(texts.get());
+    QCoreApplication::installTranslator(ours_);
+    translators_.push_back(std::move(texts));
+  }
 }
 
 InstalledLanguage::~InstalledLanguage() {
@@ -111,8 +119,15 @@ std::optional<double> numberIn(const QString& typed) {
   return number ? std::optional(plain) : std::nullopt;
 }
 
+QString inWords(const Text& text) {
+  const auto translate = [](const std::string& pattern, std::optional<int> number) {
+    return QCoreApplication::translate(kNames, pattern.c_str(), nullptr, number.value_or(-1)).toStdString();
+  };
+  return QString::fromStdString(viscera::inWords(text, {translate, std::string(1, decimalMark())}));
+}
+
 QString inWords(const std::string& name) {
-  return name.empty() ? QString() : QCoreApplication::translate("viscera::presentation", name.c_str());
+  return inWords(named(name));
 }
 
 } // namespace viscera::app

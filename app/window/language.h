@@ -9,12 +9,11 @@
 #include <vector>
 
 #include "viscera/coordinates/registry.h"
+#include "viscera/core/phrase.h"
 
 class QTranslator;
 
 namespace viscera::app {
-
-class PhraseTranslator;
 
 /// A language of the window.
 struct Language {
@@ -52,14 +51,20 @@ public:
 private:
   QString code_;
   QLocale before_;
-  PhraseTranslator* names_ = nullptr; ///< One of `translators_`; null in English.
+  QTranslator* ours_ = nullptr; ///< One of `translators_`; null in English.
   std::vector<std::unique_ptr<QTranslator>> translators_;
 };
 
-/// Translates a name of the numerical modules into the language of the window: a name (a phase, a parameter,
-/// a part of an organ), or a text that is put together from a pattern and its parts (viscera/core/phrase.h).
-/// A name with a number behind it, such as a handle's of a sequence, keeps the number; of one with another
-/// behind a colon ("Heartbeat: Rest") both are translated. As it is when it has no translation.
+/// A text in the language of the window: its pattern, and those of its parts that have a translation; numbers
+/// have the decimal mark of the language. English where there is no translation.
+QString inWords(const Text& text);
+
+inline QString inWords(const char* message) {
+  return inWords(Text(message));
+}
+
+/// A name in the language of the window (a parameter, a handle, a part of an organ), as `named` says: a name
+/// with a number behind it keeps the number. The name itself where it has no translation.
 QString inWords(const std::string& name);
 
 /// Parts and seconds in the units that texts are in.

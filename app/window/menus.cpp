@@ -10,7 +10,6 @@
 #include <algorithm>
 
 #include "window/language.h"
-#include "window/phrase_translator.h"
 #include "window/slices/scan_actions.h"
 #include "window/style/icon.h"
 #include "window/widgets/panel_dock.h"
@@ -87,9 +86,9 @@ void Menus::addEditActions() {
   actions.onSync([&steps, undo, redo] {
     undo->setEnabled(steps.canUndo());
     redo->setEnabled(steps.canRedo());
-    undo->setText(steps.canUndo() ? tr("&Undo: %1").arg(withItsAmpersands(messageInWords(steps.undoName())))
+    undo->setText(steps.canUndo() ? tr("&Undo: %1").arg(withItsAmpersands(inWords(steps.undoName())))
                                   : tr("&Undo"));
-    redo->setText(steps.canRedo() ? tr("&Redo: %1").arg(withItsAmpersands(messageInWords(steps.redoName())))
+    redo->setText(steps.canRedo() ? tr("&Redo: %1").arg(withItsAmpersands(inWords(steps.redoName())))
                                   : tr("&Redo"));
   });
 }
@@ -207,7 +206,7 @@ void Menus::fillRecent() {
 void Menus::fillSteps(QMenu* menu) {
   menu->clear();
   const document::UndoStack& undo = parts_.workspace.undo();
-  const std::vector<std::string> names = undo.names();
+  const std::vector<Text> names = undo.names();
   const std::size_t present = undo.position();
   const std::size_t first = present > kShownSteps ? present - kShownSteps : 0;
   const std::size_t last = std::min(names.size(), present + kShownSteps);
@@ -222,7 +221,7 @@ void Menus::fillSteps(QMenu* menu) {
     action->setFont(font);
   };
   for (std::size_t step = last; step > first; --step)
-    add(withItsAmpersands(messageInWords(names[step - 1])), step);
+    add(withItsAmpersands(inWords(names[step - 1])), step);
   if (first > 0)
     menu->addAction(tr("%n earlier steps", nullptr, static_cast<int>(first)))->setEnabled(false);
   else

@@ -6,7 +6,6 @@
 #include "viscera/document/rig_commands.h"
 #include "viscera/presentation/space_parts.h"
 #include "window/language.h"
-#include "window/phrase_translator.h"
 
 namespace viscera::app {
 namespace {
@@ -57,11 +56,11 @@ void PoseEditor::follow(const std::function<void(live::LockedMotion&)>& wish) {
   try {
     wish(*motion_);
     workspace_.undo().perform(document::setPose(motion_->sharedPose()));
-    setObstacle(messageInWords(motion_->obstacle()));
+    setObstacle(inWords(motion_->obstacle()));
   } catch (const Error& error) {
     if (obstacle_.isEmpty())
       workspace_.report(error);
-    setObstacle(messageInWords(error.problem()));
+    setObstacle(inWords(error.problem()));
   }
   Q_EMIT gestureChanged();
 }
@@ -116,11 +115,10 @@ void PoseEditor::reset(const std::vector<document::HandleId>& handles) {
                           tr("Reset %n handles", nullptr, static_cast<int>(handles.size())).toStdString()));
     if (motion.obstacle().empty())
       return;
-    workspace_.say(
-        {Message::Severity::warning,
-         tr("The handles could not move back all the way: %1.").arg(messageInWords(motion.obstacle())),
-         {},
-         0});
+    workspace_.say({Message::Severity::warning,
+                    tr("The handles could not move back all the way: %1.").arg(inWords(motion.obstacle())),
+                    {},
+                    0});
   });
 }
 
@@ -147,7 +145,7 @@ void PoseEditor::setLocked(const std::vector<document::OrganId>& organs, bool lo
       commands.push_back(document::setVolumeLocked(id, locked));
   }
   if (!commands.empty()) {
-    const std::string name = commands.front().name;
+    const Text name = commands.front().name;
     workspace_.perform(document::combined(name, std::move(commands)));
   }
   if (!open.empty())

@@ -197,7 +197,7 @@ int runWindow(int argc, char** argv, const WindowOptions& options) {
   if (options.files.empty())
     window.showWelcome(settings.value("window/welcome", true).toBool());
   QStringList problems;
-  for (const std::string& problem : systems.problems)
+  for (const Text& problem : systems.problems)
     problems.push_back(asSentence(problem));
   if (!problems.isEmpty()) // In one message, because a second one would replace the first.
     window.workspace().say({Message::Severity::warning, problems.join(QLatin1Char('\n')), {}, 0});

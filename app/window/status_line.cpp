@@ -7,7 +7,6 @@
 #include <QToolButton>
 
 #include "window/language.h"
-#include "window/phrase_translator.h"
 #include "window/widgets/elided_label.h"
 #include "window/widgets/ready_made.h"
 
@@ -141,9 +140,8 @@ void StatusLine::syncJobs() {
         continue;
       shownQueue_ = watched.jobs;
       shownJob_ = job.id;
-      const QString said = job.step.empty()
-                               ? messageInWords(job.name)
-                               : tr("%1: %2").arg(messageInWords(job.name), messageInWords(job.step));
+      const QString said =
+          job.step.empty() ? inWords(job.name) : tr("%1: %2").arg(inWords(job.name), inWords(job.step));
       step_->setText(step_->fontMetrics().elidedText(said, Qt::ElideMiddle, kJobWidth));
       step_->setToolTip(said);
       progress_->setRange(0, job.fraction > 0 ? 1000 : 0); // A range of 0 to 0 shows that the progress is

@@ -11,7 +11,6 @@
 #include "viscera/presentation/space_parts.h"
 #include "window/language.h"
 #include "window/mailbox.h"
-#include "window/phrase_translator.h"
 
 namespace viscera::app {
 namespace {
@@ -54,9 +53,9 @@ bool Workspace::guarded(const std::function<void()>& work) {
   } catch (const Error& error) {
     report(error);
   } catch (const std::exception& error) {
-    report(reportsShortMemory(error)
-               ? notEnoughMemory()
-               : Error(kInternalError, error.what(), {}, "this is a fault of the program; please report it"));
+    report(reportsShortMemory(error) ? notEnoughMemory()
+                                     : Error(kInternalError, std::string(error.what()), {},
+                                             "this is a fault of the program; please report it"));
   } catch (...) { // A library's or a plugin's own kind.
     report(Error(kInternalError, "Internal error of an unknown kind", {},
                  "this is a fault of the program; please report it"));
@@ -65,16 +64,12 @@ bool Workspace::guarded(const std::function<void()>& work) {
 }
 
 QString sentenceOf(const Error& error) {
-  QString sentence = messageInWords(error.problem());
-  if (!error.where().empty())
-    sentence = messageInWords(error.where()) + QStringLiteral(": ") + sentence;
+  Text said = error.where().empty() ? error.problem() : phrase("%1: %2", error.where(), error.problem());
+  if (!error.tryThis().empty())
+    said = phrase("%1. %2.", said, error.tryThis().capitalised());
+  QString sentence = inWords(said);
   if (!sentence.isEmpty())
     sentence[0] = sentence[0].toUpper();
-  if (!error.tryThis().empty()) {
-    QString advice = messageInWords(error.tryThis());
-    advice[0] = advice[0].toUpper();
-    sentence += Workspace::tr(". %1.").arg(advice);
-  }
   return sentence;
 }
 
@@ -82,7 +77,7 @@ QStringList Workspace::writing() const {
   QStringList names;
   for (const JobInfo& job : jobs_.jobs())
     if (job.slot.rfind(kWriting, 0) == 0)
-      names.push_back(QString::fromStdString(job.name));
+      names.push_back(inWords(job.name));
   return names;
 }
 
@@ -114,8 +109,8 @@ std::shared_ptr<const document::Organ> Workspace::describedOrgan() const {
   return whole > 1 ? selected : currentOrgan();
 }
 
-QString asSentence(const std::string& utf8) {
-  QString sentence = messageInWords(utf8);
+QString asSentence(const Text& text) {
+  QString sentence = inWords(text);
   if (sentence.isEmpty())
     return sentence;
   sentence[0] = sentence[0].toUpper();

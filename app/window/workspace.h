@@ -5,6 +5,7 @@
 #include "viscera/coordinates/registry.h"
 #include "viscera/core/error.h"
 #include "viscera/core/job_queue.h"
+#include "viscera/core/phrase.h"
 #include "viscera/document/document.h"
 #include "viscera/document/selection.h"
 #include "viscera/document/undo_stack.h"
@@ -118,8 +119,8 @@ QString formatMilliliters(double milliliters);
 
 /// The text of an error for the user: what went wrong, where, and what to try.
 QString sentenceOf(const Error& error);
-/// Translates a message of a numerical module and makes a sentence of it: with a capital and a full stop.
-QString asSentence(const std::string& utf8);
+/// A text in the language of the window as a sentence: with a capital and a full stop.
+QString asSentence(const Text& text);
 /// Formats the change of a volume: "+12.3 ml" and "+1.3 %". One too small for the digits is "+0.0".
 QString formatChange(const live::OrganVolume& volume);
 QString formatRelativeChange(const live::OrganVolume& volume);

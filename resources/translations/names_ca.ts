@@ -12,46 +12,6 @@
         <translation>«%1»</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; has no planar form</source>
-        <translation>«%1» no té forma plana</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is %2 instead of &quot;%3&quot;</source>
-        <translation>«%1» és %2 en lloc de «%3»</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is missing</source>
-        <translation>falta «%1»</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is neither true nor false</source>
-        <translation>«%1» no és ni cert ni fals</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is not a landmark of the sequence %2</source>
-        <translation>«%1» no és un punt de referència de la seqüència %2</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is not a list</source>
-        <translation>«%1» no és una llista</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is not a text</source>
-        <translation>«%1» no és un text</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is not a whole number from 0 on</source>
-        <translation>«%1» no és un nombre enter a partir de 0</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; needs all points at once, which planar coordinates do not support</source>
-        <translation>«%1» necessita tots els punts alhora, cosa que les coordenades planes no admeten</translation>
-    </message>
-    <message>
-        <source>&quot;version&quot; is not a positive whole number</source>
-        <translation>«version» no és un nombre enter positiu</translation>
-    </message>
-    <message>
         <source>%1 and %2 are at one place: %3 from each other</source>
         <translation>%1 i %2 són al mateix lloc: a %3 l’un de l’altre</translation>
     </message>
@@ -64,16 +24,8 @@
         <translation>%1 al %2 % del cicle: %3</translation>
     </message>
     <message>
-        <source>%1 cells were announced, but there are %2</source>
-        <translation>%1 cel·les anunciades, però n’hi ha %2</translation>
-    </message>
-    <message>
         <source>%1 gives another surface than the one that was saved</source>
         <translation>%1 dona una superfície diferent de la desada</translation>
-    </message>
-    <message>
-        <source>%1 has a coordinate that is not a finite number</source>
-        <translation>%1 té una coordenada que no és un nombre finit</translation>
     </message>
     <message>
         <source>%1 has changed since the session was saved</source>
@@ -82,10 +34,6 @@
     <message>
         <source>%1 has no place (%2) and was left out</source>
         <translation>%1 no té posició (%2) i s’omet</translation>
-    </message>
-    <message>
-        <source>%1 has no position of three numbers</source>
-        <translation>%1 no té una posició de tres nombres</translation>
     </message>
     <message>
         <source>%1 has no volume in %2</source>
@@ -100,76 +48,8 @@
         <translation>%1 té a la %2 altres triangles que a la primera: les superfícies s’ajusten per les seves distàncies, que no veuen el moviment al llarg de la paret</translation>
     </message>
     <message>
-        <source>%1 is %2, more than the %3 bytes that are left can hold</source>
-        <translation>%1 és %2, més del que cap en els %3 bytes que queden</translation>
-    </message>
-    <message>
-        <source>%1 is %2, which is no whole number from 0 on</source>
-        <translation>%1 és %2, que no és un nombre enter a partir de 0</translation>
-    </message>
-    <message>
-        <source>%1 is farther away than a thousand kilometres</source>
-        <translation>%1 és a més de mil quilòmetres</translation>
-    </message>
-    <message>
-        <source>%1 is negative</source>
-        <translation>%1 té un valor negatiu</translation>
-    </message>
-    <message>
-        <source>%1 is not a JSON object</source>
-        <translation>%1 no és un objecte JSON</translation>
-    </message>
-    <message>
-        <source>%1 is not a finite number</source>
-        <translation>%1 no és un nombre finit</translation>
-    </message>
-    <message>
-        <source>%1 is not a number of elements</source>
-        <translation>%1 no és un nombre d’elements</translation>
-    </message>
-    <message>
-        <source>%1 is not a section of a legacy VTK surface</source>
-        <translation>%1 no és una secció d’una superfície VTK antiga</translation>
-    </message>
-    <message>
-        <source>%1 is not a statement of an OBJ file</source>
-        <translation>%1 no és una instrucció d’un fitxer OBJ</translation>
-    </message>
-    <message>
-        <source>%1 is not a type of a PLY file</source>
-        <translation>%1 no és un tipus d’un fitxer PLY</translation>
-    </message>
-    <message>
-        <source>%1 is not a type of numbers</source>
-        <translation>%1 no és un tipus de nombres</translation>
-    </message>
-    <message>
-        <source>%1 is not a value for parameter %2</source>
-        <translation>%1 no és un valor per al paràmetre %2</translation>
-    </message>
-    <message>
-        <source>%1 is not a word of a PLY header</source>
-        <translation>%1 no és una paraula d’una capçalera PLY</translation>
-    </message>
-    <message>
-        <source>%1 is not a word of an STL file</source>
-        <translation>%1 no és una paraula d’un fitxer STL</translation>
-    </message>
-    <message>
-        <source>%1 is out of range for parameter %2</source>
-        <translation>%1 és fora de l’interval del paràmetre %2</translation>
-    </message>
-    <message>
-        <source>%1 is too far away</source>
-        <translation>%1 és massa lluny</translation>
-    </message>
-    <message>
         <source>%1 ml cannot be reached</source>
         <translation>no es poden assolir %1 ml</translation>
-    </message>
-    <message>
-        <source>%1 need tetrahedra, which cannot be made here</source>
-        <translation>%1: necessiten tetràedres, que aquí no es poden fer</translation>
     </message>
     <message>
         <source>%1 of %2 vertices have no coordinates</source>
@@ -196,14 +76,6 @@
         <translation>%1 / %2</translation>
     </message>
     <message>
-        <source>%1 rows</source>
-        <translation>%1 files</translation>
-    </message>
-    <message>
-        <source>expected %2, found %1</source>
-        <translation>s’esperava %2 i s’ha trobat %1</translation>
-    </message>
-    <message>
         <source>%1 touches the edge of the image in %2 and not in others, so that its volumes would be cut off</source>
         <translation>%1 toca la vora de la imatge a la %2 i no en d’altres, de manera que els seus volums quedarien retallats</translation>
     </message>
@@ -214,10 +86,6 @@
     <message>
         <source>%1 touches the edge of the image in every phase: what lies beyond is not in its volume</source>
         <translation>%1 toca la vora de la imatge en totes les fases: el que queda fora no és al seu volum</translation>
-    </message>
-    <message>
-        <source>%1 voxels</source>
-        <translation>%1 vòxels</translation>
     </message>
     <message>
         <source>%1, %2</source>
@@ -233,10 +101,6 @@
     <message>
         <source>%1, changed</source>
         <translation>%1, modificat</translation>
-    </message>
-    <message>
-        <source>%1, handle &quot;%2&quot;</source>
-        <translation>%1, tirador «%2»</translation>
     </message>
     <message>
         <source>%1, handle %2</source>
@@ -447,13 +311,6 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n {point of the surface is|points of the surface are} missing</source>
-        <translation>
-            <numerusform>falta %n punt de la superfície</numerusform>
-            <numerusform>falten %n punts de la superfície</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>%n {point that repeats|points that repeat} another merged</source>
         <translation>
             <numerusform>%n punt que en repeteix un altre fusionat</numerusform>
@@ -546,36 +403,12 @@
         <translation>19 de cada 20 adults tenen de %1 a %2 ml</translation>
     </message>
     <message>
-        <source>A cavity must follow the organ that contains it</source>
-        <translation>Una cavitat ha d’anar després de l’òrgan que la conté</translation>
-    </message>
-    <message>
-        <source>A group refers to a handle that does not exist</source>
-        <translation>Un grup es refereix a un tirador que no existeix</translation>
-    </message>
-    <message>
         <source>A healthy adult lying down.</source>
         <translation>Un adult sa estirat.</translation>
     </message>
     <message>
-        <source>A place in the cycle lies between 0 and 1</source>
-        <translation>Un punt del cicle és entre 0 i 1</translation>
-    </message>
-    <message>
         <source>A quarter of the stressed blood volume is lost; no reflex answers, so that pressures fall more than in life.</source>
         <translation>Es perd una quarta part del volum de sang estressat; no respon cap reflex, de manera que les pressions baixen més que a la realitat.</translation>
-    </message>
-    <message>
-        <source>A rectangle lies in an axial, coronal or sagittal slice</source>
-        <translation>Un rectangle és en un tall axial, coronal o sagital</translation>
-    </message>
-    <message>
-        <source>A row has four numbers</source>
-        <translation>Una fila té quatre nombres</translation>
-    </message>
-    <message>
-        <source>A scan has three axes</source>
-        <translation>Una exploració té tres eixos</translation>
     </message>
     <message>
         <source>A session cannot be opened beside another</source>
@@ -606,10 +439,6 @@
         <translation>Un fil en l’espai dels vectors equilibrats; per a molts punts no té resposta</translation>
     </message>
     <message>
-        <source>ASCII or BINARY</source>
-        <translation>ASCII o BINARY</translation>
-    </message>
-    <message>
         <source>Add %1</source>
         <translation>Afegeix %1</translation>
     </message>
@@ -627,10 +456,6 @@
     <message>
         <source>Add enclosing handles</source>
         <translation>Afegeix tiradors envoltants</translation>
-    </message>
-    <message>
-        <source>Add group</source>
-        <translation>Afegeix un grup</translation>
     </message>
     <message>
         <source>Add group %1</source>
@@ -656,16 +481,8 @@
         <translation>Postcàrrega: resistència sistèmica</translation>
     </message>
     <message>
-        <source>An angle needs three points, any other measurement two</source>
-        <translation>Un angle necessita tres punts, qualsevol altra mesura dos</translation>
-    </message>
-    <message>
         <source>An ejection fraction of %1 is out of range</source>
         <translation>Una fracció d’ejecció de %1 és fora de l’interval</translation>
-    </message>
-    <message>
-        <source>An organ needs a surface</source>
-        <translation>Un òrgan necessita una superfície</translation>
     </message>
     <message>
         <source>An organ needs at least four handles around it: add %1 more</source>
@@ -1070,10 +887,6 @@
         <translation>Aparell digestiu</translation>
     </message>
     <message>
-        <source>Displacement_mm</source>
-        <translation>Displacement_mm</translation>
-    </message>
-    <message>
         <source>Distance from a zone within which its super-region still counts: smoothness against locality</source>
         <translation>Distància a una zona en què la seva superregió encara compta: suavitat contra localitat</translation>
     </message>
@@ -1329,20 +1142,8 @@
         <translation>Error intern: %1</translation>
     </message>
     <message>
-        <source>It announces %1 points, but holds %2 coordinates</source>
-        <translation>Anuncia %1 punts, però conté %2 coordenades</translation>
-    </message>
-    <message>
-        <source>It announces cells of the kind %1, but has none</source>
-        <translation>Anuncia cel·les del tipus %1, però no en té cap</translation>
-    </message>
-    <message>
         <source>It cannot be opened: %1</source>
         <translation>No es pot obrir: %1</translation>
-    </message>
-    <message>
-        <source>It cannot be packed: zlib does not start</source>
-        <translation>No es pot comprimir: zlib no s’inicia</translation>
     </message>
     <message>
         <source>It cannot be read</source>
@@ -1351,14 +1152,6 @@
     <message>
         <source>It cannot be read to its end</source>
         <translation>No es pot llegir fins al final</translation>
-    </message>
-    <message>
-        <source>It cannot be unpacked: bzip2 does not start</source>
-        <translation>No es pot descomprimir: bzip2 no s’inicia</translation>
-    </message>
-    <message>
-        <source>It cannot be unpacked: zlib does not start</source>
-        <translation>No es pot descomprimir: zlib no s’inicia</translation>
     </message>
     <message>
         <source>It cannot be written: %1</source>
@@ -1376,32 +1169,8 @@
         </translation>
     </message>
     <message>
-        <source>It does not begin with &quot;# vtk DataFile&quot;: it is not a legacy VTK file</source>
-        <translation>No comença per «# vtk DataFile»: no és un fitxer VTK antic</translation>
-    </message>
-    <message>
-        <source>It does not begin with &quot;OFF&quot;: it is not an OFF file</source>
-        <translation>No comença per «OFF»: no és un fitxer OFF</translation>
-    </message>
-    <message>
-        <source>It does not begin with &quot;ply&quot;: it is not a PLY file</source>
-        <translation>No comença per «ply»: no és un fitxer PLY</translation>
-    </message>
-    <message>
-        <source>It does not describe a lesson: &quot;%1&quot; is missing</source>
-        <translation>No descriu una lliçó: falta «%1»</translation>
-    </message>
-    <message>
-        <source>It does not describe a lesson: a text, a number or a list stands where something else belongs</source>
-        <translation>No descriu una lliçó: hi ha un text, un nombre o una llista on va una altra cosa</translation>
-    </message>
-    <message>
-        <source>It does not fit into memory</source>
-        <translation>No cap a la memòria</translation>
-    </message>
-    <message>
-        <source>It does not say how far its slices are from each other</source>
-        <translation>No indica la distància entre els seus talls</translation>
+        <source>it does not fit into memory</source>
+        <translation>no cap a la memòria</translation>
     </message>
     <message>
         <source>The duration of one cycle is unknown</source>
@@ -1419,34 +1188,8 @@
         <translation>No indica la unitat dels seus temps; es prenen com a mil·lisegons</translation>
     </message>
     <message>
-        <source>It has %1 colour values for %2 points</source>
-        <translation>Té %1 valors de color per a %2 punts</translation>
-    </message>
-    <message>
         <source>It has %1 labels; a mask in a folder has one</source>
         <translation>Té %1 etiquetes; una màscara d’una carpeta en té una</translation>
-    </message>
-    <message>
-        <source>It has %1 moved points for %2 vertices</source>
-        <translation>Té %1 punts desplaçats per a %2 vèrtexs</translation>
-    </message>
-    <message>
-        <source>It has %1 volumes; a label map has one</source>
-        <translation>Té %1 volums; un mapa d’etiquetes en té un</translation>
-    </message>
-    <message numerus="yes">
-        <source>It has %n {axis|axes} in space; an image of an organ has three</source>
-        <translation>
-            <numerusform>Té %n eix a l’espai; la imatge d’un òrgan en té tres</numerusform>
-            <numerusform>Té %n eixos a l’espai; la imatge d’un òrgan en té tres</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>It has %n {handle|handles} in place of %2</source>
-        <translation>
-            <numerusform>Té %n tirador en lloc de %2</numerusform>
-            <numerusform>Té %n tiradors en lloc de %2</numerusform>
-        </translation>
     </message>
     <message numerus="yes">
         <source>It has %n {handle|handles}; a region needs at least 4</source>
@@ -1481,10 +1224,6 @@
         <translation>Té una etiqueta superior a 2147483647</translation>
     </message>
     <message>
-        <source>It has cells without the array %1</source>
-        <translation>Té cel·les sense la matriu %1</translation>
-    </message>
-    <message>
         <source>It has more than %1 files</source>
         <translation>Té més de %1 fitxers</translation>
     </message>
@@ -1493,44 +1232,16 @@
         <translation>Té més de 32767 vòxels al llarg d’un costat, cosa que NIfTI no admet</translation>
     </message>
     <message>
-        <source>It has no &quot;%1&quot;</source>
-        <translation>Hi falta «%1»</translation>
-    </message>
-    <message>
         <source>It has no DICOM files with images</source>
         <translation>No té fitxers DICOM amb imatges</translation>
-    </message>
-    <message>
-        <source>It has no frames</source>
-        <translation>No té fotogrames</translation>
-    </message>
-    <message>
-        <source>It has no label %1</source>
-        <translation>No té l’etiqueta %1</translation>
     </message>
     <message>
         <source>It has no labelled voxel: all are 0</source>
         <translation>No té cap vòxel etiquetat: tots són 0</translation>
     </message>
     <message>
-        <source>It has no number of columns</source>
-        <translation>Hi falta el nombre de columnes</translation>
-    </message>
-    <message>
-        <source>It has no number of rows</source>
-        <translation>Hi falta el nombre de files</translation>
-    </message>
-    <message>
         <source>It has no phase %1; it has %2</source>
         <translation>No té la fase %1; en té %2</translation>
-    </message>
-    <message>
-        <source>It has no series %1</source>
-        <translation>No té la sèrie %1</translation>
-    </message>
-    <message>
-        <source>It has no series %1; it is one scan</source>
-        <translation>No té la sèrie %1; és una sola exploració</translation>
     </message>
     <message>
         <source>It has no slices of a scan</source>
@@ -1547,10 +1258,6 @@
     <message>
         <source>It has no triangles</source>
         <translation>No té triangles</translation>
-    </message>
-    <message>
-        <source>It has no uncompressed pixels</source>
-        <translation>No té píxels sense comprimir</translation>
     </message>
     <message>
         <source>It does not have three dimensions</source>
@@ -1573,10 +1280,6 @@
         <translation>Té diversos valors per vòxel (%1)</translation>
     </message>
     <message>
-        <source>It has to be a text</source>
-        <translation>Ha de ser un text</translation>
-    </message>
-    <message>
         <source>It has to be positive</source>
         <translation>Ha de ser positiu</translation>
     </message>
@@ -1589,24 +1292,12 @@
         <translation>Conté un conjunt de dades VTK de tipus %1, no una superfície (POLYDATA)</translation>
     </message>
     <message>
-        <source>It holds a piece without points</source>
-        <translation>Conté una peça sense punts</translation>
-    </message>
-    <message>
-        <source>It holds a surface in a space of more than three dimensions</source>
-        <translation>Conté una superfície en un espai de més de tres dimensions</translation>
-    </message>
-    <message>
         <source>It holds an image, not labels: it has more than %1 different values</source>
         <translation>Conté una imatge, no etiquetes: té més de %1 valors diferents</translation>
     </message>
     <message>
         <source>It holds an image, not labels: one of its values is %1</source>
         <translation>Conté una imatge, no etiquetes: un dels valors és %1</translation>
-    </message>
-    <message>
-        <source>It holds less than %1</source>
-        <translation>Conté menys de %1</translation>
     </message>
     <message>
         <source>It holds more than %1 masks</source>
@@ -1617,24 +1308,12 @@
         <translation>No conté ni superfícies ni mapes d’etiquetes</translation>
     </message>
     <message>
-        <source>It holds no &quot;markups&quot;: it is no 3D Slicer markups file</source>
-        <translation>No conté «markups»: no és un fitxer de marques de 3D Slicer</translation>
-    </message>
-    <message>
         <source>It holds no PolyData</source>
         <translation>No conté PolyData</translation>
     </message>
     <message>
         <source>It holds no label map</source>
         <translation>No conté cap mapa d’etiquetes</translation>
-    </message>
-    <message>
-        <source>It holds no points</source>
-        <translation>No conté punts</translation>
-    </message>
-    <message>
-        <source>It holds no triangle that has three different corners</source>
-        <translation>No conté cap triangle amb tres vèrtexs diferents</translation>
     </message>
     <message>
         <source>It holds no triangles</source>
@@ -1681,22 +1360,6 @@
         <translation>És una exploració, no un òrgan</translation>
     </message>
     <message>
-        <source>It is damaged or no DICOM file</source>
-        <translation>Està malmès o no és un fitxer DICOM</translation>
-    </message>
-    <message>
-        <source>It is damaged or no DICOM file: %1</source>
-        <translation>Està malmès o no és un fitxer DICOM: %1</translation>
-    </message>
-    <message>
-        <source>It is damaged: it does not hold %1</source>
-        <translation>Està malmès: no conté %1</translation>
-    </message>
-    <message>
-        <source>It is damaged: its SHA-256 is not %1</source>
-        <translation>Està malmès: el seu SHA-256 no és %1</translation>
-    </message>
-    <message>
         <source>It is glTF version %1, but only 2 can be read</source>
         <translation>És glTF versió %1, però només es pot llegir la 2</translation>
     </message>
@@ -1705,20 +1368,8 @@
         <translation>Es diu %1, però sembla %2</translation>
     </message>
     <message>
-        <source>It is neither &quot;embedded&quot; nor &quot;linked&quot;</source>
-        <translation>No és ni «embedded» ni «linked»</translation>
-    </message>
-    <message>
-        <source>It is nested too deeply</source>
-        <translation>Està niat massa profundament</translation>
-    </message>
-    <message>
         <source>It is no %1: its &quot;format&quot; is not &quot;%2&quot;</source>
         <translation>No és un fitxer de tipus %1: el seu «format» no és «%2»</translation>
-    </message>
-    <message>
-        <source>It is not a NIfTI image: it has no NIfTI header</source>
-        <translation>No és una imatge NIfTI: no té capçalera NIfTI</translation>
     </message>
     <message>
         <source>It is not a file with several phases</source>
@@ -1729,16 +1380,8 @@
         <translation>No és un fitxer que es pugui llegir</translation>
     </message>
     <message>
-        <source>It is not a finite number</source>
-        <translation>No és un nombre finit</translation>
-    </message>
-    <message>
         <source>It is not a handle file</source>
         <translation>No és un fitxer de tiradors</translation>
-    </message>
-    <message>
-        <source>It is not a list of three numbers</source>
-        <translation>No és una llista de tres nombres</translation>
     </message>
     <message>
         <source>It is not a regular file</source>
@@ -1757,44 +1400,8 @@
         <translation>No és un tall d’una exploració: %1</translation>
     </message>
     <message>
-        <source>It is not a text</source>
-        <translation>No és un text</translation>
-    </message>
-    <message>
-        <source>It is not a triangle of three handles</source>
-        <translation>No és un triangle de tres tiradors</translation>
-    </message>
-    <message>
-        <source>It is not a whole number from 0 to 2^53</source>
-        <translation>No és un nombre enter de 0 a 2^53</translation>
-    </message>
-    <message>
-        <source>It is not an object</source>
-        <translation>No és un objecte</translation>
-    </message>
-    <message>
-        <source>It is not base64</source>
-        <translation>No és base64</translation>
-    </message>
-    <message>
-        <source>It is not complete JSON: %1</source>
-        <translation>No és JSON complet: %1</translation>
-    </message>
-    <message>
-        <source>It is not complete JSON: the mistake is in line %1</source>
-        <translation>No és JSON complet: l’error és a la línia %1</translation>
-    </message>
-    <message>
-        <source>It is not complete XML: %1</source>
-        <translation>No és XML complet: %1</translation>
-    </message>
-    <message>
         <source>It is not convex at its triangle %1</source>
         <translation>No és convexa al triangle %1</translation>
-    </message>
-    <message>
-        <source>It is not finite</source>
-        <translation>No és finita</translation>
     </message>
     <message>
         <source>It is of version %1; this program reads up to %2</source>
@@ -1805,17 +1412,6 @@
         <translation>És massa gran: %1 punts</translation>
     </message>
     <message>
-        <source>It is too long</source>
-        <translation>És massa llarg</translation>
-    </message>
-    <message numerus="yes">
-        <source>It is too short for an STL file: %n {byte|bytes}</source>
-        <translation>
-            <numerusform>És massa curt per a un fitxer STL: %n byte</numerusform>
-            <numerusform>És massa curt per a un fitxer STL: %n bytes</numerusform>
-        </translation>
-    </message>
-    <message>
         <source>The displacement field would have more than 20 million points</source>
         <translation>El camp de desplaçaments tindria més de 20 milions de punts</translation>
     </message>
@@ -1824,36 +1420,12 @@
         <translation>Barreja superfícies i mapes d’etiquetes</translation>
     </message>
     <message>
-        <source>It names the handle %1, which is not among &quot;handles&quot;</source>
-        <translation>Anomena el tirador %1, que no és entre «handles»</translation>
-    </message>
-    <message>
         <source>It needs the glTF extension %1, which Viscera does not know</source>
         <translation>Necessita l’extensió de glTF %1, que Viscera no coneix</translation>
     </message>
     <message>
-        <source>It refers to handle %1, but there are %2</source>
-        <translation>Es refereix al tirador %1, però n’hi ha %2</translation>
-    </message>
-    <message>
-        <source>It refers to number %1 of &quot;%2&quot;, but there are %3 (counted from 0)</source>
-        <translation>Es refereix al número %1 de «%2», però n’hi ha %3 (comptats des de 0)</translation>
-    </message>
-    <message>
         <source>It seems to be in RAS where %1 is in LPS, or the other way round: it lies on the opposite side of the patient's middle</source>
         <translation>Sembla que és en RAS mentre que %1 és en LPS, o al revés: és a l’altra banda del centre del pacient</translation>
-    </message>
-    <message>
-        <source>With its instances expanded, it has too many points</source>
-        <translation>Amb les instàncies expandides té massa punts</translation>
-    </message>
-    <message>
-        <source>With its instances expanded, it has too many triangles</source>
-        <translation>Amb les instàncies expandides té massa triangles</translation>
-    </message>
-    <message>
-        <source>Its axes lie in one plane</source>
-        <translation>Els seus eixos són en un pla</translation>
     </message>
     <message>
         <source>Its grid is sheared: its axes are not at right angles</source>
@@ -1878,10 +1450,6 @@
     <message>
         <source>LA cavity</source>
         <translation>Cav. AE</translation>
-    </message>
-    <message>
-        <source>LPS</source>
-        <translation>LPS</translation>
     </message>
     <message>
         <source>LV cavity</source>
@@ -1922,10 +1490,6 @@
     <message>
         <source>Lateral border</source>
         <translation>Vora lateral</translation>
-    </message>
-    <message>
-        <source>Leak below its</source>
-        <translation>Fuita per sota de la seva</translation>
     </message>
     <message>
         <source>Left anterior descending artery</source>
@@ -2157,18 +1721,6 @@
         <translation>Cap cavitat és un ventricle pel seu nom</translation>
     </message>
     <message>
-        <source>No channel to another program</source>
-        <translation>No hi ha canal amb un altre programa</translation>
-    </message>
-    <message>
-        <source>No file for a program&apos;s messages</source>
-        <translation>No hi ha fitxer per als missatges d’un programa</translation>
-    </message>
-    <message>
-        <source>No scan has %1 voxels along an axis</source>
-        <translation>Cap exploració té %1 vòxels al llarg d’un eix</translation>
-    </message>
-    <message>
         <source>No surface is chosen</source>
         <translation>No hi ha cap superfície triada</translation>
     </message>
@@ -2326,10 +1878,6 @@
     <message>
         <source>RA cavity</source>
         <translation>Cav. AD</translation>
-    </message>
-    <message>
-        <source>RAS</source>
-        <translation>RAS</translation>
     </message>
     <message>
         <source>RV cavity</source>
@@ -2548,10 +2096,6 @@
         <translation>Tensió rotacional</translation>
     </message>
     <message>
-        <source>RotationalStress_deg</source>
-        <translation>RotationalStress_deg</translation>
-    </message>
-    <message>
         <source>S-Celestial</source>
         <translation>S-Celestial</translation>
     </message>
@@ -2658,24 +2202,12 @@
         <translation>Tensió als punts testimoni</translation>
     </message>
     <message>
-        <source>StretchMax</source>
-        <translation>StretchMax</translation>
-    </message>
-    <message>
-        <source>StretchMin</source>
-        <translation>StretchMin</translation>
-    </message>
-    <message>
         <source>Stroke volume</source>
         <translation>Volum sistòlic</translation>
     </message>
     <message>
         <source>Superior vena cava</source>
         <translation>Vena cava superior</translation>
-    </message>
-    <message>
-        <source>Surfaces are cut by at most 8 planes at once, not by %1</source>
-        <translation>Les superfícies es tallen amb 8 plans alhora com a màxim, no amb %1</translation>
     </message>
     <message>
         <source>System used inside each region</source>
@@ -2750,10 +2282,6 @@
         <translation>La vàlvula aòrtica s’obre fins a 0,8 cm2: la pressió del ventricle hipertròfic supera de molt la de l’aorta.</translation>
     </message>
     <message>
-        <source>The cage refers to a handle that does not exist</source>
-        <translation>La gàbia es refereix a un tirador que no existeix</translation>
-    </message>
-    <message>
         <source>The cavity %1 is not inside the outer surface %2: %3 % of it lie outside</source>
         <translation>La cavitat %1 no és dins de la superfície exterior %2: el %3 % en queda fora</translation>
     </message>
@@ -2768,10 +2296,6 @@
     <message>
         <source>The grid of %1 is another one than that of the first phase</source>
         <translation>La quadrícula de la %1 no és la de la primera fase</translation>
-    </message>
-    <message>
-        <source>The heart rate has to be a positive number of beats a minute</source>
-        <translation>La freqüència cardíaca ha de ser un nombre positiu de batecs per minut</translation>
     </message>
     <message>
         <source>The label &quot;%1&quot; is missing in %2</source>
@@ -2826,10 +2350,6 @@
         <translation>Els punts de l’espai n-dimensional que uneix el fil</translation>
     </message>
     <message>
-        <source>The pose has %1 handles, the document %2</source>
-        <translation>La postura té %1 tiradors, el document %2</translation>
-    </message>
-    <message>
         <source>The pose has a position that is not a finite number, or too far away</source>
         <translation>La postura té una posició que no és un nombre finit o és massa lluny</translation>
     </message>
@@ -2840,10 +2360,6 @@
     <message>
         <source>The program ffmpeg could not write the movie: %1</source>
         <translation>El programa ffmpeg no ha pogut escriure la pel·lícula: %1</translation>
-    </message>
-    <message>
-        <source>The rate is out of range</source>
-        <translation>La freqüència és fora de l’interval</translation>
     </message>
     <message>
         <source>The sequence moves %1 handles, but there are %2</source>
@@ -2880,16 +2396,8 @@
         <translation>La separació és desigual entre el tall %1 (%2) i el següent, que disten %3 mm en lloc de %4 mm (%5 %)</translation>
     </message>
     <message>
-        <source>The speed is out of range</source>
-        <translation>La velocitat és fora de l’interval</translation>
-    </message>
-    <message>
         <source>The surface has no triangle</source>
         <translation>La superfície no té cap triangle</translation>
-    </message>
-    <message>
-        <source>The surface was repaired before it was filled.</source>
-        <translation>La superfície s’ha reparat abans d’omplir-la.</translation>
     </message>
     <message>
         <source>The surface was repaired before it was filled. %1. Details smaller than %2 mm are lost.</source>
@@ -2916,20 +2424,8 @@
         <translation>El volum de %1 salta de %2 a %3 ml entre la %4 i la %5</translation>
     </message>
     <message>
-        <source>The width has to be positive</source>
-        <translation>L’amplada ha de ser positiva</translation>
-    </message>
-    <message>
-        <source>The witness points lie on a regular grid inside the surface.</source>
-        <translation>Els punts testimoni són en una quadrícula regular dins de la superfície.</translation>
-    </message>
-    <message>
         <source>The witness points lie on a regular grid inside the surface. %1.</source>
         <translation>Els punts testimoni són en una quadrícula regular dins de la superfície. %1.</translation>
-    </message>
-    <message>
-        <source>There are %1 positions for %2 handles</source>
-        <translation>Hi ha %1 posicions per a %2 tiradors</translation>
     </message>
     <message>
         <source>There are %1 witness points; %2 do not fit this shape or the limits of time and memory.</source>
@@ -2942,14 +2438,6 @@
     <message>
         <source>There are no handles whose pose could be recorded</source>
         <translation>No hi ha tiradors dels quals es pugui enregistrar la postura</translation>
-    </message>
-    <message>
-        <source>The list of vertices to enclose is empty or names vertices that the organ does not have</source>
-        <translation>La llista de vèrtexs per envoltar és buida o en té que l’òrgan no té</translation>
-    </message>
-    <message>
-        <source>There are no volumes to compute an ejection fraction from</source>
-        <translation>No hi ha volums per calcular una fracció d’ejecció</translation>
     </message>
     <message>
         <source>There is no %1</source>
@@ -2972,18 +2460,6 @@
         <translation>No hi ha cap exploració per tancar</translation>
     </message>
     <message>
-        <source>There is no sequence that could move these handles</source>
-        <translation>No hi ha cap seqüència que pugui moure aquests tiradors</translation>
-    </message>
-    <message>
-        <source>There is no sequence whose rate could be set</source>
-        <translation>No hi ha cap seqüència la freqüència de la qual es pugui ajustar</translation>
-    </message>
-    <message>
-        <source>There is no series</source>
-        <translation>No hi ha cap sèrie</translation>
-    </message>
-    <message>
         <source>There is no stress map yet</source>
         <translation>Encara no hi ha mapa de tensió</translation>
     </message>
@@ -3000,16 +2476,8 @@
         <translation>Aquest òrgan ja no existeix</translation>
     </message>
     <message>
-        <source>There is no such point</source>
-        <translation>Aquest punt no existeix</translation>
-    </message>
-    <message>
         <source>There is no surface &quot;%1&quot;</source>
         <translation>No hi ha cap superfície «%1»</translation>
-    </message>
-    <message>
-        <source>There is no type of samples &quot;%1&quot;</source>
-        <translation>No existeix el tipus de mostres «%1»</translation>
     </message>
     <message>
         <source>There is no volume in it</source>
@@ -3071,16 +2539,12 @@
         <translation>No es poden obrir dos fitxers de tiradors alhora</translation>
     </message>
     <message>
-        <source>Two handles are at one place</source>
-        <translation>Dos tiradors són al mateix lloc</translation>
+        <source>two handles are at one place</source>
+        <translation>dos tiradors són al mateix lloc</translation>
     </message>
     <message>
         <source>Uncinate process</source>
         <translation>Procés uncinat</translation>
-    </message>
-    <message>
-        <source>Unlock</source>
-        <translation>Desbloqueja</translation>
     </message>
     <message>
         <source>Unlock volume</source>
@@ -3130,16 +2594,8 @@
         <translation>Viscera no llegeix fitxers de superfície que acaben en «%1»</translation>
     </message>
     <message>
-        <source>Viscera:</source>
-        <translation>Viscera:</translation>
-    </message>
-    <message>
         <source>Volume ratio</source>
         <translation>Raó de volums</translation>
-    </message>
-    <message>
-        <source>VolumeRatio</source>
-        <translation>VolumeRatio</translation>
     </message>
     <message>
         <source>Voronoi regions triangulation</source>
@@ -3250,92 +2706,8 @@
         <translation>una memòria intermèdia és a %1, però només es llegeixen fitxers del costat</translation>
     </message>
     <message>
-        <source>a buffer within the file is not valid base64</source>
-        <translation>una memòria intermèdia dins del fitxer no és base64 vàlid</translation>
-    </message>
-    <message>
         <source>a cage is a coarse surface: take one of at most %1 vertices</source>
         <translation>una gàbia és una superfície basta: preneu-ne una de %1 vèrtexs com a màxim</translation>
-    </message>
-    <message>
-        <source>a cell refers to point %1, but there are %2 (counted from 0)</source>
-        <translation>una cel·la es refereix al punt %1, però n’hi ha %2 (comptats des de 0)</translation>
-    </message>
-    <message>
-        <source>a chunk</source>
-        <translation>un bloc</translation>
-    </message>
-    <message>
-        <source>a chunk&apos;s header</source>
-        <translation>la capçalera d’un bloc</translation>
-    </message>
-    <message>
-        <source>a coarse surface needs at least four vertices</source>
-        <translation>una superfície basta necessita almenys quatre vèrtexs</translation>
-    </message>
-    <message>
-        <source>a column</source>
-        <translation>la columna</translation>
-    </message>
-    <message>
-        <source>a convex hull needs at least 4 points, there are %1</source>
-        <translation>una envolupant convexa necessita almenys 4 punts, n’hi ha %1</translation>
-    </message>
-    <message>
-        <source>a coordinate</source>
-        <translation>una coordenada</translation>
-    </message>
-    <message>
-        <source>a curve needs one number for each time</source>
-        <translation>una corba necessita un nombre per a cada temps</translation>
-    </message>
-    <message>
-        <source>a curve needs one y for each x</source>
-        <translation>una corba necessita una y per a cada x</translation>
-    </message>
-    <message>
-        <source>a displacement</source>
-        <translation>un desplaçament</translation>
-    </message>
-    <message>
-        <source>a distance grid of this spacing is too large</source>
-        <translation>una quadrícula de distàncies amb aquest pas és massa gran</translation>
-    </message>
-    <message>
-        <source>a face</source>
-        <translation>una cara</translation>
-    </message>
-    <message>
-        <source>a face has fewer corners than it claims</source>
-        <translation>una cara té menys vèrtexs dels que indica</translation>
-    </message>
-    <message>
-        <source>a face has fewer than three corners</source>
-        <translation>una cara té menys de tres vèrtexs</translation>
-    </message>
-    <message>
-        <source>a face refers to point %1, but there are only %2 before it</source>
-        <translation>una cara es refereix al punt %1, però només n’hi ha %2 abans</translation>
-    </message>
-    <message>
-        <source>a face&apos;s number of corners</source>
-        <translation>el nombre de vèrtexs d’una cara</translation>
-    </message>
-    <message>
-        <source>a frame has no orientation</source>
-        <translation>un fotograma no té orientació</translation>
-    </message>
-    <message>
-        <source>a frame has no position</source>
-        <translation>un fotograma no té posició</translation>
-    </message>
-    <message>
-        <source>a frame has no segment</source>
-        <translation>un fotograma no té segment</translation>
-    </message>
-    <message>
-        <source>a frame has no spacing</source>
-        <translation>un fotograma no té espaiat</translation>
     </message>
     <message>
         <source>a gallbladder</source>
@@ -3350,10 +2722,6 @@
         <translation>un fitxer comprimit amb gzip</translation>
     </message>
     <message>
-        <source>a handle of a keyframe</source>
-        <translation>un tirador d’una clau</translation>
-    </message>
-    <message>
         <source>a heart</source>
         <translation>un cor</translation>
     </message>
@@ -3364,10 +2732,6 @@
     <message>
         <source>a legacy VTK file</source>
         <translation>un fitxer VTK antic</translation>
-    </message>
-    <message>
-        <source>a list of triangles ends within one</source>
-        <translation>una llista de triangles acaba enmig d’un</translation>
     </message>
     <message>
         <source>a liver</source>
@@ -3382,84 +2746,16 @@
         <translation>un miocardi</translation>
     </message>
     <message>
-        <source>a node&apos;s &quot;%1&quot; does not have %2 numbers</source>
-        <translation>«%1» d’un node no té %2 nombres</translation>
-    </message>
-    <message>
-        <source>a node&apos;s &quot;%1&quot; holds something that is not a number</source>
-        <translation>«%1» d’un node conté una cosa que no és un nombre</translation>
-    </message>
-    <message>
-        <source>a node&apos;s children are not numbers</source>
-        <translation>els fills d’un node no són nombres</translation>
-    </message>
-    <message>
-        <source>a number</source>
-        <translation>un nombre</translation>
-    </message>
-    <message>
         <source>a pancreas</source>
         <translation>un pàncrees</translation>
-    </message>
-    <message>
-        <source>a rectangle or sphere must not refer to an organ</source>
-        <translation>un rectangle o una esfera no han de referir-se a cap òrgan</translation>
-    </message>
-    <message>
-        <source>a phase lacks a surface</source>
-        <translation>a una fase li falta una superfície</translation>
     </message>
     <message>
         <source>a picture</source>
         <translation>una imatge</translation>
     </message>
     <message>
-        <source>a point</source>
-        <translation>un punt</translation>
-    </message>
-    <message>
-        <source>a point has fewer than three coordinates</source>
-        <translation>un punt té menys de tres coordenades</translation>
-    </message>
-    <message>
-        <source>a point of its surface</source>
-        <translation>un punt de la seva superfície</translation>
-    </message>
-    <message>
         <source>a point of the centreline lies %1 outside the organ</source>
         <translation>un punt de la línia central és %1 fora de l’òrgan</translation>
-    </message>
-    <message>
-        <source>a point of the divided cage is not on the cage</source>
-        <translation>un punt de la gàbia dividida no és sobre la gàbia</translation>
-    </message>
-    <message>
-        <source>a point&apos;s number</source>
-        <translation>el número d’un punt</translation>
-    </message>
-    <message>
-        <source>a polygon refers to point %1, but there are %2 (counted from 0)</source>
-        <translation>un polígon es refereix al punt %1, però n’hi ha %2 (comptats des de 0)</translation>
-    </message>
-    <message>
-        <source>a pose of %1 handles does not fit witness points of %2</source>
-        <translation>una postura de %1 tiradors no correspon a punts testimoni de %2</translation>
-    </message>
-    <message>
-        <source>a property stands before the first element</source>
-        <translation>una propietat apareix abans del primer element</translation>
-    </message>
-    <message>
-        <source>a keyframe</source>
-        <translation>una clau</translation>
-    </message>
-    <message>
-        <source>a remark on it is not UTF-8</source>
-        <translation>una observació sobre ell no és UTF-8</translation>
-    </message>
-    <message>
-        <source>a row</source>
-        <translation>la fila</translation>
     </message>
     <message>
         <source>a scan</source>
@@ -3480,62 +2776,6 @@
     <message>
         <source>a surface of %1 vertices and %2 triangles is too small for handles</source>
         <translation>una superfície de %1 vèrtexs i %2 triangles és massa petita per a tiradors</translation>
-    </message>
-    <message>
-        <source>a surface without triangles has no inside</source>
-        <translation>una superfície sense triangles no té interior</translation>
-    </message>
-    <message>
-        <source>a tetrahedron has a corner that does not exist</source>
-        <translation>un tetràedre té un vèrtex que no existeix</translation>
-    </message>
-    <message>
-        <source>a tetrahedron has a corner that is none of the %1 points</source>
-        <translation>un tetràedre té un vèrtex que no és cap dels %1 punts</translation>
-    </message>
-    <message>
-        <source>a triangle has a handle at two corners</source>
-        <translation>un triangle té un tirador en dos vèrtexs</translation>
-    </message>
-    <message>
-        <source>a triangle refers to a handle that does not exist</source>
-        <translation>un triangle es refereix a un tirador que no existeix</translation>
-    </message>
-    <message>
-        <source>a triangle refers to a point that does not exist</source>
-        <translation>un triangle es refereix a un punt que no existeix</translation>
-    </message>
-    <message>
-        <source>a value</source>
-        <translation>un valor</translation>
-    </message>
-    <message>
-        <source>a voxel</source>
-        <translation>un vòxel</translation>
-    </message>
-    <message>
-        <source>accessor %1 has an unknown type</source>
-        <translation>l’accessor %1 té un tipus desconegut</translation>
-    </message>
-    <message>
-        <source>accessor %1 is sparse, which Viscera does not read</source>
-        <translation>l’accessor %1 és dispers, i Viscera no els llegeix</translation>
-    </message>
-    <message>
-        <source>accessor %1 lies behind the end of its buffer: the file is cut off or damaged</source>
-        <translation>l’accessor %1 és més enllà del final de la seva memòria intermèdia: el fitxer està tallat o malmès</translation>
-    </message>
-    <message>
-        <source>accessor %1 refers to buffer %2, but there are %3</source>
-        <translation>l’accessor %1 es refereix a la memòria intermèdia %2, però n’hi ha %3</translation>
-    </message>
-    <message>
-        <source>accessor %1 should have %2 elements, more than its buffer holds</source>
-        <translation>l’accessor %1 hauria de tenir %2 elements, més dels que conté la seva memòria intermèdia</translation>
-    </message>
-    <message>
-        <source>accessor %1 should hold point numbers</source>
-        <translation>l’accessor %1 hauria de contenir números de punts</translation>
     </message>
     <message>
         <source>add a group that encloses them, or put handles around them into a group</source>
@@ -3606,14 +2846,6 @@
         <translation>una superfície STL</translation>
     </message>
     <message>
-        <source>an angle has three points, any other measurement two</source>
-        <translation>un angle té tres punts, qualsevol altra mesura dos</translation>
-    </message>
-    <message>
-        <source>an array&apos;s name</source>
-        <translation>el nom d’una matriu</translation>
-    </message>
-    <message>
         <source>an error without a message</source>
         <translation>un error sense missatge</translation>
     </message>
@@ -3658,10 +2890,6 @@
         <translation>sístole auricular</translation>
     </message>
     <message>
-        <source>bind by way of the deformation module, or choose another system</source>
-        <translation>vinculeu mitjançant el mòdul deformation, o trieu un altre sistema</translation>
-    </message>
-    <message>
         <source>bind it first</source>
         <translation>vinculeu-lo primer</translation>
     </message>
@@ -3672,14 +2900,6 @@
     <message>
         <source>bounded biharmonic weights</source>
         <translation>pesos biharmònics acotats</translation>
-    </message>
-    <message>
-        <source>buffer %1 has no data</source>
-        <translation>la memòria intermèdia %1 no té dades</translation>
-    </message>
-    <message>
-        <source>buffer %1 is not a JSON object</source>
-        <translation>la memòria intermèdia %1 no és un objecte JSON</translation>
     </message>
     <message>
         <source>by its name it belongs on the patient's left, but it lies on the right (x = %1 mm): %2</source>
@@ -3698,20 +2918,12 @@
         <translation>no es pot obrir: %1</translation>
     </message>
     <message>
-        <source>cannot draw without a display: %1</source>
-        <translation>no es pot dibuixar sense pantalla: %1</translation>
-    </message>
-    <message>
         <source>cannot place %1 witness points</source>
         <translation>no es poden col·locar %1 punts testimoni</translation>
     </message>
     <message>
         <source>cardiac output</source>
         <translation>cabal cardíac</translation>
-    </message>
-    <message>
-        <source>cell %1 claims %2 points, but %3 numbers are left</source>
-        <translation>la cel·la %1 declara %2 punts, però queden %3 nombres</translation>
     </message>
     <message>
         <source>centimetres</source>
@@ -3758,16 +2970,8 @@
         <translation>comproveu el disc o la connexió</translation>
     </message>
     <message>
-        <source>check the name</source>
-        <translation>comproveu el nom</translation>
-    </message>
-    <message>
         <source>check the name and the folder</source>
         <translation>comproveu el nom i la carpeta</translation>
-    </message>
-    <message>
-        <source>check the path</source>
-        <translation>comproveu el camí</translation>
     </message>
     <message>
         <source>check the space left on the disk</source>
@@ -3790,16 +2994,8 @@
         <translation>comproveu si una d’elles està mal etiquetada, o ometeu-la</translation>
     </message>
     <message>
-        <source>child process</source>
-        <translation>programa auxiliar</translation>
-    </message>
-    <message>
         <source>choose %1 to %2</source>
         <translation>trieu de %1 a %2</translation>
-    </message>
-    <message>
-        <source>choose %1 to %2 a minute</source>
-        <translation>trieu de %1 a %2 per minut</translation>
     </message>
     <message>
         <source>choose a closed surface</source>
@@ -3822,10 +3018,6 @@
         <translation>trieu una carpeta que existeixi, on es pugui escriure i que tingui espai</translation>
     </message>
     <message>
-        <source>choose a larger spacing</source>
-        <translation>trieu un pas més gran</translation>
-    </message>
-    <message>
         <source>choose a name that ends in .glb</source>
         <translation>trieu un nom que acabi en .glb</translation>
     </message>
@@ -3838,20 +3030,8 @@
         <translation>trieu un nom que acabi en .vtu</translation>
     </message>
     <message>
-        <source>choose a sequence first</source>
-        <translation>trieu primer una seqüència</translation>
-    </message>
-    <message>
-        <source>choose a sequence, and use its handles</source>
-        <translation>trieu una seqüència i feu servir els seus tiradors</translation>
-    </message>
-    <message>
         <source>choose a surface that has some</source>
         <translation>trieu una superfície que en tingui</translation>
-    </message>
-    <message>
-        <source>choose a volume nearer to the present one, or let more handles compensate</source>
-        <translation>trieu un volum més proper a l’actual, o deixeu compensar més tiradors</translation>
     </message>
     <message>
         <source>choose another one</source>
@@ -3870,16 +3050,8 @@
         <translation>trieu-lo sobre l’òrgan; comproveu també els eixos (RAS o LPS)</translation>
     </message>
     <message>
-        <source>choose more than 0 and up to 10 times</source>
-        <translation>trieu més de 0 i fins a 10 vegades</translation>
-    </message>
-    <message>
         <source>choose one of them</source>
         <translation>trieu-ne un</translation>
-    </message>
-    <message>
-        <source>choose organ, axis or cluster</source>
-        <translation>trieu organ, axis o cluster</translation>
     </message>
     <message>
         <source>choose the two ends of the organ</source>
@@ -3888,10 +3060,6 @@
     <message>
         <source>choose two ends of one surface</source>
         <translation>trieu dos extrems d’una superfície</translation>
-    </message>
-    <message>
-        <source>circulation that was kept</source>
-        <translation>circulació conservada</translation>
     </message>
     <message>
         <source>close its holes first</source>
@@ -3904,10 +3072,6 @@
     <message>
         <source>close other programs, or use fewer handles or smaller organs</source>
         <translation>tanqueu altres programes, o feu servir menys tiradors o òrgans més petits</translation>
-    </message>
-    <message>
-        <source>compare it with the example in docs/lessons.md</source>
-        <translation>compareu-lo amb l’exemple de docs/lessons.md</translation>
     </message>
     <message>
         <source>compensating handles</source>
@@ -3932,14 +3096,6 @@
     <message>
         <source>crop the image to the organs</source>
         <translation>retalleu la imatge als òrgans</translation>
-    </message>
-    <message>
-        <source>crop the images to the organ</source>
-        <translation>retalleu les imatges a l’òrgan</translation>
-    </message>
-    <message>
-        <source>crop the scan to the organs</source>
-        <translation>retalleu l’exploració als òrgans</translation>
     </message>
     <message>
         <source>deeper ones would push folds of the surface into one another</source>
@@ -3972,14 +3128,6 @@
     <message>
         <source>distance</source>
         <translation>distància</translation>
-    </message>
-    <message>
-        <source>does not fit into memory</source>
-        <translation>no cap a la memòria</translation>
-    </message>
-    <message>
-        <source>does not lie between 0 and 1</source>
-        <translation>no és entre 0 i 1</translation>
     </message>
     <message>
         <source>does not say how large its pixels are</source>
@@ -4028,10 +3176,6 @@
     <message>
         <source>export all surfaces of a patient in the same way (viscera convert --space LPS)</source>
         <translation>exporteu totes les superfícies d’un pacient de la mateixa manera (viscera convert --space LPS)</translation>
-    </message>
-    <message>
-        <source>export it as a surface</source>
-        <translation>exporteu-lo com a superfície</translation>
     </message>
     <message>
         <source>export it as a surface of triangles</source>
@@ -4094,40 +3238,12 @@
         <translation>plegat on és ratllat</translation>
     </message>
     <message>
-        <source>frame %1 has no orientation</source>
-        <translation>el fotograma %1 no té orientació</translation>
-    </message>
-    <message>
-        <source>frame %1 has no pixels</source>
-        <translation>el fotograma %1 no té píxels</translation>
-    </message>
-    <message>
-        <source>frame %1 has no position</source>
-        <translation>el fotograma %1 no té posició</translation>
-    </message>
-    <message>
-        <source>frame %1 has no segment</source>
-        <translation>el fotograma %1 no té segment</translation>
-    </message>
-    <message>
-        <source>frame %1 has no spacing</source>
-        <translation>el fotograma %1 no té espaiat</translation>
-    </message>
-    <message>
         <source>fundus</source>
         <translation>fundus</translation>
     </message>
     <message>
         <source>fundus, centreline from the fundus down, body in between, pylorus</source>
         <translation>fundus, línia central des del fundus avall, cos al mig, pílor</translation>
-    </message>
-    <message>
-        <source>give a number from %1 to %2</source>
-        <translation>indiqueu un nombre de %1 a %2</translation>
-    </message>
-    <message>
-        <source>give a whole number from %1 to %2</source>
-        <translation>indiqueu un nombre enter de %1 a %2</translation>
     </message>
     <message>
         <source>give apex and base too</source>
@@ -4164,10 +3280,6 @@
     <message>
         <source>give one for each phase</source>
         <translation>indiqueu-ne un per a cada fase</translation>
-    </message>
-    <message>
-        <source>give one of: %1</source>
-        <translation>indiqueu un de: %1</translation>
     </message>
     <message>
         <source>give points of the centreline yourself</source>
@@ -4281,10 +3393,6 @@
         <translation>instal·leu ffmpeg, o escriviu un .ogv</translation>
     </message>
     <message>
-        <source>install libegl1 and libgl1-mesa-dri, or run under a display</source>
-        <translation>instal·leu libegl1 i libgl1-mesa-dri, o executeu-lo amb una pantalla</translation>
-    </message>
-    <message>
         <source>is a colour image</source>
         <translation>és una imatge en color</translation>
     </message>
@@ -4327,42 +3435,6 @@
         <translation>relaxació isovolumètrica</translation>
     </message>
     <message>
-        <source>it begins behind the end of the data: the file is cut off</source>
-        <translation>comença més enllà del final de les dades: el fitxer està tallat</translation>
-    </message>
-    <message>
-        <source>it cannot be decompressed: the file is damaged</source>
-        <translation>no es pot descomprimir: el fitxer està malmès</translation>
-    </message>
-    <message>
-        <source>it claims %1 blocks, more than there are: the file is cut off or damaged</source>
-        <translation>declara %1 blocs, més dels que hi ha: el fitxer està tallat o malmès</translation>
-    </message>
-    <message>
-        <source>it claims %1 bytes in %2: the file is damaged</source>
-        <translation>declara %1 bytes en %2: el fitxer està malmès</translation>
-    </message>
-    <message>
-        <source>it claims a block larger than the file: the file is cut off or damaged</source>
-        <translation>declara un bloc més gran que el fitxer: el fitxer està tallat o malmès</translation>
-    </message>
-    <message>
-        <source>it contains %1, which is no number</source>
-        <translation>conté %1, que no és un nombre</translation>
-    </message>
-    <message>
-        <source>it contains %1, which is no whole number</source>
-        <translation>conté %1, que no és un nombre enter</translation>
-    </message>
-    <message>
-        <source>it crashed</source>
-        <translation>ha fallat</translation>
-    </message>
-    <message>
-        <source>it does not hold a whole number of values</source>
-        <translation>no conté un nombre enter de valors</translation>
-    </message>
-    <message>
         <source>it does not lie within the period</source>
         <translation>no és dins del període</translation>
     </message>
@@ -4383,119 +3455,28 @@
         <translation>no segueix cap tirador, així que res no pot canviar el seu volum</translation>
     </message>
     <message>
-        <source>it stopped without a result</source>
-        <translation>s’ha aturat sense cap resultat</translation>
-    </message>
-    <message>
-        <source>it has %1</source>
-        <translation>té %1</translation>
-    </message>
-    <message>
         <source>it has %1 triangles</source>
         <translation>té %1 triangles</translation>
-    </message>
-    <message numerus="yes">
-        <source>it has %n {segment|segments}</source>
-        <translation>
-            <numerusform>té %n segment</numerusform>
-            <numerusform>té %n segments</numerusform>
-        </translation>
     </message>
     <message>
         <source>it has no name</source>
         <translation>no té nom</translation>
     </message>
     <message>
-        <source>it has no organ for each surface, or no phases</source>
-        <translation>no té un òrgan per a cada superfície, o no té fases</translation>
-    </message>
-    <message>
-        <source>it has the unknown format %1</source>
-        <translation>té el format desconegut %1</translation>
-    </message>
-    <message>
-        <source>it has the unknown type %1</source>
-        <translation>té el tipus desconegut %1</translation>
-    </message>
-    <message>
-        <source>it is compressed by %1, which Viscera does not know</source>
-        <translation>està comprimida amb %1, que Viscera no coneix</translation>
-    </message>
-    <message>
         <source>it is not a millisecond at least behind the key before it</source>
         <translation>no és almenys un mil·lisegon després de la clau anterior</translation>
-    </message>
-    <message>
-        <source>it is not a record of a measured motion</source>
-        <translation>no és un registre d’un moviment mesurat</translation>
-    </message>
-    <message>
-        <source>it is not valid base64: the file is damaged</source>
-        <translation>no és base64 vàlid: el fitxer està malmès</translation>
     </message>
     <message>
         <source>it may be mirrored</source>
         <translation>potser és reflectit</translation>
     </message>
     <message>
-        <source>it should have %1 bytes, more than there are: the file is cut off or damaged</source>
-        <translation>hauria de tenir %1 bytes, més dels que hi ha: el fitxer està tallat o malmès</translation>
-    </message>
-    <message>
-        <source>it should have %1 more bytes, but %2 are left: the file is cut off or damaged</source>
-        <translation>hauria de tenir %1 bytes més, però en queden %2: el fitxer està tallat o malmès</translation>
-    </message>
-    <message>
-        <source>it should hold whole numbers</source>
-        <translation>hauria de contenir nombres enters</translation>
-    </message>
-    <message>
-        <source>its JPEG stream is damaged: it has no frame header</source>
-        <translation>el seu flux JPEG està malmès: no té capçalera de trama</translation>
-    </message>
-    <message>
-        <source>its JSON has no &quot;asset&quot;: it is not a glTF file</source>
-        <translation>el seu JSON no té «asset»: no és un fitxer glTF</translation>
-    </message>
-    <message>
-        <source>its JSON is not an object: it is not a glTF file</source>
-        <translation>el seu JSON no és un objecte: no és un fitxer glTF</translation>
-    </message>
-    <message>
-        <source>its XML is nested too deeply</source>
-        <translation>el seu XML està imbricat massa endins</translation>
-    </message>
-    <message>
-        <source>its XML is not complete</source>
-        <translation>el seu XML no és complet</translation>
-    </message>
-    <message>
         <source>its axes %1 are unknown; LPS is assumed</source>
         <translation>els seus eixos %1 no es coneixen; se suposa LPS</translation>
     </message>
     <message>
-        <source>its buffer %1 cannot be read: %2</source>
-        <translation>no es pot llegir la seva memòria intermèdia %1: %2</translation>
-    </message>
-    <message>
-        <source>its colour does not lie between 0 and 1</source>
-        <translation>el seu color no és entre 0 i 1</translation>
-    </message>
-    <message>
-        <source>its colours do not fit its points</source>
-        <translation>els seus colors no corresponen als seus punts</translation>
-    </message>
-    <message>
-        <source>its description is not UTF-8</source>
-        <translation>la seva descripció no és UTF-8</translation>
-    </message>
-    <message>
         <source>its encoding %1 is not supported</source>
         <translation>la seva codificació %1 no s’admet</translation>
-    </message>
-    <message>
-        <source>its faces have no vertex_indices</source>
-        <translation>les seves cares no tenen vertex_indices</translation>
     </message>
     <message>
         <source>its file %1 is not there any more (put it beside the session and open that again)</source>
@@ -4506,220 +3487,16 @@
         <translation>el seu fitxer s’ha trobat com a %1</translation>
     </message>
     <message>
-        <source>its first chunk is not JSON: the file is damaged</source>
-        <translation>el seu primer bloc no és JSON: el fitxer està malmès</translation>
-    </message>
-    <message>
-        <source>its frames are too far from each other: %1 mm</source>
-        <translation>els seus fotogrames són massa lluny els uns dels altres: %1 mm</translation>
-    </message>
-    <message>
-        <source>its frames belong to a segment %1, which it does not have</source>
-        <translation>els seus fotogrames pertanyen a un segment %1, que no existeix</translation>
-    </message>
-    <message>
         <source>its frames lie in different directions</source>
         <translation>els seus fotogrames són en direccions diferents</translation>
-    </message>
-    <message>
-        <source>its handles are not handles of the rig, each once and in their order</source>
-        <translation>els seus tiradors no són els del conjunt, cada un un cop i en el seu ordre</translation>
-    </message>
-    <message>
-        <source>its header does not say its format</source>
-        <translation>la capçalera no indica el format</translation>
-    </message>
-    <message>
-        <source>its header is cut off or damaged: it has no %1</source>
-        <translation>la capçalera està tallada o malmesa: hi falta %1</translation>
-    </message>
-    <message>
-        <source>its header is damaged: %1 has not %2 numbers</source>
-        <translation>la capçalera està malmesa: %1 no té %2 nombres</translation>
-    </message>
-    <message>
-        <source>its header is damaged: %1 is not a number for %2</source>
-        <translation>la capçalera està malmesa: %1 no és un nombre per a %2</translation>
-    </message>
-    <message>
-        <source>its header is damaged: %1 is not a number of %2</source>
-        <translation>la capçalera està malmesa: %1 no és un nombre de %2</translation>
-    </message>
-    <message>
-        <source>its header is damaged: %1 is not a size of an axis</source>
-        <translation>la capçalera està malmesa: %1 no és la mida d’un eix</translation>
-    </message>
-    <message>
-        <source>its header is damaged: %1 is not a vector</source>
-        <translation>la capçalera està malmesa: %1 no és un vector</translation>
-    </message>
-    <message>
-        <source>its header is damaged: %1 is not an origin</source>
-        <translation>la capçalera està malmesa: %1 no és un origen</translation>
-    </message>
-    <message>
-        <source>its header is damaged: DimSize has not three numbers</source>
-        <translation>la capçalera està malmesa: DimSize no té tres nombres</translation>
-    </message>
-    <message>
-        <source>its header is damaged: HeaderSize is not a number of bytes</source>
-        <translation>la capçalera està malmesa: HeaderSize no és un nombre de bytes</translation>
-    </message>
-    <message>
-        <source>its header is damaged: a vector in it has not three numbers</source>
-        <translation>la capçalera està malmesa: un vector no té tres nombres</translation>
-    </message>
-    <message>
-        <source>its header is damaged: an image has 2 to 7 dimensions, not %1</source>
-        <translation>la capçalera està malmesa: una imatge té de 2 a 7 dimensions, no %1</translation>
-    </message>
-    <message>
-        <source>its header is damaged: it describes %1 of %2 frames</source>
-        <translation>la capçalera està malmesa: descriu %1 de %2 fotogrames</translation>
-    </message>
-    <message>
-        <source>its header is damaged: it has %1 frames</source>
-        <translation>la capçalera està malmesa: té %1 fotogrames</translation>
-    </message>
-    <message numerus="yes">
-        <source>its header is damaged: it has %n {direction|directions} for %2 axes</source>
-        <translation>
-            <numerusform>la capçalera està malmesa: té %n direcció per a %2 eixos</numerusform>
-            <numerusform>la capçalera està malmesa: té %n direccions per a %2 eixos</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>its header is damaged: it has %n {size|sizes} for %2 dimensions</source>
-        <translation>
-            <numerusform>la capçalera està malmesa: té %n mida per a %2 dimensions</numerusform>
-            <numerusform>la capçalera està malmesa: té %n mides per a %2 dimensions</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>its header is damaged: it promises %1 bytes of pixels in a file of %2 bytes</source>
-        <translation>la capçalera està malmesa: promet %1 bytes de píxels en un fitxer de %2 bytes</translation>
-    </message>
-    <message numerus="yes">
-        <source>its header is damaged: its packed pixels have %n {part|parts} for %2 frames</source>
-        <translation>
-            <numerusform>la capçalera està malmesa: els píxels comprimits tenen %n part per a %2 fotogrames</numerusform>
-            <numerusform>la capçalera està malmesa: els píxels comprimits tenen %n parts per a %2 fotogrames</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>its header is damaged: its packed pixels have no parts</source>
-        <translation>la capçalera està malmesa: els píxels comprimits no tenen parts</translation>
-    </message>
-    <message>
-        <source>its header is damaged: its packed pixels have not one part a frame</source>
-        <translation>la capçalera està malmesa: els píxels comprimits no tenen una part per fotograma</translation>
-    </message>
-    <message>
-        <source>its header is damaged: its rescale slope is 0</source>
-        <translation>la capçalera està malmesa: el pendent de reescalat (Rescale Slope) és 0</translation>
-    </message>
-    <message>
-        <source>its header is damaged: its size along %1 is %2</source>
-        <translation>la capçalera està malmesa: la mida al llarg de %1 és %2</translation>
-    </message>
-    <message>
-        <source>its header is damaged: the directions of its rows and columns are not square</source>
-        <translation>la capçalera està malmesa: les direccions de les files i columnes no són perpendiculars</translation>
-    </message>
-    <message>
-        <source>its header is damaged: the voxels cannot begin at byte %1</source>
-        <translation>la capçalera està malmesa: els vòxels no poden començar al byte %1</translation>
-    </message>
-    <message numerus="yes">
-        <source>its header promises %n {triangle|triangles}, but there is room for %2: the file is damaged</source>
-        <translation>
-            <numerusform>la capçalera promet %n triangle, però hi ha lloc per a %2: el fitxer està malmès</numerusform>
-            <numerusform>la capçalera promet %n triangles, però hi ha lloc per a %2: el fitxer està malmès</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>another item has the same id</source>
-        <translation>un altre element té el mateix identificador</translation>
-    </message>
-    <message>
-        <source>its id is not a whole number from 1 to 2^52</source>
-        <translation>el seu identificador no és un nombre enter d’1 a 2^52</translation>
     </message>
     <message>
         <source>its labels are those of a heart: muscle and chambers are its outer surface, each chamber is a cavity</source>
         <translation>les seves etiquetes són les d’un cor: el múscul i les cavitats cardíaques en formen la superfície exterior, cadascuna d’aquestes és una cavitat</translation>
     </message>
     <message>
-        <source>its layers lie between the axes of space</source>
-        <translation>les seves capes són entre els eixos de l’espai</translation>
-    </message>
-    <message>
-        <source>its name is not UTF-8</source>
-        <translation>el seu nom no és UTF-8</translation>
-    </message>
-    <message>
-        <source>its opacity does not lie between 0 and 1</source>
-        <translation>la seva opacitat no és entre 0 i 1</translation>
-    </message>
-    <message>
-        <source>its packed pixels cannot be read</source>
-        <translation>no se’n poden llegir els píxels comprimits</translation>
-    </message>
-    <message>
-        <source>its parent is not an organ before it</source>
-        <translation>el seu òrgan superior no és abans que ell</translation>
-    </message>
-    <message>
-        <source>its pixels (%1) are damaged or packed in an unknown way</source>
-        <translation>els seus píxels (%1) estan malmesos o comprimits d’una manera desconeguda</translation>
-    </message>
-    <message>
-        <source>its pixels (%1) cannot be unpacked: %2</source>
-        <translation>no se’n poden descomprimir els píxels (%1): %2</translation>
-    </message>
-    <message>
-        <source>its pixels (%1) cannot be unpacked: frame %2 is damaged</source>
-        <translation>no se’n poden descomprimir els píxels (%1): el fotograma %2 està malmès</translation>
-    </message>
-    <message>
-        <source>its pixels cannot be read</source>
-        <translation>no se’n poden llegir els píxels</translation>
-    </message>
-    <message>
         <source>its pixels of %1 bits in %2, up to bit %3, are not supported</source>
         <translation>els seus píxels de %1 bits en %2, fins al bit %3, no s’admeten</translation>
-    </message>
-    <message>
-        <source>its pixels of 32 bits in big-endian order are not supported</source>
-        <translation>els seus píxels de 32 bits en ordre big-endian no s’admeten</translation>
-    </message>
-    <message>
-        <source>its points and triangles are no lists of threes</source>
-        <translation>els seus punts i triangles no són llistes de trios</translation>
-    </message>
-    <message>
-        <source>its points have %1 coordinates, not 3</source>
-        <translation>els seus punts tenen %1 coordenades, no 3</translation>
-    </message>
-    <message>
-        <source>its points have no x, y and z</source>
-        <translation>els seus punts no tenen x, y i z</translation>
-    </message>
-    <message>
-        <source>its position</source>
-        <translation>la seva posició</translation>
-    </message>
-    <message>
-        <source>its position at rest</source>
-        <translation>la seva posició en repòs</translation>
-    </message>
-    <message>
-        <source>its segment %1 has no valid value or layer</source>
-        <translation>el seu segment %1 no té un valor o una capa vàlids</translation>
-    </message>
-    <message>
-        <source>its segmentation cannot be read</source>
-        <translation>no se’n pot llegir la segmentació</translation>
     </message>
     <message>
         <source>its sform and qform place the image differently; the sform is used</source>
@@ -4769,16 +3546,8 @@
         <translation>la seva unitat és el micròmetre; convertit a mm</translation>
     </message>
     <message>
-        <source>its value is not a finite number</source>
-        <translation>el seu valor no és un nombre finit</translation>
-    </message>
-    <message>
         <source>its volume can be kept only after it is bound to the present handles</source>
         <translation>el seu volum només es pot mantenir després de vincular-lo als tiradors presents</translation>
-    </message>
-    <message>
-        <source>its volume differs from that of the surface</source>
-        <translation>el seu volum difereix del de la superfície</translation>
     </message>
     <message>
         <source>its volume is not locked any more: the surface is open now</source>
@@ -4793,28 +3562,8 @@
         <translation>els seus vòxels són en diversos fitxers o en una altra carpeta (%1)</translation>
     </message>
     <message>
-        <source>its voxels are more than 1000 km away</source>
-        <translation>els seus vòxels són a més de 1000 km</translation>
-    </message>
-    <message>
-        <source>its voxels are no plain numbers (ElementType %1)</source>
-        <translation>els seus vòxels no són nombres simples (ElementType %1)</translation>
-    </message>
-    <message>
-        <source>its voxels are no plain numbers (NIfTI data type %1)</source>
-        <translation>els seus vòxels no són nombres simples (tipus de dades NIfTI %1)</translation>
-    </message>
-    <message>
-        <source>its voxels are no plain numbers (type %1)</source>
-        <translation>els seus vòxels no són nombres simples (tipus %1)</translation>
-    </message>
-    <message>
         <source>its voxels lie elsewhere than those of the other masks</source>
         <translation>els seus vòxels són en un altre lloc que els de les altres màscares</translation>
-    </message>
-    <message>
-        <source>barycentric weights must be at least 0 and sum to 1</source>
-        <translation>els pesos baricèntrics han de ser com a mínim 0 i sumar 1</translation>
     </message>
     <message>
         <source>keep the largest, as viscera convert IN OUT --keep-largest does</source>
@@ -4901,10 +3650,6 @@
         <translation>feu que l’últim volum sigui igual al primer</translation>
     </message>
     <message>
-        <source>line %1: %2</source>
-        <translation>línia %1: %2</translation>
-    </message>
-    <message>
         <source>linear</source>
         <translation>lineal</translation>
     </message>
@@ -4915,18 +3660,6 @@
     <message>
         <source>list %1 was converted from %2 to mm</source>
         <translation>la llista %1 s’ha convertit de %2 a mm</translation>
-    </message>
-    <message>
-        <source>list %1, point %2</source>
-        <translation>llista %1, punt %2</translation>
-    </message>
-    <message>
-        <source>list %1: its coordinate system %2 is not LPS or RAS</source>
-        <translation>llista %1: el seu sistema de coordenades %2 no és LPS ni RAS</translation>
-    </message>
-    <message>
-        <source>list %1: its points are no JSON array</source>
-        <translation>llista %1: els seus punts no són una matriu JSON</translation>
     </message>
     <message>
         <source>load a closed surface</source>
@@ -4949,32 +3682,12 @@
         <translation>fa una superfície tancada sense interseccions a prop d’aquesta; els colors es perden</translation>
     </message>
     <message>
-        <source>markup list %1 is not a JSON object</source>
-        <translation>la llista de marques %1 no és un objecte JSON</translation>
-    </message>
-    <message>
-        <source>measured motion</source>
-        <translation>moviment mesurat</translation>
-    </message>
-    <message>
         <source>measurement</source>
         <translation>mesura</translation>
     </message>
     <message>
         <source>measurement %1</source>
         <translation>mesura %1</translation>
-    </message>
-    <message>
-        <source>mesh %1 has a primitive without attributes</source>
-        <translation>la malla %1 té una primitiva sense atributs</translation>
-    </message>
-    <message>
-        <source>mesh %1 has no primitives</source>
-        <translation>la malla %1 no té primitives</translation>
-    </message>
-    <message>
-        <source>mesh %1 refers to point %2, but there are %3 (counted from 0)</source>
-        <translation>la malla %1 es refereix al punt %2, però n’hi ha %3 (comptats des de 0)</translation>
     </message>
     <message>
         <source>metres</source>
@@ -5093,14 +3806,6 @@
         <translation>nanòmetres</translation>
     </message>
     <message>
-        <source>no EGL platform works without a window system</source>
-        <translation>cap plataforma EGL funciona sense sistema de finestres</translation>
-    </message>
-    <message>
-        <source>no OpenGL 3.2 context</source>
-        <translation>sense context OpenGL 3.2</translation>
-    </message>
-    <message>
         <source>no compensation within %1 mm restores the volume</source>
         <translation>cap compensació dins de %1 mm restableix el volum</translation>
     </message>
@@ -5121,16 +3826,8 @@
         <translation>cap moviment proper a aquest manté el volum</translation>
     </message>
     <message>
-        <source>no surface has so many triangles</source>
-        <translation>cap superfície té tants triangles</translation>
-    </message>
-    <message>
         <source>no witness point lies inside</source>
         <translation>cap punt testimoni és a dins</translation>
-    </message>
-    <message>
-        <source>node %1 is in the scene twice</source>
-        <translation>el node %1 és dues vegades a l’escena</translation>
     </message>
     <message>
         <source>node %1 is moved by bones, which are ignored</source>
@@ -5143,10 +3840,6 @@
     <message>
         <source>of an unknown kind</source>
         <translation>de tipus desconegut</translation>
-    </message>
-    <message>
-        <source>one of its points</source>
-        <translation>un dels seus punts</translation>
     </message>
     <message numerus="yes">
         <source>only %n {handle|handles}</source>
@@ -5200,14 +3893,6 @@
         <translation>sortida</translation>
     </message>
     <message>
-        <source>parameter %1</source>
-        <translation>paràmetre %1</translation>
-    </message>
-    <message>
-        <source>parameters: %1</source>
-        <translation>paràmetres: %1</translation>
-    </message>
-    <message>
         <source>pause</source>
         <translation>pausa</translation>
     </message>
@@ -5226,10 +3911,6 @@
     <message>
         <source>pick the point on the surface again</source>
         <translation>torneu a triar el punt de la superfície</translation>
-    </message>
-    <message>
-        <source>pictures of different sizes do not fit on one sheet</source>
-        <translation>imatges de mides diferents no caben en un mateix full</translation>
     </message>
     <message>
         <source>place handles around it</source>
@@ -5256,32 +3937,12 @@
         <translation>col·locació de tiradors</translation>
     </message>
     <message>
-        <source>play at least one whole beat</source>
-        <translation>reproduïu almenys un batec sencer</translation>
-    </message>
-    <message>
         <source>play at the rate that the times are for</source>
         <translation>reproduïu a la freqüència per a la qual valen els temps</translation>
     </message>
     <message>
-        <source>point %1 has a coordinate that is not a finite number</source>
-        <translation>el punt %1 té una coordenada que no és un nombre finit</translation>
-    </message>
-    <message>
-        <source>point %1 lies more than 1000 km away: the file is damaged</source>
-        <translation>el punt %1 és a més de 1000 km: el fitxer està malmès</translation>
-    </message>
-    <message>
-        <source>point numbers are of a type that is not whole</source>
-        <translation>els números dels punts són d’un tipus que no és enter</translation>
-    </message>
-    <message>
         <source>points that coincide or are almost flat cause this</source>
         <translation>ho causen punts que coincideixen o gairebé plans</translation>
-    </message>
-    <message>
-        <source>polygon %1 refers to point %2, but there are %3 (counted from 0)</source>
-        <translation>el polígon %1 es refereix al punt %2, però n’hi ha %3 (comptats des de 0)</translation>
     </message>
     <message>
         <source>put both files into one folder</source>
@@ -5330,10 +3991,6 @@
     <message>
         <source>reduce the surface first</source>
         <translation>reduïu primer la superfície</translation>
-    </message>
-    <message>
-        <source>reduce the surfaces first</source>
-        <translation>reduïu primer les superfícies</translation>
     </message>
     <message>
         <source>reduced ejection</source>
@@ -5388,10 +4045,6 @@
         <translation>restabliu la postura</translation>
     </message>
     <message>
-        <source>restore its definition from the installation</source>
-        <translation>restaureu-ne la definició des de la instal·lació</translation>
-    </message>
-    <message>
         <source>restoring the volume would move a handle by %1 mm</source>
         <translation>restablir el volum mouria un tirador %1 mm</translation>
     </message>
@@ -5428,16 +4081,8 @@
         <translation>deseu-la com un sol fitxer</translation>
     </message>
     <message>
-        <source>save it as one volume</source>
-        <translation>deseu-la com un sol volum</translation>
-    </message>
-    <message>
         <source>save it with gzip or raw encoding</source>
         <translation>deseu-lo amb la codificació gzip o raw</translation>
-    </message>
-    <message>
-        <source>save it with one number a voxel</source>
-        <translation>deseu-la amb un nombre per vòxel</translation>
     </message>
     <message>
         <source>save it with one value per voxel</source>
@@ -5504,10 +4149,6 @@
         <translation>les superfícies no es poden escriure com a «%1»</translation>
     </message>
     <message>
-        <source>system parameter %1</source>
-        <translation>paràmetre %1 del sistema</translation>
-    </message>
-    <message>
         <source>system parameters</source>
         <translation>paràmetres del sistema</translation>
     </message>
@@ -5552,174 +4193,24 @@
         <translation>contracció antral terminal</translation>
     </message>
     <message>
-        <source>tetrahedron %1 has a corner that does not exist</source>
-        <translation>el tetràedre %1 té un vèrtex que no existeix</translation>
-    </message>
-    <message>
-        <source>tetrahedron %1 is flat or turned around</source>
-        <translation>el tetràedre %1 és pla o està invertit</translation>
-    </message>
-    <message>
-        <source>it has text in place of numbers</source>
-        <translation>té text en lloc de nombres</translation>
-    </message>
-    <message>
         <source>the Delaunay tetrahedra of %1 points cannot be computed</source>
         <translation>no es poden calcular els tetràedres de Delaunay de %1 punts</translation>
-    </message>
-    <message>
-        <source>the JSON chunk</source>
-        <translation>el bloc JSON</translation>
-    </message>
-    <message>
-        <source>the array %1 has %2 values for %3 points</source>
-        <translation>la matriu %1 té %2 valors per a %3 punts</translation>
-    </message>
-    <message>
-        <source>the array %1: %2</source>
-        <translation>la matriu %1: %2</translation>
-    </message>
-    <message>
-        <source>the biharmonic energy cannot be factorised</source>
-        <translation>l’energia biharmònica no es pot factoritzar</translation>
     </message>
     <message>
         <source>the cage</source>
         <translation>la gàbia</translation>
     </message>
     <message>
-        <source>the cells&apos; offsets do not fit their points</source>
-        <translation>els començaments de les cel·les no corresponen als seus punts</translation>
-    </message>
-    <message>
-        <source>the context cannot be used without a surface</source>
-        <translation>el context no es pot fer servir sense superfície</translation>
-    </message>
-    <message>
         <source>the convex hull of %1 points cannot be computed</source>
         <translation>no es pot calcular l’envolupant convexa de %1 punts</translation>
-    </message>
-    <message>
-        <source>the coordinate %1</source>
-        <translation>la coordenada %1</translation>
-    </message>
-    <message>
-        <source>the coordinate system %1 is not LPS or RAS</source>
-        <translation>el sistema de coordenades %1 no és LPS ni RAS</translation>
     </message>
     <message>
         <source>the coordinates are kept in single precision: they would take %1 MiB otherwise</source>
         <translation>les coordenades es guarden en precisió simple; si no, ocuparien %1 MiB</translation>
     </message>
     <message>
-        <source>the directions and spacing of its voxels enclose no volume</source>
-        <translation>les direccions i la separació dels seus vòxels no tanquen cap volum</translation>
-    </message>
-    <message>
-        <source>the directions, spacing or origin of its voxels are not finite</source>
-        <translation>les direccions, la separació o l’origen dels seus vòxels no són finits</translation>
-    </message>
-    <message>
-        <source>the driver's OpenGL is older than 3.2</source>
-        <translation>l’OpenGL del controlador és anterior a 3.2</translation>
-    </message>
-    <message>
         <source>the file does not state its axes: LPS is assumed</source>
         <translation>el fitxer no indica els seus eixos: se suposa LPS</translation>
-    </message>
-    <message>
-        <source>the file is cut off before its data</source>
-        <translation>el fitxer està tallat abans de les dades</translation>
-    </message>
-    <message>
-        <source>the file is cut off or damaged: a list of %1 %2 should have more values than are left</source>
-        <translation>el fitxer està tallat o malmès: una llista de %1 %2 hauria de tenir més valors dels que queden</translation>
-    </message>
-    <message numerus="yes">
-        <source>the file is cut off, or is not an STL file: its header promises %n {triangle|triangles} (%2 bytes), but it has %3 bytes</source>
-        <translation>
-            <numerusform>el fitxer està tallat o no és un fitxer STL: la capçalera promet %n triangle (%2 bytes), però té %3 bytes</numerusform>
-            <numerusform>el fitxer està tallat o no és un fitxer STL: la capçalera promet %n triangles (%2 bytes), però té %3 bytes</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>the file is cut off: %1 should have %2 bytes, but only %3 are left</source>
-        <translation>el fitxer està tallat: %1 hauria de tenir %2 bytes, però només en queden %3</translation>
-    </message>
-    <message numerus="yes">
-        <source>the file is cut off: %2 numbers should follow, but only %n {byte is|bytes are} left</source>
-        <translation>
-            <numerusform>el fitxer està tallat: haurien de seguir %2 nombres, però només queda %n byte</numerusform>
-            <numerusform>el fitxer està tallat: haurien de seguir %2 nombres, però només queden %n bytes</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>the file is cut off: %2 values are promised, there {is|are} only %n {byte|bytes}</source>
-        <translation>
-            <numerusform>el fitxer està tallat: es prometen %2 valors, només hi ha %n byte</numerusform>
-            <numerusform>el fitxer està tallat: es prometen %2 valors, només hi ha %n bytes</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>the file is cut off: buffer %1 should have %2 bytes, but has %3</source>
-        <translation>el fitxer està tallat: la memòria intermèdia %1 hauria de tenir %2 bytes, però en té %3</translation>
-    </message>
-    <message>
-        <source>the file is cut off: it ends where %1 should stand</source>
-        <translation>el fitxer està tallat: acaba on hi hauria d’haver %1</translation>
-    </message>
-    <message numerus="yes">
-        <source>the file is cut off: it has %n {byte|bytes}, a NIfTI header alone has 348</source>
-        <translation>
-            <numerusform>el fitxer està tallat: té %n byte, una capçalera NIfTI sola en té 348</numerusform>
-            <numerusform>el fitxer està tallat: té %n bytes, una capçalera NIfTI sola en té 348</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>the file is cut off: it has fewer lines than its header says</source>
-        <translation>el fitxer està tallat: té menys línies de les que indica la capçalera</translation>
-    </message>
-    <message>
-        <source>the file is cut off: it should have %1 bytes, but has %2</source>
-        <translation>el fitxer està tallat: hauria de tenir %1 bytes, però en té %2</translation>
-    </message>
-    <message numerus="yes">
-        <source>the file is cut off: its %n {frame has|frames have} too few pixels</source>
-        <translation>
-            <numerusform>el fitxer està tallat: el seu %n fotograma té massa pocs píxels</numerusform>
-            <numerusform>el fitxer està tallat: els seus %n fotogrames tenen massa pocs píxels</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>the file is cut off: its end is missing</source>
-        <translation>el fitxer està tallat: en falta el final</translation>
-    </message>
-    <message>
-        <source>the file is cut off: its header has no ElementDataFile</source>
-        <translation>el fitxer està tallat: la capçalera no té ElementDataFile</translation>
-    </message>
-    <message>
-        <source>the file is cut off: its header promises %1 bytes of pixels, %2 are there</source>
-        <translation>el fitxer està tallat: la capçalera promet %1 bytes de píxels, n’hi ha %2</translation>
-    </message>
-    <message>
-        <source>the file is cut off: its header promises %1 bytes of voxels, %2 are there</source>
-        <translation>el fitxer està tallat: la capçalera promet %1 bytes de vòxels, n’hi ha %2</translation>
-    </message>
-    <message numerus="yes">
-        <source>the file is cut off: its header promises %2 of %3, more than the %n {byte|bytes} that are left can hold</source>
-        <translation>
-            <numerusform>el fitxer està tallat: la capçalera promet %2 de %3, més del que cap en el %n byte que queda</numerusform>
-            <numerusform>el fitxer està tallat: la capçalera promet %2 de %3, més del que cap en els %n bytes que queden</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>the file is cut off: its header promises more voxels than there are</source>
-        <translation>el fitxer està tallat: la capçalera promet més vòxels dels que hi ha</translation>
-    </message>
-    <message>
-        <source>the file is cut off: its packed data end too early</source>
-        <translation>el fitxer està tallat: les dades comprimides acaben massa aviat</translation>
     </message>
     <message>
         <source>the file is empty</source>
@@ -5758,10 +4249,6 @@
         <translation>els %1 sòlids del fitxer s’han unit en una sola superfície</translation>
     </message>
     <message>
-        <source>the first chunk&apos;s header</source>
-        <translation>la capçalera del primer bloc</translation>
-    </message>
-    <message>
         <source>the first one is 0</source>
         <translation>la primera és 0</translation>
     </message>
@@ -5778,26 +4265,6 @@
         <translation>no es pot escriure a la carpeta dels fotogrames</translation>
     </message>
     <message>
-        <source>the format %1 is not known</source>
-        <translation>el format %1 no es coneix</translation>
-    </message>
-    <message>
-        <source>the frame rate has to be positive</source>
-        <translation>la freqüència de fotogrames ha de ser positiva</translation>
-    </message>
-    <message>
-        <source>the frames of a movie have to be of one size: this one is %1 x %2, the first was %3 x %4</source>
-        <translation>els fotogrames d’una pel·lícula han de tenir la mateixa mida: aquest fa %1 x %2, el primer %3 x %4</translation>
-    </message>
-    <message>
-        <source>the handle %1 comes twice</source>
-        <translation>el tirador %1 apareix dues vegades</translation>
-    </message>
-    <message>
-        <source>the handle %1 is in two groups</source>
-        <translation>el tirador %1 és en dos grups</translation>
-    </message>
-    <message>
         <source>the handles enclose nothing: %1</source>
         <translation>els tiradors no envolten res: %1</translation>
     </message>
@@ -5810,24 +4277,8 @@
         <translation>els tetràedres dels tiradors</translation>
     </message>
     <message>
-        <source>the header</source>
-        <translation>la capçalera</translation>
-    </message>
-    <message>
-        <source>the id %1 comes twice</source>
-        <translation>l’identificador %1 apareix dues vegades</translation>
-    </message>
-    <message>
-        <source>the label &quot;%1&quot; comes twice</source>
-        <translation>l’etiqueta «%1» apareix dues vegades</translation>
-    </message>
-    <message>
         <source>the label &quot;%1&quot; is not a landmark of the sequence %2</source>
         <translation>l’etiqueta «%1» no és un punt de referència de la seqüència %2</translation>
-    </message>
-    <message>
-        <source>the label map has no segment number %1</source>
-        <translation>el mapa d’etiquetes no té el segment número %1</translation>
     </message>
     <message>
         <source>the landmark &quot;%1&quot; comes twice</source>
@@ -5848,14 +4299,6 @@
     <message>
         <source>the last phase equals the first and is left out: phase %1 would be phase 1 again</source>
         <translation>l’última fase és igual a la primera i s’omet: la fase %1 tornaria a ser la fase 1</translation>
-    </message>
-    <message>
-        <source>the layers</source>
-        <translation>les capes</translation>
-    </message>
-    <message>
-        <source>the limits of time and memory must be above 0</source>
-        <translation>els límits de temps i memòria han de ser més grans que 0</translation>
     </message>
     <message>
         <source>the locked volumes cannot be kept</source>
@@ -5898,52 +4341,8 @@
         <translation>els noms de les seves etiquetes són els de %1</translation>
     </message>
     <message>
-        <source>the number of arrays</source>
-        <translation>el nombre de matrius</translation>
-    </message>
-    <message>
-        <source>the number of cells</source>
-        <translation>el nombre de cel·les</translation>
-    </message>
-    <message>
-        <source>the number of colour channels</source>
-        <translation>el nombre de canals de color</translation>
-    </message>
-    <message>
-        <source>the number of components</source>
-        <translation>el nombre de components</translation>
-    </message>
-    <message>
-        <source>the number of components is not positive</source>
-        <translation>el nombre de components no és positiu</translation>
-    </message>
-    <message>
-        <source>the number of faces</source>
-        <translation>el nombre de cares</translation>
-    </message>
-    <message>
-        <source>the number of groups must be at least 1, not %1</source>
-        <translation>el nombre de grups ha de ser almenys 1, no %1</translation>
-    </message>
-    <message>
-        <source>the number of points</source>
-        <translation>el nombre de punts</translation>
-    </message>
-    <message>
-        <source>the number of texture axes</source>
-        <translation>el nombre d’eixos de textura</translation>
-    </message>
-    <message>
-        <source>the number of values</source>
-        <translation>el nombre de valors</translation>
-    </message>
-    <message>
         <source>the offset of region &apos;%1&apos; is cut to %2 mm, the distance of its nearest handle from a zone</source>
         <translation>el desplaçament de la regió «%1» es retalla a %2 mm, la distància del seu tirador més proper a una zona</translation>
-    </message>
-    <message>
-        <source>the offsets of its cells (%1) do not fit their points</source>
-        <translation>els començaments de les seves cel·les (%1) no corresponen als seus punts</translation>
     </message>
     <message>
         <source>the organ is %1 times as long as that of an adult; check its unit</source>
@@ -5965,71 +4364,8 @@
         </translation>
     </message>
     <message>
-        <source>the organ that it is a cavity of is not before it</source>
-        <translation>l’òrgan de què és cavitat no és abans</translation>
-    </message>
-    <message>
-        <source>the outline of %1 vertices cannot follow %2</source>
-        <translation>el contorn de %1 vèrtexs no en pot seguir %2</translation>
-    </message>
-    <message>
-        <source>the overlap of groups must lie between 0 and 1</source>
-        <translation>el solapament dels grups ha de ser entre 0 i 1</translation>
-    </message>
-    <message>
-        <source>the packed data are damaged</source>
-        <translation>les dades comprimides estan malmeses</translation>
-    </message>
-    <message>
-        <source>It is damaged or no DICOM file: its header violates the DICOM standard</source>
-        <translation>Està malmès o no és un fitxer DICOM: la capçalera no compleix l’estàndard DICOM</translation>
-    </message>
-    <message>
-        <source>its packed data are more than %1 MB unpacked, which no scan of its size is</source>
-        <translation>les dades comprimides ocupen més de %1 MB un cop descomprimides, cosa que no fa cap exploració d’aquesta mida</translation>
-    </message>
-    <message>
-        <source>the packed data are damaged (%1)</source>
-        <translation>les dades comprimides estan malmeses (%1)</translation>
-    </message>
-    <message>
-        <source>the packed data are damaged (bzip2 error %1)</source>
-        <translation>les dades comprimides estan malmeses (error %1 de bzip2)</translation>
-    </message>
-    <message>
-        <source>the parts of its colour do not lie between 0 and 1</source>
-        <translation>les parts del seu color no són entre 0 i 1</translation>
-    </message>
-    <message>
-        <source>the period is not a positive number of seconds</source>
-        <translation>el període no és un nombre positiu de segons</translation>
-    </message>
-    <message>
         <source>the picture cannot be written</source>
         <translation>no es pot escriure la imatge</translation>
-    </message>
-    <message>
-        <source>the picture does not exist</source>
-        <translation>la imatge no existeix</translation>
-    </message>
-    <message>
-        <source>the picture is not of three channels of 8 bits</source>
-        <translation>la imatge no té tres canals de 8 bits</translation>
-    </message>
-    <message>
-        <source>the points to show are %1, the surface has %2</source>
-        <translation>els punts a mostrar són %1, la superfície en té %2</translation>
-    </message>
-    <message numerus="yes">
-        <source>the pose has %n {handle|handles}, the organ is bound to %2</source>
-        <translation>
-            <numerusform>la postura té %n tirador, l’òrgan està vinculat a %2</numerusform>
-            <numerusform>la postura té %n tiradors, l’òrgan està vinculat a %2</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>the pose has another number of handles than the document</source>
-        <translation>la postura té un altre nombre de tiradors que el document</translation>
     </message>
     <message>
         <source>the position is not finite</source>
@@ -6040,32 +4376,12 @@
         <translation>la posició del tirador %1 a %2 no és finita</translation>
     </message>
     <message>
-        <source>the positions of its frames are not finite</source>
-        <translation>les posicions dels seus fotogrames no són finites</translation>
-    </message>
-    <message>
         <source>the program ffmpeg is needed for this kind of movie and is not installed</source>
         <translation>aquest tipus de pel·lícula necessita el programa ffmpeg, que no està instal·lat</translation>
     </message>
     <message>
-        <source>the quality of tetrahedra is a ratio from 1.1 (best) to 10</source>
-        <translation>la qualitat dels tetràedres és una raó d’1,1 (millor) a 10</translation>
-    </message>
-    <message>
-        <source>the reply is cut short</source>
-        <translation>la resposta està tallada</translation>
-    </message>
-    <message>
-        <source>the reply is damaged</source>
-        <translation>la resposta està malmesa</translation>
-    </message>
-    <message>
         <source>the right ventricle is too small to eject as much as the left one</source>
         <translation>el ventricle dret és massa petit per ejectar tant com l’esquerre</translation>
-    </message>
-    <message>
-        <source>the sample organ has no surface &quot;%1&quot;</source>
-        <translation>l’òrgan de mostra no té cap superfície «%1»</translation>
     </message>
     <message>
         <source>the scan %1 is not there any more (put it beside the session and open that again)</source>
@@ -6078,18 +4394,6 @@
     <message>
         <source>the size is plausible: %1</source>
         <translation>la mida és plausible: %1</translation>
-    </message>
-    <message>
-        <source>the size of a colour table</source>
-        <translation>la mida d’una taula de colors</translation>
-    </message>
-    <message>
-        <source>the size of the cells</source>
-        <translation>la mida de les cel·les</translation>
-    </message>
-    <message>
-        <source>the sizes of its voxels are missing, zero or not finite</source>
-        <translation>les mides dels seus vòxels falten, són zero o no són finites</translation>
     </message>
     <message>
         <source>the solid could not be written</source>
@@ -6136,10 +4440,6 @@
         <translation>la superfície té %1 triangles utilitzables, així que no tanca res</translation>
     </message>
     <message>
-        <source>the surface has no such triangle</source>
-        <translation>la superfície no té aquest triangle</translation>
-    </message>
-    <message>
         <source>the surface has no triangles or is flat, so it encloses nothing</source>
         <translation>la superfície no té triangles o és plana, així que no tanca res</translation>
     </message>
@@ -6179,13 +4479,6 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>the surface is open (%n boundary {edge|edges}), so it has no volume</source>
-        <translation>
-            <numerusform>la superfície és oberta (%n aresta de vora), així que no té volum</numerusform>
-            <numerusform>la superfície és oberta (%n arestes de vora), així que no té volum</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>the surface is open (%n boundary {edge|edges}), so it has no volume that could be locked</source>
         <translation>
             <numerusform>la superfície és oberta (%n aresta de vora), així que no té volum per bloquejar</numerusform>
@@ -6197,28 +4490,12 @@
         <translation>la superfície és massa gran per a GLB, que acaba a 4 GB</translation>
     </message>
     <message>
-        <source>the table of names in it cannot be read</source>
-        <translation>no es pot llegir la taula de noms que conté</translation>
-    </message>
-    <message>
-        <source>the tetrahedra do not determine the coordinates</source>
-        <translation>els tetràedres no determinen les coordenades</translation>
-    </message>
-    <message>
         <source>the triangles beside a hole do not all run the same way round, so it cannot be closed</source>
         <translation>els triangles al voltant d’un forat no giren tots en el mateix sentit, així que no es pot tancar</translation>
     </message>
     <message>
         <source>the triangles face outward</source>
         <translation>els triangles miren cap enfora</translation>
-    </message>
-    <message>
-        <source>the values to show are %1, the surface has %2 vertices</source>
-        <translation>els valors a mostrar són %1, la superfície té %2 vèrtexs</translation>
-    </message>
-    <message>
-        <source>the values to show are %1, the tissue has %2 points</source>
-        <translation>els valors a mostrar són %1, el teixit té %2 punts</translation>
     </message>
     <message>
         <source>the volume at the end of the cycle differs from the volume at its start</source>
@@ -6229,10 +4506,6 @@
         <translation>el volum no es pot mantenir aquí: %1</translation>
     </message>
     <message>
-        <source>the volumes</source>
-        <translation>la sèrie de volums</translation>
-    </message>
-    <message>
         <source>the waves are %1 % as deep as in an adult: %2</source>
         <translation>les ones tenen el %1 % de la profunditat que en un adult: %2</translation>
     </message>
@@ -6241,71 +4514,16 @@
         <translation>n’hi ha %1</translation>
     </message>
     <message>
-        <source>there are no points to group handles around</source>
-        <translation>no hi ha punts al voltant dels quals agrupar tiradors</translation>
-    </message>
-    <message>
         <source>there are no tetrahedra in it; the surface may be open</source>
         <translation>no conté tetràedres; potser la superfície és oberta</translation>
-    </message>
-    <message numerus="yes">
-        <source>there are values for %n {point|points}, but the surface has %2</source>
-        <translation>
-            <numerusform>hi ha valors per a %n punt, però la superfície en té %2</numerusform>
-            <numerusform>hi ha valors per a %n punts, però la superfície en té %2</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>there are: %1</source>
-        <translation>hi ha: %1</translation>
-    </message>
-    <message>
-        <source>there is a second list of points</source>
-        <translation>hi ha una segona llista de punts</translation>
-    </message>
-    <message>
-        <source>there is no %1 &quot;%2&quot;</source>
-        <translation>«%2» no és un valor de %1</translation>
-    </message>
-    <message>
-        <source>there is no colour map of this name</source>
-        <translation>no hi ha cap escala de colors amb aquest nom</translation>
     </message>
     <message>
         <source>there is no coordinate system &quot;%1&quot;</source>
         <translation>no hi ha cap sistema de coordenades «%1»</translation>
     </message>
     <message>
-        <source>there is no handle %1</source>
-        <translation>no hi ha cap tirador %1</translation>
-    </message>
-    <message>
         <source>there is no handle at vertex %1</source>
         <translation>no hi ha cap tirador al vèrtex %1</translation>
-    </message>
-    <message>
-        <source>there is no organ %1</source>
-        <translation>no hi ha cap òrgan %1</translation>
-    </message>
-    <message>
-        <source>there is no parameter %1</source>
-        <translation>no hi ha cap paràmetre %1</translation>
-    </message>
-    <message>
-        <source>there is no picture to put on the sheet</source>
-        <translation>no hi ha cap imatge per posar al full</translation>
-    </message>
-    <message>
-        <source>there is no repair &quot;%1&quot;</source>
-        <translation>no hi ha cap reparació «%1»</translation>
-    </message>
-    <message>
-        <source>there is no sequence &quot;%1&quot;</source>
-        <translation>no hi ha cap seqüència «%1»</translation>
-    </message>
-    <message>
-        <source>there is no sequence &quot;%1&quot; for other organs</source>
-        <translation>no hi ha cap seqüència «%1» per a altres òrgans</translation>
     </message>
     <message>
         <source>there is no such file</source>
@@ -6316,56 +4534,20 @@
         <translation>no existeix aquest fitxer ni aquesta carpeta</translation>
     </message>
     <message>
-        <source>there is no such slice</source>
-        <translation>aquest tall no existeix</translation>
-    </message>
-    <message>
         <source>there is no surface to write</source>
         <translation>no hi ha cap superfície per escriure</translation>
-    </message>
-    <message>
-        <source>there is no triangle %1</source>
-        <translation>no hi ha cap triangle %1</translation>
     </message>
     <message>
         <source>there is no triangle to write</source>
         <translation>no hi ha cap triangle per escriure</translation>
     </message>
     <message>
-        <source>there is no view of this name</source>
-        <translation>no hi ha cap vista amb aquest nom</translation>
-    </message>
-    <message>
-        <source>there is no way &quot;%1&quot; to make groups</source>
-        <translation>no existeix la manera «%1» de fer grups</translation>
-    </message>
-    <message>
         <source>simplifying the surface</source>
         <translation>simplificació de la superfície</translation>
     </message>
     <message>
-        <source>this EGL knows no desktop OpenGL</source>
-        <translation>aquest EGL no coneix OpenGL d’escriptori</translation>
-    </message>
-    <message>
         <source>this is a fault of the program; please report it</source>
         <translation>és un error del programa; si us plau, comuniqueu-lo</translation>
-    </message>
-    <message>
-        <source>this is not a PNG picture</source>
-        <translation>això no és una imatge PNG</translation>
-    </message>
-    <message>
-        <source>this is not a line of a MetaImage header: %1</source>
-        <translation>això no és una línia d’una capçalera MetaImage: %1</translation>
-    </message>
-    <message>
-        <source>this is not a line of an NRRD header: %1</source>
-        <translation>això no és una línia d’una capçalera NRRD: %1</translation>
-    </message>
-    <message>
-        <source>this system has no parameters</source>
-        <translation>aquest sistema no té paràmetres</translation>
     </message>
     <message>
         <source>too few landmarks: there is %1 but neither fundus nor pylorus</source>
@@ -6386,10 +4568,6 @@
     <message>
         <source>triangle %1</source>
         <translation>triangle %1</translation>
-    </message>
-    <message>
-        <source>triangle %1 refers to vertex %2, but there are %3</source>
-        <translation>el triangle %1 es refereix al vèrtex %2, però n’hi ha %3</translation>
     </message>
     <message>
         <source>try another resolution</source>
@@ -6424,20 +4602,12 @@
         <translation>dos grups tenen aquest nom</translation>
     </message>
     <message>
-        <source>two handles are at one place</source>
-        <translation>dos tiradors són al mateix lloc</translation>
-    </message>
-    <message>
         <source>two handles have this label</source>
         <translation>dos tiradors tenen aquest nom</translation>
     </message>
     <message>
         <source>unlock it, or let more handles compensate</source>
         <translation>desbloquegeu-lo, o deixeu compensar més tiradors</translation>
-    </message>
-    <message>
-        <source>unsaved work</source>
-        <translation>feina sense desar</translation>
     </message>
     <message>
         <source>unsaved work cannot be kept safe: the folder cannot be written to</source>
@@ -6452,32 +4622,12 @@
         <translation>feu servir .ogv, .mp4, .gif o una carpeta per a fotogrames PNG</translation>
     </message>
     <message>
-        <source>use a pose of the same handles</source>
-        <translation>feu servir una postura dels mateixos tiradors</translation>
-    </message>
-    <message>
-        <source>use anterior, posterior, left, right, superior or inferior</source>
-        <translation>feu servir anterior, posterior, left, right, superior o inferior</translation>
-    </message>
-    <message>
         <source>use images that show all of it in every phase</source>
         <translation>feu servir imatges que el mostrin sencer en totes les fases</translation>
     </message>
     <message>
-        <source>use one of %1</source>
-        <translation>feu servir un de %1</translation>
-    </message>
-    <message>
         <source>use one of: %1</source>
         <translation>feu servir un de: %1</translation>
-    </message>
-    <message>
-        <source>use one of: heartbeat, peristalsis, breathing</source>
-        <translation>feu servir una de: heartbeat, peristalsis, breathing</translation>
-    </message>
-    <message>
-        <source>use viridis or diverging</source>
-        <translation>feu servir viridis o diverging</translation>
     </message>
     <message>
         <source>values from the section %1 on were not understood and ignored</source>
@@ -6486,10 +4636,6 @@
     <message>
         <source>vertex %1</source>
         <translation>vèrtex %1</translation>
-    </message>
-    <message>
-        <source>vertex %1 has a coordinate that is not a finite number</source>
-        <translation>el vèrtex %1 té una coordenada que no és un nombre finit</translation>
     </message>
     <message>
         <source>volume</source>
@@ -6526,10 +4672,6 @@
     <message>
         <source>wave in the body</source>
         <translation>ona al cos gàstric</translation>
-    </message>
-    <message>
-        <source>witness point %1 has a coordinate that is not finite</source>
-        <translation>el punt testimoni %1 té una coordenada que no és finita</translation>
     </message>
     <message>
         <source>witness points</source>
@@ -6573,22 +4715,6 @@
     <message>
         <source>stress profile</source>
         <translation>perfil de tensió</translation>
-    </message>
-    <message>
-        <source>its number is not a whole number from 1</source>
-        <translation>el seu número no és un enter a partir d’1</translation>
-    </message>
-    <message>
-        <source>two stress probes have this number</source>
-        <translation>dues sondes de tensió tenen aquest número</translation>
-    </message>
-    <message>
-        <source>its place at rest</source>
-        <translation>el seu lloc en repòs</translation>
-    </message>
-    <message>
-        <source>it does not join two stress probes of one organ</source>
-        <translation>no uneix dues sondes de tensió d’un òrgan</translation>
     </message>
     <message>
         <source>A profile needs two probes of one organ</source>
@@ -6639,36 +4765,8 @@
         <translation>escriptura de la pel·lícula</translation>
     </message>
     <message>
-        <source>breathing needs at least four handles</source>
-        <translation>la respiració necessita almenys quatre tiradors</translation>
-    </message>
-    <message>
         <source>the organ has no extent</source>
         <translation>l’òrgan no té extensió</translation>
-    </message>
-    <message>
-        <source>the liver cannot be pressed that far</source>
-        <translation>el fetge no es pot comprimir tant</translation>
-    </message>
-    <message>
-        <source>use shares between 0 and 0.5</source>
-        <translation>feu servir proporcions entre 0 i 0,5</translation>
-    </message>
-    <message>
-        <source>a ventricle has to hold less at the end of systole than at the end of diastole</source>
-        <translation>un ventricle ha de contenir menys al final de la sístole que al final de la diàstole</translation>
-    </message>
-    <message>
-        <source>cardiac cycle</source>
-        <translation>cicle cardíac</translation>
-    </message>
-    <message>
-        <source>The volume of a cavity is not a number</source>
-        <translation>El volum d’una cavitat no és un nombre</translation>
-    </message>
-    <message>
-        <source>check the cavities' surfaces</source>
-        <translation>comproveu les superfícies de les cavitats</translation>
     </message>
     <message>
         <source>heart with %1 ml left and %2 ml right</source>
@@ -6711,47 +4809,12 @@
         <translation>elimineu-lo</translation>
     </message>
     <message>
-        <source>the course does not cover a beat</source>
-        <translation>el curs no abasta un batec</translation>
-    </message>
-    <message>
-        <source>valves and volumes of the heartbeat have different times</source>
-        <translation>les vàlvules i els volums del batec tenen temps diferents</translation>
-    </message>
-    <message>
         <source>calibrating the heartbeat</source>
         <translation>calibratge del batec</translation>
-    </message>
-    <message numerus="yes">
-        <source>a curve needs at least %n {key|keys}</source>
-        <translation>
-            <numerusform>una corba necessita almenys %n clau</numerusform>
-            <numerusform>una corba necessita almenys %n claus</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>the key is not a finite number</source>
-        <translation>la clau no és un nombre finit</translation>
     </message>
     <message>
         <source>curve key %1</source>
         <translation>clau %1 de la corba</translation>
-    </message>
-    <message>
-        <source>the key does not lie after the one before it</source>
-        <translation>la clau no és després de l’anterior</translation>
-    </message>
-    <message>
-        <source>sort the keys and remove doubles</source>
-        <translation>ordeneu les claus i elimineu les repetides</translation>
-    </message>
-    <message>
-        <source>the keys do not fit into one period</source>
-        <translation>les claus no caben en un període</translation>
-    </message>
-    <message>
-        <source>give keys of one period only</source>
-        <translation>indiqueu només claus d’un període</translation>
     </message>
     <message>
         <source>the pylorus does not lie beyond the middle of the body</source>
@@ -6764,14 +4827,6 @@
     <message>
         <source>choose the landmarks from the fundus downwards</source>
         <translation>trieu els punts de referència del fundus cap avall</translation>
-    </message>
-    <message>
-        <source>waves without depth</source>
-        <translation>ones sense profunditat</translation>
-    </message>
-    <message>
-        <source>give a depth above 0</source>
-        <translation>indiqueu una profunditat superior a 0</translation>
     </message>
     <message>
         <source>the surface has no inside</source>
@@ -6821,55 +4876,12 @@
         <translation>comproveu els punts de referència de la base, l’àpex i el ventricle dret</translation>
     </message>
     <message>
-        <source>a surface needs three points at least to carry the ring of a valve</source>
-        <translation>una superfície necessita almenys tres punts per portar l’anell d’una vàlvula</translation>
-    </message>
-    <message>
-        <source>its time is not a finite number</source>
-        <translation>el seu temps no és un nombre finit</translation>
-    </message>
-    <message numerus="yes">
-        <source>its pose has %n {handle|handles} instead of %2</source>
-        <translation>
-            <numerusform>la seva postura té %n tirador en lloc de %2</numerusform>
-            <numerusform>la seva postura té %n tiradors en lloc de %2</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>a handle's position is not a finite number</source>
-        <translation>la posició d’un tirador no és un nombre finit</translation>
-    </message>
-    <message>
-        <source>its time, %1, is outside the period of %2</source>
-        <translation>el seu temps, %1, és fora del període de %2</translation>
-    </message>
-    <message>
         <source>move it, or lengthen the period</source>
         <translation>moveu-la o allargueu el període</translation>
     </message>
     <message>
-        <source>its time, %1, is not after that of the key before it</source>
-        <translation>el seu temps, %1, no és posterior al de la clau anterior</translation>
-    </message>
-    <message>
-        <source>sort the keys by time and leave a millisecond at least between two</source>
-        <translation>ordeneu les claus per temps i deixeu almenys un mil·lisegon entre dues</translation>
-    </message>
-    <message>
         <source>there is no key</source>
         <translation>no hi ha cap clau</translation>
-    </message>
-    <message>
-        <source>a handle's rest position is not a finite number</source>
-        <translation>la posició en repòs d’un tirador no és un nombre finit</translation>
-    </message>
-    <message>
-        <source>a heart cannot lose that part of its volume in systole</source>
-        <translation>un cor no pot perdre aquesta part del seu volum a la sístole</translation>
-    </message>
-    <message>
-        <source>choose 0 to 0.4; people have 0.048 to 0.106</source>
-        <translation>trieu de 0 a 0,4; les persones tenen de 0,048 a 0,106</translation>
     </message>
     <message>
         <source>the heart cannot be brought to the volume that it has to hold</source>
@@ -6894,29 +4906,6 @@
     <message>
         <source>check the landmarks</source>
         <translation>comproveu els punts de referència</translation>
-    </message>
-    <message>
-        <source>the coordinates of the handles are not a finite square matrix</source>
-        <translation>les coordenades dels tiradors no són una matriu quadrada finita</translation>
-    </message>
-    <message>
-        <source>pose compensation</source>
-        <translation>compensació de la postura</translation>
-    </message>
-    <message>
-        <source>the coordinates do not sum to 1</source>
-        <translation>les coordenades no sumen 1</translation>
-    </message>
-    <message numerus="yes">
-        <source>the compensation is for %n {handle|handles}, the organ (%2) has %3</source>
-        <translation>
-            <numerusform>la compensació és per a %n tirador, l’òrgan (%2) en té %3</numerusform>
-            <numerusform>la compensació és per a %n tiradors, l’òrgan (%2) en té %3</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>the size of the organ is not a positive number</source>
-        <translation>la mida de l’òrgan no és un nombre positiu</translation>
     </message>
     <message>
         <source>the centreline leaves the stomach %1 mm below the top of the fundus</source>
@@ -6970,10 +4959,6 @@
         <translation>paret lliure del ventricle esquerre, per fora</translation>
     </message>
     <message>
-        <source>The surfaces are not those that were measured at rest</source>
-        <translation>Les superfícies no són les que es van mesurar en repòs</translation>
-    </message>
-    <message>
         <source>excursion of the mitral annulus towards the apex</source>
         <translation>excursió de l’anell mitral cap a l’àpex</translation>
     </message>
@@ -7020,14 +5005,6 @@
     <message>
         <source>the amount in a healthy heart</source>
         <translation>la quantitat en un cor sa</translation>
-    </message>
-    <message>
-        <source>the circulation has no parameter of that name</source>
-        <translation>la circulació no té cap paràmetre amb aquest nom</translation>
-    </message>
-    <message>
-        <source>the nearest is %1; docs/circulation.md lists all</source>
-        <translation>el més semblant és %1; docs/circulation.md els enumera tots</translation>
     </message>
     <message>
         <source>%1 is out of its range</source>
@@ -7121,14 +5098,6 @@
         <translation>acosteu els paràmetres als de repòs, uns quants cada vegada</translation>
     </message>
     <message>
-        <source>there is no such scenario</source>
-        <translation>no existeix aquest escenari</translation>
-    </message>
-    <message>
-        <source>choose one of %1</source>
-        <translation>trieu-ne un de %1</translation>
-    </message>
-    <message>
         <source>fitting phase %1</source>
         <translation>ajust de la fase %1</translation>
     </message>
@@ -7178,24 +5147,12 @@
         </translation>
     </message>
     <message>
-        <source>ask for %1 at least</source>
-        <translation>demaneu-ne almenys %1</translation>
-    </message>
-    <message>
         <source>ask for fewer</source>
         <translation>demaneu-ne menys</translation>
     </message>
     <message>
         <source>keeping volumes</source>
         <translation>conservació dels volums</translation>
-    </message>
-    <message>
-        <source>It has no phase</source>
-        <translation>No té cap fase</translation>
-    </message>
-    <message>
-        <source>name one surface for each phase</source>
-        <translation>indiqueu una superfície per a cada fase</translation>
     </message>
     <message>
         <source>Phase %1 has %2 points and the first has %3</source>
@@ -7222,52 +5179,12 @@
         <translation>repareu les superfícies al programa que les va fer</translation>
     </message>
     <message>
-        <source>There is no surface</source>
-        <translation>No hi ha cap superfície</translation>
-    </message>
-    <message>
-        <source>name one at least</source>
-        <translation>indiqueu-ne almenys una</translation>
-    </message>
-    <message>
         <source>the volume cannot be kept throughout the cycle: %1</source>
         <translation>el volum no es pot conservar durant tot el cicle: %1</translation>
     </message>
     <message>
         <source>unlock it, or prescribe a volume nearer to that at rest</source>
         <translation>desbloquegeu-lo o prescriviu un volum més proper al de repòs</translation>
-    </message>
-    <message>
-        <source>It is not a rate at which the sequence can be played</source>
-        <translation>La seqüència no es pot reproduir a aquesta freqüència</translation>
-    </message>
-    <message>
-        <source>rates of the lesson</source>
-        <translation>freqüències de la lliçó</translation>
-    </message>
-    <message>
-        <source>from %1 to %2 a minute</source>
-        <translation>de %1 a %2 per minut</translation>
-    </message>
-    <message>
-        <source>There is no such phase</source>
-        <translation>No existeix aquesta fase</translation>
-    </message>
-    <message>
-        <source>viscera play names the phases of a sequence</source>
-        <translation>viscera play enumera les fases d’una seqüència</translation>
-    </message>
-    <message>
-        <source>There is no such organ to hide</source>
-        <translation>No existeix aquest òrgan per amagar</translation>
-    </message>
-    <message>
-        <source>name one that is shown</source>
-        <translation>indiqueu-ne un que es mostri</translation>
-    </message>
-    <message>
-        <source>It is not a language of the page</source>
-        <translation>No és una llengua de la pàgina</translation>
     </message>
     <message>
         <source>No organ is shown</source>
@@ -7282,20 +5199,8 @@
         <translation>mostreu aquells de què tracta la lliçó</translation>
     </message>
     <message>
-        <source>a number does not fit into a lesson: %1</source>
-        <translation>un nombre no cap en una lliçó: %1</translation>
-    </message>
-    <message>
         <source>check the size of the organ, and its motion</source>
         <translation>comproveu la mida de l’òrgan i el seu moviment</translation>
-    </message>
-    <message>
-        <source>an array of the lesson ends behind its bytes</source>
-        <translation>una matriu de la lliçó acaba més enllà dels seus bytes</translation>
-    </message>
-    <message>
-        <source>the arrays of the lesson cannot be unpacked</source>
-        <translation>les matrius de la lliçó no es poden descomprimir</translation>
     </message>
     <message>
         <source>system &quot;%1&quot; returned no binding of the right size</source>
@@ -7314,60 +5219,12 @@
         <translation>trieu un altre sistema</translation>
     </message>
     <message>
-        <source>it is not a Viscera plugin, or it is damaged</source>
-        <translation>no és un connector de Viscera, o està malmès</translation>
-    </message>
-    <message>
-        <source>it is a plugin for another program (%1)</source>
-        <translation>és un connector per a un altre programa (%1)</translation>
-    </message>
-    <message>
         <source>it was made for version %1 of the plugin interface, this program has %2</source>
         <translation>es va fer per a la versió %1 de la interfície de connectors, aquest programa té la %2</translation>
     </message>
     <message>
-        <source>its manifest lacks id, name or version</source>
-        <translation>al seu manifest li falta id, name o version</translation>
-    </message>
-    <message>
-        <source>it cannot be loaded: %1</source>
-        <translation>no es pot carregar: %1</translation>
-    </message>
-    <message>
-        <source>it failed while loading: %1</source>
-        <translation>ha fallat en carregar-se: %1</translation>
-    </message>
-    <message>
-        <source>it failed while loading</source>
-        <translation>ha fallat en carregar-se</translation>
-    </message>
-    <message>
         <source>plugin %1: %2</source>
         <translation>connector %1: %2</translation>
-    </message>
-    <message>
-        <source>The coordinate system has a parameter without a name</source>
-        <translation>El sistema de coordenades té un paràmetre sense nom</translation>
-    </message>
-    <message>
-        <source>The coordinate system offers the parameter &quot;%1&quot; twice</source>
-        <translation>El sistema de coordenades ofereix dues vegades el paràmetre «%1»</translation>
-    </message>
-    <message>
-        <source>The standard value of the parameter &quot;%1&quot; is out of its own range</source>
-        <translation>El valor estàndard del paràmetre «%1» és fora del seu interval</translation>
-    </message>
-    <message>
-        <source>There is no coordinate system to add</source>
-        <translation>No hi ha cap sistema de coordenades per afegir</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; cannot be the id of a coordinate system</source>
-        <translation>«%1» no pot ser l’identificador d’un sistema de coordenades</translation>
-    </message>
-    <message>
-        <source>use small letters, digits and single dashes, as in &quot;s-celestial&quot;</source>
-        <translation>feu servir minúscules, xifres i guions solts, com a «s-celestial»</translation>
     </message>
     <message>
         <source>There is already a coordinate system &quot;%1&quot; (%2)</source>
@@ -7384,14 +5241,6 @@
     <message>
         <source>none is loaded</source>
         <translation>no n’hi ha cap de carregat</translation>
-    </message>
-    <message>
-        <source>There is no such slice</source>
-        <translation>No existeix aquest tall</translation>
-    </message>
-    <message>
-        <source>take axial, coronal or sagittal</source>
-        <translation>feu servir axial, coronal o sagittal</translation>
     </message>
     <message>
         <source>none: the organs are as in their files</source>
@@ -7838,14 +5687,6 @@
         <translation>els òrgans i els tiradors són complets; deseu de nou la sessió</translation>
     </message>
     <message>
-        <source>There is no such normal range</source>
-        <translation>No existeix aquest interval normal</translation>
-    </message>
-    <message>
-        <source>viscera reference names them all</source>
-        <translation>viscera reference els enumera tots</translation>
-    </message>
-    <message>
         <source>women</source>
         <translation>dones</translation>
     </message>
@@ -8070,10 +5911,6 @@
         <translation>no hi ha tiradors per desar</translation>
     </message>
     <message>
-        <source>A report cannot be written as this kind of file</source>
-        <translation>Un informe no es pot escriure en aquest tipus de fitxer</translation>
-    </message>
-    <message>
         <source>There is no scan to export</source>
         <translation>No hi ha cap exploració per exportar</translation>
     </message>
@@ -8098,24 +5935,56 @@
         <translation>fins a %1</translation>
     </message>
     <message>
-        <source>there is no sample organ &quot;%1&quot;</source>
-        <translation>no existeix l’òrgan de mostra «%1»</translation>
-    </message>
-    <message>
-        <source>there is no resolution &quot;%1&quot;</source>
-        <translation>no existeix la resolució «%1»</translation>
-    </message>
-    <message>
-        <source>use low, medium or high</source>
-        <translation>feu servir low, medium o high</translation>
-    </message>
-    <message>
         <source>the sample organs cannot be listed: %1</source>
         <translation>no es poden enumerar els òrgans de mostra: %1</translation>
     </message>
     <message>
         <source>set VISCERA_SAMPLE_ORGANS to the folder of the definitions</source>
         <translation>poseu a VISCERA_SAMPLE_ORGANS la carpeta de les definicions</translation>
+    </message>
+    <message>
+        <source>The file cannot be read: %1</source>
+        <translation>No es pot llegir el fitxer: %1</translation>
+    </message>
+    <message>
+        <source>%1, ...</source>
+        <translation>%1, ...</translation>
+    </message>
+    <message>
+        <source>%1 = %2 mm</source>
+        <translation>%1 = %2 mm</translation>
+    </message>
+    <message>
+        <source>%1 - %2</source>
+        <translation>%1 - %2</translation>
+    </message>
+    <message>
+        <source>its segment %1 has no valid value or layer</source>
+        <translation>el seu segment %1 no té un valor o una capa vàlids</translation>
+    </message>
+    <message>
+        <source>the table of names in it cannot be read</source>
+        <translation>no es pot llegir la taula de noms que conté</translation>
+    </message>
+    <message>
+        <source>its voxels are no plain numbers (%1)</source>
+        <translation>els seus vòxels no són nombres simples (%1)</translation>
+    </message>
+    <message>
+        <source>%1. %2.</source>
+        <translation>%1. %2.</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>%1 x %2 x %3 mm</source>
+        <translation>%1 x %2 x %3 mm</translation>
     </message>
 </context>
 </TS>

@@ -12,46 +12,6 @@
         <translation>„%1“</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; has no planar form</source>
-        <translation>„%1“ hat keine ebene Form</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is %2 instead of &quot;%3&quot;</source>
-        <translation>„%1“ ist %2 statt „%3“</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is missing</source>
-        <translation>„%1“ fehlt</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is neither true nor false</source>
-        <translation>„%1“ ist weder wahr noch falsch</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is not a landmark of the sequence %2</source>
-        <translation>„%1“ ist keine Landmarke der Sequenz %2</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is not a list</source>
-        <translation>„%1“ ist keine Liste</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is not a text</source>
-        <translation>„%1“ ist kein Text</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is not a whole number from 0 on</source>
-        <translation>„%1“ ist keine ganze Zahl ab 0</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; needs all points at once, which planar coordinates do not support</source>
-        <translation>„%1“ braucht alle Punkte zugleich, was ebene Koordinaten nicht unterstützen</translation>
-    </message>
-    <message>
-        <source>&quot;version&quot; is not a positive whole number</source>
-        <translation>„version“ ist keine positive ganze Zahl</translation>
-    </message>
-    <message>
         <source>%1 and %2 are at one place: %3 from each other</source>
         <translation>%1 und %2 liegen an einer Stelle: %3 voneinander entfernt</translation>
     </message>
@@ -64,16 +24,8 @@
         <translation>%1 bei %2 % des Zyklus: %3</translation>
     </message>
     <message>
-        <source>%1 cells were announced, but there are %2</source>
-        <translation>%1 Zellen wurden angekündigt, es gibt aber %2</translation>
-    </message>
-    <message>
         <source>%1 gives another surface than the one that was saved</source>
         <translation>%1 ergibt eine andere Oberfläche als die gespeicherte</translation>
-    </message>
-    <message>
-        <source>%1 has a coordinate that is not a finite number</source>
-        <translation>%1 hat eine Koordinate, die keine endliche Zahl ist</translation>
     </message>
     <message>
         <source>%1 has changed since the session was saved</source>
@@ -82,10 +34,6 @@
     <message>
         <source>%1 has no place (%2) and was left out</source>
         <translation>%1 hat keinen Ort (%2) und wurde weggelassen</translation>
-    </message>
-    <message>
-        <source>%1 has no position of three numbers</source>
-        <translation>%1 hat keine Position aus drei Zahlen</translation>
     </message>
     <message>
         <source>%1 has no volume in %2</source>
@@ -100,76 +48,8 @@
         <translation>%1 hat in %2 andere Dreiecke als in der ersten: die Oberflächen werden nach ihren Abständen angepasst, die eine Bewegung entlang der Wand nicht erkennen</translation>
     </message>
     <message>
-        <source>%1 is %2, more than the %3 bytes that are left can hold</source>
-        <translation>%1 ist %2, mehr als in die übrigen %3 Bytes passt</translation>
-    </message>
-    <message>
-        <source>%1 is %2, which is no whole number from 0 on</source>
-        <translation>%1 ist %2, was keine ganze Zahl ab 0 ist</translation>
-    </message>
-    <message>
-        <source>%1 is farther away than a thousand kilometres</source>
-        <translation>%1 ist weiter als tausend Kilometer entfernt</translation>
-    </message>
-    <message>
-        <source>%1 is negative</source>
-        <translation>%1 ist negativ</translation>
-    </message>
-    <message>
-        <source>%1 is not a JSON object</source>
-        <translation>%1 ist kein JSON-Objekt</translation>
-    </message>
-    <message>
-        <source>%1 is not a finite number</source>
-        <translation>%1 ist keine endliche Zahl</translation>
-    </message>
-    <message>
-        <source>%1 is not a number of elements</source>
-        <translation>%1 ist keine Zahl von Elementen</translation>
-    </message>
-    <message>
-        <source>%1 is not a section of a legacy VTK surface</source>
-        <translation>%1 ist kein Abschnitt einer alten VTK-Oberfläche</translation>
-    </message>
-    <message>
-        <source>%1 is not a statement of an OBJ file</source>
-        <translation>%1 ist keine Anweisung einer OBJ-Datei</translation>
-    </message>
-    <message>
-        <source>%1 is not a type of a PLY file</source>
-        <translation>%1 ist kein Typ einer PLY-Datei</translation>
-    </message>
-    <message>
-        <source>%1 is not a type of numbers</source>
-        <translation>%1 ist kein Typ von Zahlen</translation>
-    </message>
-    <message>
-        <source>%1 is not a value for parameter %2</source>
-        <translation>%1 ist kein Wert für den Parameter %2</translation>
-    </message>
-    <message>
-        <source>%1 is not a word of a PLY header</source>
-        <translation>%1 ist kein Wort eines PLY-Kopfes</translation>
-    </message>
-    <message>
-        <source>%1 is not a word of an STL file</source>
-        <translation>%1 ist kein Wort einer STL-Datei</translation>
-    </message>
-    <message>
-        <source>%1 is out of range for parameter %2</source>
-        <translation>%1 liegt außerhalb des Bereichs von Parameter %2</translation>
-    </message>
-    <message>
-        <source>%1 is too far away</source>
-        <translation>%1 ist zu weit entfernt</translation>
-    </message>
-    <message>
         <source>%1 ml cannot be reached</source>
         <translation>%1 ml können nicht erreicht werden</translation>
-    </message>
-    <message>
-        <source>%1 need tetrahedra, which cannot be made here</source>
-        <translation>%1 brauchen Tetraeder, die hier nicht erzeugt werden können</translation>
     </message>
     <message>
         <source>%1 of %2 vertices have no coordinates</source>
@@ -196,14 +76,6 @@
         <translation>%1 / %2</translation>
     </message>
     <message>
-        <source>%1 rows</source>
-        <translation>%1 Zeilen</translation>
-    </message>
-    <message>
-        <source>expected %2, found %1</source>
-        <translation>%2 erwartet, aber %1 gefunden</translation>
-    </message>
-    <message>
         <source>%1 touches the edge of the image in %2 and not in others, so that its volumes would be cut off</source>
         <translation>%1 berührt den Bildrand in %2 und in anderen nicht, sodass seine Volumina beschnitten wären</translation>
     </message>
@@ -214,10 +86,6 @@
     <message>
         <source>%1 touches the edge of the image in every phase: what lies beyond is not in its volume</source>
         <translation>%1 berührt den Bildrand in jeder Phase: was dahinter liegt, ist nicht in seinem Volumen</translation>
-    </message>
-    <message>
-        <source>%1 voxels</source>
-        <translation>%1 Voxel</translation>
     </message>
     <message>
         <source>%1, %2</source>
@@ -233,10 +101,6 @@
     <message>
         <source>%1, changed</source>
         <translation>%1, geändert</translation>
-    </message>
-    <message>
-        <source>%1, handle &quot;%2&quot;</source>
-        <translation>%1, Griff „%2“</translation>
     </message>
     <message>
         <source>%1, handle %2</source>
@@ -447,13 +311,6 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n {point of the surface is|points of the surface are} missing</source>
-        <translation>
-            <numerusform>%n Punkt der Oberfläche fehlt</numerusform>
-            <numerusform>%n Punkte der Oberfläche fehlen</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>%n {point that repeats|points that repeat} another merged</source>
         <translation>
             <numerusform>%n Punkt, der einen anderen wiederholt, verschmolzen</numerusform>
@@ -546,36 +403,12 @@
         <translation>19 von 20 Erwachsenen haben %1 bis %2 ml</translation>
     </message>
     <message>
-        <source>A cavity must follow the organ that contains it</source>
-        <translation>Ein Hohlraum muss nach dem Organ stehen, das ihn enthält</translation>
-    </message>
-    <message>
-        <source>A group refers to a handle that does not exist</source>
-        <translation>Eine Gruppe verweist auf einen Griff, den es nicht gibt</translation>
-    </message>
-    <message>
         <source>A healthy adult lying down.</source>
         <translation>Ein gesunder Erwachsener im Liegen.</translation>
     </message>
     <message>
-        <source>A place in the cycle lies between 0 and 1</source>
-        <translation>Ein Ort im Zyklus liegt zwischen 0 und 1</translation>
-    </message>
-    <message>
         <source>A quarter of the stressed blood volume is lost; no reflex answers, so that pressures fall more than in life.</source>
         <translation>Ein Viertel des Blutvolumens unter Spannung geht verloren; kein Reflex antwortet, sodass die Drücke stärker fallen als im Leben.</translation>
-    </message>
-    <message>
-        <source>A rectangle lies in an axial, coronal or sagittal slice</source>
-        <translation>Ein Rechteck liegt in einer axialen, koronalen oder sagittalen Schicht</translation>
-    </message>
-    <message>
-        <source>A row has four numbers</source>
-        <translation>Eine Zeile hat vier Zahlen</translation>
-    </message>
-    <message>
-        <source>A scan has three axes</source>
-        <translation>Ein Scan hat drei Achsen</translation>
     </message>
     <message>
         <source>A session cannot be opened beside another</source>
@@ -606,10 +439,6 @@
         <translation>Ein Draht im Raum der Vektoren im Gleichgewicht; für viele Punkte hat er keine Lösung</translation>
     </message>
     <message>
-        <source>ASCII or BINARY</source>
-        <translation>ASCII oder BINARY</translation>
-    </message>
-    <message>
         <source>Add %1</source>
         <translation>%1 hinzufügen</translation>
     </message>
@@ -627,10 +456,6 @@
     <message>
         <source>Add enclosing handles</source>
         <translation>Umschließende Griffe hinzufügen</translation>
-    </message>
-    <message>
-        <source>Add group</source>
-        <translation>Gruppe hinzufügen</translation>
     </message>
     <message>
         <source>Add group %1</source>
@@ -656,16 +481,8 @@
         <translation>Nachlast: systemischer Widerstand</translation>
     </message>
     <message>
-        <source>An angle needs three points, any other measurement two</source>
-        <translation>Ein Winkel braucht drei Punkte, jede andere Messung zwei</translation>
-    </message>
-    <message>
         <source>An ejection fraction of %1 is out of range</source>
         <translation>Eine Ejektionsfraktion von %1 liegt außerhalb des Bereichs</translation>
-    </message>
-    <message>
-        <source>An organ needs a surface</source>
-        <translation>Ein Organ braucht eine Oberfläche</translation>
     </message>
     <message>
         <source>An organ needs at least four handles around it: add %1 more</source>
@@ -1070,10 +887,6 @@
         <translation>Verdauungssystem</translation>
     </message>
     <message>
-        <source>Displacement_mm</source>
-        <translation>Displacement_mm</translation>
-    </message>
-    <message>
         <source>Distance from a zone within which its super-region still counts: smoothness against locality</source>
         <translation>Abstand von einer Zone, in dem ihre Superregion noch zählt: Glätte gegen Lokalität</translation>
     </message>
@@ -1329,20 +1142,8 @@
         <translation>Interner Fehler: %1</translation>
     </message>
     <message>
-        <source>It announces %1 points, but holds %2 coordinates</source>
-        <translation>Die Datei kündigt %1 Punkte an, enthält aber %2 Koordinaten</translation>
-    </message>
-    <message>
-        <source>It announces cells of the kind %1, but has none</source>
-        <translation>Die Datei kündigt Zellen der Art %1 an, hat aber keine</translation>
-    </message>
-    <message>
         <source>It cannot be opened: %1</source>
         <translation>Es kann nicht geöffnet werden: %1</translation>
-    </message>
-    <message>
-        <source>It cannot be packed: zlib does not start</source>
-        <translation>Es kann nicht gepackt werden: zlib startet nicht</translation>
     </message>
     <message>
         <source>It cannot be read</source>
@@ -1351,14 +1152,6 @@
     <message>
         <source>It cannot be read to its end</source>
         <translation>Die Datei kann nicht bis zum Ende gelesen werden</translation>
-    </message>
-    <message>
-        <source>It cannot be unpacked: bzip2 does not start</source>
-        <translation>Es kann nicht entpackt werden: bzip2 startet nicht</translation>
-    </message>
-    <message>
-        <source>It cannot be unpacked: zlib does not start</source>
-        <translation>Es kann nicht entpackt werden: zlib startet nicht</translation>
     </message>
     <message>
         <source>It cannot be written: %1</source>
@@ -1376,32 +1169,8 @@
         </translation>
     </message>
     <message>
-        <source>It does not begin with &quot;# vtk DataFile&quot;: it is not a legacy VTK file</source>
-        <translation>Die Datei beginnt nicht mit „# vtk DataFile“: sie ist keine alte VTK-Datei</translation>
-    </message>
-    <message>
-        <source>It does not begin with &quot;OFF&quot;: it is not an OFF file</source>
-        <translation>Die Datei beginnt nicht mit „OFF“: sie ist keine OFF-Datei</translation>
-    </message>
-    <message>
-        <source>It does not begin with &quot;ply&quot;: it is not a PLY file</source>
-        <translation>Die Datei beginnt nicht mit „ply“: sie ist keine PLY-Datei</translation>
-    </message>
-    <message>
-        <source>It does not describe a lesson: &quot;%1&quot; is missing</source>
-        <translation>Die Datei beschreibt keine Lektion: „%1“ fehlt</translation>
-    </message>
-    <message>
-        <source>It does not describe a lesson: a text, a number or a list stands where something else belongs</source>
-        <translation>Die Datei beschreibt keine Lektion: ein Text, eine Zahl oder eine Liste steht, wo etwas anderes hingehört</translation>
-    </message>
-    <message>
-        <source>It does not fit into memory</source>
-        <translation>Die Datei passt nicht in den Speicher</translation>
-    </message>
-    <message>
-        <source>It does not say how far its slices are from each other</source>
-        <translation>Der Abstand ihrer Schichten ist nicht angegeben</translation>
+        <source>it does not fit into memory</source>
+        <translation>die Datei passt nicht in den Speicher</translation>
     </message>
     <message>
         <source>The duration of one cycle is unknown</source>
@@ -1419,34 +1188,8 @@
         <translation>Die Einheit der Zeiten ist nicht angegeben; sie werden als Millisekunden genommen</translation>
     </message>
     <message>
-        <source>It has %1 colour values for %2 points</source>
-        <translation>Es gibt %1 Farbwerte für %2 Punkte</translation>
-    </message>
-    <message>
         <source>It has %1 labels; a mask in a folder has one</source>
         <translation>Die Datei hat %1 Labels; eine Maske in einem Ordner hat eines</translation>
-    </message>
-    <message>
-        <source>It has %1 moved points for %2 vertices</source>
-        <translation>Es gibt %1 verschobene Punkte für %2 Eckpunkte</translation>
-    </message>
-    <message>
-        <source>It has %1 volumes; a label map has one</source>
-        <translation>Die Datei hat %1 Volumina; eine Labelmap hat eines</translation>
-    </message>
-    <message numerus="yes">
-        <source>It has %n {axis|axes} in space; an image of an organ has three</source>
-        <translation>
-            <numerusform>Das Bild hat %n Achse im Raum; das Bild eines Organs hat drei</numerusform>
-            <numerusform>Das Bild hat %n Achsen im Raum; das Bild eines Organs hat drei</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>It has %n {handle|handles} in place of %2</source>
-        <translation>
-            <numerusform>Sie hat %n Griff statt %2</numerusform>
-            <numerusform>Sie hat %n Griffe statt %2</numerusform>
-        </translation>
     </message>
     <message numerus="yes">
         <source>It has %n {handle|handles}; a region needs at least 4</source>
@@ -1481,10 +1224,6 @@
         <translation>Es hat ein Label über 2147483647</translation>
     </message>
     <message>
-        <source>It has cells without the array %1</source>
-        <translation>Es gibt Zellen ohne das Array %1</translation>
-    </message>
-    <message>
         <source>It has more than %1 files</source>
         <translation>Der Ordner hat mehr als %1 Dateien</translation>
     </message>
@@ -1493,44 +1232,16 @@
         <translation>Das Bild hat mehr als 32767 Voxel entlang einer Seite, was NIfTI nicht fasst</translation>
     </message>
     <message>
-        <source>It has no &quot;%1&quot;</source>
-        <translation>„%1“ fehlt</translation>
-    </message>
-    <message>
         <source>It has no DICOM files with images</source>
         <translation>Der Ordner hat keine DICOM-Dateien mit Bildern</translation>
-    </message>
-    <message>
-        <source>It has no frames</source>
-        <translation>Die Datei hat keine Einzelbilder</translation>
-    </message>
-    <message>
-        <source>It has no label %1</source>
-        <translation>Es gibt kein Label %1</translation>
     </message>
     <message>
         <source>It has no labelled voxel: all are 0</source>
         <translation>Kein Voxel hat ein Label: alle sind 0</translation>
     </message>
     <message>
-        <source>It has no number of columns</source>
-        <translation>Die Zahl der Spalten fehlt</translation>
-    </message>
-    <message>
-        <source>It has no number of rows</source>
-        <translation>Die Zahl der Zeilen fehlt</translation>
-    </message>
-    <message>
         <source>It has no phase %1; it has %2</source>
         <translation>Es gibt keine Phase %1; es gibt %2</translation>
-    </message>
-    <message>
-        <source>It has no series %1</source>
-        <translation>Es gibt keine Serie %1</translation>
-    </message>
-    <message>
-        <source>It has no series %1; it is one scan</source>
-        <translation>Es gibt keine Serie %1; es ist ein einziger Scan</translation>
     </message>
     <message>
         <source>It has no slices of a scan</source>
@@ -1547,10 +1258,6 @@
     <message>
         <source>It has no triangles</source>
         <translation>Die Oberfläche hat keine Dreiecke</translation>
-    </message>
-    <message>
-        <source>It has no uncompressed pixels</source>
-        <translation>Die Datei hat keine unkomprimierten Pixel</translation>
     </message>
     <message>
         <source>It does not have three dimensions</source>
@@ -1573,10 +1280,6 @@
         <translation>Das Bild hat mehrere Werte je Voxel (%1)</translation>
     </message>
     <message>
-        <source>It has to be a text</source>
-        <translation>Es muss ein Text sein</translation>
-    </message>
-    <message>
         <source>It has to be positive</source>
         <translation>Der Wert muss positiv sein</translation>
     </message>
@@ -1589,24 +1292,12 @@
         <translation>Die Datei enthält einen VTK-Datensatz vom Typ %1, keine Oberfläche (POLYDATA)</translation>
     </message>
     <message>
-        <source>It holds a piece without points</source>
-        <translation>Die Datei enthält ein Stück ohne Punkte</translation>
-    </message>
-    <message>
-        <source>It holds a surface in a space of more than three dimensions</source>
-        <translation>Die Datei enthält eine Oberfläche in einem Raum von mehr als drei Dimensionen</translation>
-    </message>
-    <message>
         <source>It holds an image, not labels: it has more than %1 different values</source>
         <translation>Die Datei enthält ein Bild, keine Labels: sie hat mehr als %1 verschiedene Werte</translation>
     </message>
     <message>
         <source>It holds an image, not labels: one of its values is %1</source>
         <translation>Die Datei enthält ein Bild, keine Labels: einer ihrer Werte ist %1</translation>
-    </message>
-    <message>
-        <source>It holds less than %1</source>
-        <translation>Es enthält weniger als %1</translation>
     </message>
     <message>
         <source>It holds more than %1 masks</source>
@@ -1617,24 +1308,12 @@
         <translation>Der Ordner enthält weder Oberflächen noch Labelmaps</translation>
     </message>
     <message>
-        <source>It holds no &quot;markups&quot;: it is no 3D Slicer markups file</source>
-        <translation>Die Datei enthält kein „markups“: sie ist keine Markups-Datei von 3D Slicer</translation>
-    </message>
-    <message>
         <source>It holds no PolyData</source>
         <translation>Die Datei enthält keine PolyData</translation>
     </message>
     <message>
         <source>It holds no label map</source>
         <translation>Der Ordner enthält keine Labelmap</translation>
-    </message>
-    <message>
-        <source>It holds no points</source>
-        <translation>Die Datei enthält keine Punkte</translation>
-    </message>
-    <message>
-        <source>It holds no triangle that has three different corners</source>
-        <translation>Die Datei enthält kein Dreieck mit drei verschiedenen Ecken</translation>
     </message>
     <message>
         <source>It holds no triangles</source>
@@ -1681,22 +1360,6 @@
         <translation>Es ist ein Scan, kein Organ</translation>
     </message>
     <message>
-        <source>It is damaged or no DICOM file</source>
-        <translation>Die Datei ist beschädigt oder keine DICOM-Datei</translation>
-    </message>
-    <message>
-        <source>It is damaged or no DICOM file: %1</source>
-        <translation>Die Datei ist beschädigt oder keine DICOM-Datei: %1</translation>
-    </message>
-    <message>
-        <source>It is damaged: it does not hold %1</source>
-        <translation>Es ist beschädigt: es enthält nicht %1</translation>
-    </message>
-    <message>
-        <source>It is damaged: its SHA-256 is not %1</source>
-        <translation>Es ist beschädigt: sein SHA-256 ist nicht %1</translation>
-    </message>
-    <message>
         <source>It is glTF version %1, but only 2 can be read</source>
         <translation>Es ist glTF Version %1, lesbar ist aber nur 2</translation>
     </message>
@@ -1705,20 +1368,8 @@
         <translation>Die Datei heißt %1, sieht aber aus wie %2</translation>
     </message>
     <message>
-        <source>It is neither &quot;embedded&quot; nor &quot;linked&quot;</source>
-        <translation>Es ist weder „embedded“ noch „linked“</translation>
-    </message>
-    <message>
-        <source>It is nested too deeply</source>
-        <translation>Es ist zu tief verschachtelt</translation>
-    </message>
-    <message>
         <source>It is no %1: its &quot;format&quot; is not &quot;%2&quot;</source>
         <translation>Es ist keine Datei der Art %1: ihr „format“ ist nicht „%2“</translation>
-    </message>
-    <message>
-        <source>It is not a NIfTI image: it has no NIfTI header</source>
-        <translation>Es ist kein NIfTI-Bild: Es hat keinen NIfTI-Kopf</translation>
     </message>
     <message>
         <source>It is not a file with several phases</source>
@@ -1729,16 +1380,8 @@
         <translation>Es ist keine lesbare Datei</translation>
     </message>
     <message>
-        <source>It is not a finite number</source>
-        <translation>Es ist keine endliche Zahl</translation>
-    </message>
-    <message>
         <source>It is not a handle file</source>
         <translation>Es ist keine Griffdatei</translation>
-    </message>
-    <message>
-        <source>It is not a list of three numbers</source>
-        <translation>Es ist keine Liste aus drei Zahlen</translation>
     </message>
     <message>
         <source>It is not a regular file</source>
@@ -1757,44 +1400,8 @@
         <translation>Es ist keine Schicht eines Scans: %1</translation>
     </message>
     <message>
-        <source>It is not a text</source>
-        <translation>Es ist kein Text</translation>
-    </message>
-    <message>
-        <source>It is not a triangle of three handles</source>
-        <translation>Es ist kein Dreieck aus drei Griffen</translation>
-    </message>
-    <message>
-        <source>It is not a whole number from 0 to 2^53</source>
-        <translation>Es ist keine ganze Zahl von 0 bis 2^53</translation>
-    </message>
-    <message>
-        <source>It is not an object</source>
-        <translation>Es ist kein Objekt</translation>
-    </message>
-    <message>
-        <source>It is not base64</source>
-        <translation>Es ist kein Base64</translation>
-    </message>
-    <message>
-        <source>It is not complete JSON: %1</source>
-        <translation>Es ist kein vollständiges JSON: %1</translation>
-    </message>
-    <message>
-        <source>It is not complete JSON: the mistake is in line %1</source>
-        <translation>Die Datei ist kein vollständiges JSON: der Fehler ist in Zeile %1</translation>
-    </message>
-    <message>
-        <source>It is not complete XML: %1</source>
-        <translation>Es ist kein vollständiges XML: %1</translation>
-    </message>
-    <message>
         <source>It is not convex at its triangle %1</source>
         <translation>Er ist an seinem Dreieck %1 nicht konvex</translation>
-    </message>
-    <message>
-        <source>It is not finite</source>
-        <translation>Sie ist nicht endlich</translation>
     </message>
     <message>
         <source>It is of version %1; this program reads up to %2</source>
@@ -1805,17 +1412,6 @@
         <translation>Sie ist zu groß: %1 Punkte</translation>
     </message>
     <message>
-        <source>It is too long</source>
-        <translation>Es ist zu lang</translation>
-    </message>
-    <message numerus="yes">
-        <source>It is too short for an STL file: %n {byte|bytes}</source>
-        <translation>
-            <numerusform>Für eine STL-Datei ist sie zu kurz: %n Byte</numerusform>
-            <numerusform>Für eine STL-Datei ist sie zu kurz: %n Bytes</numerusform>
-        </translation>
-    </message>
-    <message>
         <source>The displacement field would have more than 20 million points</source>
         <translation>Das Verschiebungsfeld hätte mehr als 20 Millionen Punkte</translation>
     </message>
@@ -1824,36 +1420,12 @@
         <translation>Oberflächen und Labelmaps sind gemischt</translation>
     </message>
     <message>
-        <source>It names the handle %1, which is not among &quot;handles&quot;</source>
-        <translation>Es nennt den Griff %1, der nicht unter „handles“ steht</translation>
-    </message>
-    <message>
         <source>It needs the glTF extension %1, which Viscera does not know</source>
         <translation>Die Datei braucht die glTF-Erweiterung %1, die Viscera nicht kennt</translation>
     </message>
     <message>
-        <source>It refers to handle %1, but there are %2</source>
-        <translation>Sie verweist auf Griff %1, es gibt aber %2</translation>
-    </message>
-    <message>
-        <source>It refers to number %1 of &quot;%2&quot;, but there are %3 (counted from 0)</source>
-        <translation>Sie verweist auf Nummer %1 von „%2“, es gibt aber %3 (von 0 an gezählt)</translation>
-    </message>
-    <message>
         <source>It seems to be in RAS where %1 is in LPS, or the other way round: it lies on the opposite side of the patient's middle</source>
         <translation>Es scheint in RAS zu sein, während %1 in LPS ist, oder umgekehrt: es liegt auf der anderen Seite der Körpermitte</translation>
-    </message>
-    <message>
-        <source>With its instances expanded, it has too many points</source>
-        <translation>Mit allen Instanzen hat sie zu viele Punkte</translation>
-    </message>
-    <message>
-        <source>With its instances expanded, it has too many triangles</source>
-        <translation>Mit allen Instanzen hat sie zu viele Dreiecke</translation>
-    </message>
-    <message>
-        <source>Its axes lie in one plane</source>
-        <translation>Seine Achsen liegen in einer Ebene</translation>
     </message>
     <message>
         <source>Its grid is sheared: its axes are not at right angles</source>
@@ -1878,10 +1450,6 @@
     <message>
         <source>LA cavity</source>
         <translation>LA-Höhle</translation>
-    </message>
-    <message>
-        <source>LPS</source>
-        <translation>LPS</translation>
     </message>
     <message>
         <source>LV cavity</source>
@@ -1922,10 +1490,6 @@
     <message>
         <source>Lateral border</source>
         <translation>Lateralrand</translation>
-    </message>
-    <message>
-        <source>Leak below its</source>
-        <translation>Leck unter seiner</translation>
     </message>
     <message>
         <source>Left anterior descending artery</source>
@@ -2157,18 +1721,6 @@
         <translation>Kein Hohlraum ist seinem Namen nach ein Ventrikel</translation>
     </message>
     <message>
-        <source>No channel to another program</source>
-        <translation>Kein Kanal zu einem anderen Programm</translation>
-    </message>
-    <message>
-        <source>No file for a program&apos;s messages</source>
-        <translation>Keine Datei für die Meldungen eines Programms</translation>
-    </message>
-    <message>
-        <source>No scan has %1 voxels along an axis</source>
-        <translation>Kein Scan hat %1 Voxel entlang einer Achse</translation>
-    </message>
-    <message>
         <source>No surface is chosen</source>
         <translation>Keine Oberfläche ist ausgewählt</translation>
     </message>
@@ -2326,10 +1878,6 @@
     <message>
         <source>RA cavity</source>
         <translation>RA-Höhle</translation>
-    </message>
-    <message>
-        <source>RAS</source>
-        <translation>RAS</translation>
     </message>
     <message>
         <source>RV cavity</source>
@@ -2548,10 +2096,6 @@
         <translation>Rotationsstress</translation>
     </message>
     <message>
-        <source>RotationalStress_deg</source>
-        <translation>RotationalStress_deg</translation>
-    </message>
-    <message>
         <source>S-Celestial</source>
         <translation>S-Celestial</translation>
     </message>
@@ -2658,24 +2202,12 @@
         <translation>Stress an den Messpunkten</translation>
     </message>
     <message>
-        <source>StretchMax</source>
-        <translation>StretchMax</translation>
-    </message>
-    <message>
-        <source>StretchMin</source>
-        <translation>StretchMin</translation>
-    </message>
-    <message>
         <source>Stroke volume</source>
         <translation>Schlagvolumen</translation>
     </message>
     <message>
         <source>Superior vena cava</source>
         <translation>Vena cava superior</translation>
-    </message>
-    <message>
-        <source>Surfaces are cut by at most 8 planes at once, not by %1</source>
-        <translation>Oberflächen werden von höchstens 8 Ebenen zugleich geschnitten, nicht von %1</translation>
     </message>
     <message>
         <source>System used inside each region</source>
@@ -2750,10 +2282,6 @@
         <translation>Die Aortenklappe öffnet sich auf 0,8 cm2: Der Druck des hypertrophierten Ventrikels liegt weit über dem der Aorta.</translation>
     </message>
     <message>
-        <source>The cage refers to a handle that does not exist</source>
-        <translation>Der Käfig verweist auf einen Griff, den es nicht gibt</translation>
-    </message>
-    <message>
         <source>The cavity %1 is not inside the outer surface %2: %3 % of it lie outside</source>
         <translation>Der Hohlraum %1 liegt nicht in der äußeren Oberfläche %2: %3 % davon liegen außerhalb</translation>
     </message>
@@ -2768,10 +2296,6 @@
     <message>
         <source>The grid of %1 is another one than that of the first phase</source>
         <translation>Das Gitter von %1 ist ein anderes als das der ersten Phase</translation>
-    </message>
-    <message>
-        <source>The heart rate has to be a positive number of beats a minute</source>
-        <translation>Die Herzfrequenz muss eine positive Zahl von Schlägen pro Minute sein</translation>
     </message>
     <message>
         <source>The label &quot;%1&quot; is missing in %2</source>
@@ -2826,10 +2350,6 @@
         <translation>Die Punkte des n-Raums, die der Draht verbindet</translation>
     </message>
     <message>
-        <source>The pose has %1 handles, the document %2</source>
-        <translation>Die Pose hat %1 Griffe, das Dokument %2</translation>
-    </message>
-    <message>
         <source>The pose has a position that is not a finite number, or too far away</source>
         <translation>Die Pose hat eine Position, die keine endliche Zahl oder zu weit entfernt ist</translation>
     </message>
@@ -2840,10 +2360,6 @@
     <message>
         <source>The program ffmpeg could not write the movie: %1</source>
         <translation>Das Programm ffmpeg konnte den Film nicht schreiben: %1</translation>
-    </message>
-    <message>
-        <source>The rate is out of range</source>
-        <translation>Die Frequenz liegt außerhalb des Bereichs</translation>
     </message>
     <message>
         <source>The sequence moves %1 handles, but there are %2</source>
@@ -2880,16 +2396,8 @@
         <translation>Der Abstand ist ungleichmäßig zwischen Schicht %1 (%2) und der nächsten, die %3 mm statt %4 mm auseinander liegen (%5 %)</translation>
     </message>
     <message>
-        <source>The speed is out of range</source>
-        <translation>Die Geschwindigkeit liegt außerhalb des Bereichs</translation>
-    </message>
-    <message>
         <source>The surface has no triangle</source>
         <translation>Die Oberfläche hat kein Dreieck</translation>
-    </message>
-    <message>
-        <source>The surface was repaired before it was filled.</source>
-        <translation>Die Oberfläche wurde vor dem Füllen repariert.</translation>
     </message>
     <message>
         <source>The surface was repaired before it was filled. %1. Details smaller than %2 mm are lost.</source>
@@ -2916,20 +2424,8 @@
         <translation>Das Volumen von %1 springt zwischen %4 und %5 von %2 auf %3 ml</translation>
     </message>
     <message>
-        <source>The width has to be positive</source>
-        <translation>Die Breite muss positiv sein</translation>
-    </message>
-    <message>
-        <source>The witness points lie on a regular grid inside the surface.</source>
-        <translation>Die Messpunkte liegen auf einem regelmäßigen Gitter in der Oberfläche.</translation>
-    </message>
-    <message>
         <source>The witness points lie on a regular grid inside the surface. %1.</source>
         <translation>Die Messpunkte liegen auf einem regelmäßigen Gitter in der Oberfläche. %1.</translation>
-    </message>
-    <message>
-        <source>There are %1 positions for %2 handles</source>
-        <translation>Es gibt %1 Positionen für %2 Griffe</translation>
     </message>
     <message>
         <source>There are %1 witness points; %2 do not fit this shape or the limits of time and memory.</source>
@@ -2942,14 +2438,6 @@
     <message>
         <source>There are no handles whose pose could be recorded</source>
         <translation>Es gibt keine Griffe, deren Pose aufgezeichnet werden könnte</translation>
-    </message>
-    <message>
-        <source>The list of vertices to enclose is empty or names vertices that the organ does not have</source>
-        <translation>Die Liste der zu umschließenden Eckpunkte ist leer oder nennt solche, die das Organ nicht hat</translation>
-    </message>
-    <message>
-        <source>There are no volumes to compute an ejection fraction from</source>
-        <translation>Es gibt keine Volumina, aus denen eine Ejektionsfraktion berechnet werden könnte</translation>
     </message>
     <message>
         <source>There is no %1</source>
@@ -2972,18 +2460,6 @@
         <translation>Es gibt keinen Scan zum Schließen</translation>
     </message>
     <message>
-        <source>There is no sequence that could move these handles</source>
-        <translation>Es gibt keine Sequenz, die diese Griffe bewegen könnte</translation>
-    </message>
-    <message>
-        <source>There is no sequence whose rate could be set</source>
-        <translation>Es gibt keine Sequenz, deren Frequenz eingestellt werden könnte</translation>
-    </message>
-    <message>
-        <source>There is no series</source>
-        <translation>Es gibt keine Serie</translation>
-    </message>
-    <message>
         <source>There is no stress map yet</source>
         <translation>Es gibt noch keine Stresskarte</translation>
     </message>
@@ -3000,16 +2476,8 @@
         <translation>Dieses Organ gibt es nicht mehr</translation>
     </message>
     <message>
-        <source>There is no such point</source>
-        <translation>Diesen Punkt gibt es nicht</translation>
-    </message>
-    <message>
         <source>There is no surface &quot;%1&quot;</source>
         <translation>Es gibt keine Oberfläche „%1“</translation>
-    </message>
-    <message>
-        <source>There is no type of samples &quot;%1&quot;</source>
-        <translation>Es gibt keine Art von Messwerten „%1“</translation>
     </message>
     <message>
         <source>There is no volume in it</source>
@@ -3071,16 +2539,12 @@
         <translation>Zwei Griffdateien können nicht zugleich geöffnet werden</translation>
     </message>
     <message>
-        <source>Two handles are at one place</source>
-        <translation>Zwei Griffe sind am selben Ort</translation>
+        <source>two handles are at one place</source>
+        <translation>zwei Griffe sind am selben Ort</translation>
     </message>
     <message>
         <source>Uncinate process</source>
         <translation>Processus uncinatus</translation>
-    </message>
-    <message>
-        <source>Unlock</source>
-        <translation>Entsperren</translation>
     </message>
     <message>
         <source>Unlock volume</source>
@@ -3130,16 +2594,8 @@
         <translation>Viscera liest keine Oberflächendateien, die auf „%1“ enden</translation>
     </message>
     <message>
-        <source>Viscera:</source>
-        <translation>Viscera:</translation>
-    </message>
-    <message>
         <source>Volume ratio</source>
         <translation>Volumenverhältnis</translation>
-    </message>
-    <message>
-        <source>VolumeRatio</source>
-        <translation>VolumeRatio</translation>
     </message>
     <message>
         <source>Voronoi regions triangulation</source>
@@ -3250,92 +2706,8 @@
         <translation>ein Puffer liegt bei %1, gelesen werden aber nur Dateien daneben</translation>
     </message>
     <message>
-        <source>a buffer within the file is not valid base64</source>
-        <translation>ein Puffer in der Datei ist kein gültiges Base64</translation>
-    </message>
-    <message>
         <source>a cage is a coarse surface: take one of at most %1 vertices</source>
         <translation>ein Käfig ist eine grobe Oberfläche: nehmen Sie eine mit höchstens %1 Eckpunkten</translation>
-    </message>
-    <message>
-        <source>a cell refers to point %1, but there are %2 (counted from 0)</source>
-        <translation>eine Zelle verweist auf Punkt %1, es gibt aber %2 (von 0 an gezählt)</translation>
-    </message>
-    <message>
-        <source>a chunk</source>
-        <translation>ein Block</translation>
-    </message>
-    <message>
-        <source>a chunk&apos;s header</source>
-        <translation>der Kopf eines Blocks</translation>
-    </message>
-    <message>
-        <source>a coarse surface needs at least four vertices</source>
-        <translation>eine grobe Oberfläche braucht mindestens vier Eckpunkte</translation>
-    </message>
-    <message>
-        <source>a column</source>
-        <translation>einer Spalte</translation>
-    </message>
-    <message>
-        <source>a convex hull needs at least 4 points, there are %1</source>
-        <translation>eine konvexe Hülle braucht mindestens 4 Punkte, es gibt %1</translation>
-    </message>
-    <message>
-        <source>a coordinate</source>
-        <translation>eine Koordinate</translation>
-    </message>
-    <message>
-        <source>a curve needs one number for each time</source>
-        <translation>eine Kurve braucht zu jeder Zeit eine Zahl</translation>
-    </message>
-    <message>
-        <source>a curve needs one y for each x</source>
-        <translation>eine Kurve braucht zu jedem x ein y</translation>
-    </message>
-    <message>
-        <source>a displacement</source>
-        <translation>eine Verschiebung</translation>
-    </message>
-    <message>
-        <source>a distance grid of this spacing is too large</source>
-        <translation>ein Abstandsgitter mit dieser Weite ist zu groß</translation>
-    </message>
-    <message>
-        <source>a face</source>
-        <translation>eine Fläche</translation>
-    </message>
-    <message>
-        <source>a face has fewer corners than it claims</source>
-        <translation>eine Fläche hat weniger Ecken als angegeben</translation>
-    </message>
-    <message>
-        <source>a face has fewer than three corners</source>
-        <translation>eine Fläche hat weniger als drei Ecken</translation>
-    </message>
-    <message>
-        <source>a face refers to point %1, but there are only %2 before it</source>
-        <translation>eine Fläche verweist auf Punkt %1, vor ihr gibt es aber nur %2</translation>
-    </message>
-    <message>
-        <source>a face&apos;s number of corners</source>
-        <translation>die Zahl der Ecken einer Fläche</translation>
-    </message>
-    <message>
-        <source>a frame has no orientation</source>
-        <translation>ein Einzelbild hat keine Ausrichtung</translation>
-    </message>
-    <message>
-        <source>a frame has no position</source>
-        <translation>ein Einzelbild hat keine Position</translation>
-    </message>
-    <message>
-        <source>a frame has no segment</source>
-        <translation>ein Einzelbild hat kein Segment</translation>
-    </message>
-    <message>
-        <source>a frame has no spacing</source>
-        <translation>ein Einzelbild hat keinen Pixelabstand</translation>
     </message>
     <message>
         <source>a gallbladder</source>
@@ -3350,10 +2722,6 @@
         <translation>eine mit gzip gepackte Datei</translation>
     </message>
     <message>
-        <source>a handle of a keyframe</source>
-        <translation>ein Griff eines Schlüsselbilds</translation>
-    </message>
-    <message>
         <source>a heart</source>
         <translation>ein Herz</translation>
     </message>
@@ -3364,10 +2732,6 @@
     <message>
         <source>a legacy VTK file</source>
         <translation>eine alte VTK-Datei</translation>
-    </message>
-    <message>
-        <source>a list of triangles ends within one</source>
-        <translation>eine Liste von Dreiecken endet mitten in einem</translation>
     </message>
     <message>
         <source>a liver</source>
@@ -3382,84 +2746,16 @@
         <translation>ein Myokard</translation>
     </message>
     <message>
-        <source>a node&apos;s &quot;%1&quot; does not have %2 numbers</source>
-        <translation>„%1“ eines Knotens hat nicht %2 Zahlen</translation>
-    </message>
-    <message>
-        <source>a node&apos;s &quot;%1&quot; holds something that is not a number</source>
-        <translation>„%1“ eines Knotens enthält etwas, das keine Zahl ist</translation>
-    </message>
-    <message>
-        <source>a node&apos;s children are not numbers</source>
-        <translation>die Kinder eines Knotens sind keine Zahlen</translation>
-    </message>
-    <message>
-        <source>a number</source>
-        <translation>eine Zahl</translation>
-    </message>
-    <message>
         <source>a pancreas</source>
         <translation>eine Bauchspeicheldrüse</translation>
-    </message>
-    <message>
-        <source>a rectangle or sphere must not refer to an organ</source>
-        <translation>ein Rechteck oder eine Kugel darf sich auf kein Organ beziehen</translation>
-    </message>
-    <message>
-        <source>a phase lacks a surface</source>
-        <translation>einer Phase fehlt eine Oberfläche</translation>
     </message>
     <message>
         <source>a picture</source>
         <translation>ein Bild</translation>
     </message>
     <message>
-        <source>a point</source>
-        <translation>ein Punkt</translation>
-    </message>
-    <message>
-        <source>a point has fewer than three coordinates</source>
-        <translation>ein Punkt hat weniger als drei Koordinaten</translation>
-    </message>
-    <message>
-        <source>a point of its surface</source>
-        <translation>ein Punkt seiner Oberfläche</translation>
-    </message>
-    <message>
         <source>a point of the centreline lies %1 outside the organ</source>
         <translation>ein Punkt der Mittellinie liegt %1 außerhalb des Organs</translation>
-    </message>
-    <message>
-        <source>a point of the divided cage is not on the cage</source>
-        <translation>ein Punkt des geteilten Käfigs liegt nicht auf dem Käfig</translation>
-    </message>
-    <message>
-        <source>a point&apos;s number</source>
-        <translation>die Nummer eines Punktes</translation>
-    </message>
-    <message>
-        <source>a polygon refers to point %1, but there are %2 (counted from 0)</source>
-        <translation>ein Vieleck verweist auf Punkt %1, es gibt aber %2 (von 0 an gezählt)</translation>
-    </message>
-    <message>
-        <source>a pose of %1 handles does not fit witness points of %2</source>
-        <translation>eine Pose mit %1 Griffen passt nicht zu Messpunkten mit %2</translation>
-    </message>
-    <message>
-        <source>a property stands before the first element</source>
-        <translation>eine Eigenschaft steht vor dem ersten Element</translation>
-    </message>
-    <message>
-        <source>a keyframe</source>
-        <translation>ein Schlüsselbild</translation>
-    </message>
-    <message>
-        <source>a remark on it is not UTF-8</source>
-        <translation>eine Bemerkung dazu ist kein UTF-8</translation>
-    </message>
-    <message>
-        <source>a row</source>
-        <translation>einer Zeile</translation>
     </message>
     <message>
         <source>a scan</source>
@@ -3480,62 +2776,6 @@
     <message>
         <source>a surface of %1 vertices and %2 triangles is too small for handles</source>
         <translation>eine Oberfläche mit %1 Eckpunkten und %2 Dreiecken ist zu klein für Griffe</translation>
-    </message>
-    <message>
-        <source>a surface without triangles has no inside</source>
-        <translation>eine Oberfläche ohne Dreiecke hat kein Inneres</translation>
-    </message>
-    <message>
-        <source>a tetrahedron has a corner that does not exist</source>
-        <translation>ein Tetraeder hat eine Ecke, die es nicht gibt</translation>
-    </message>
-    <message>
-        <source>a tetrahedron has a corner that is none of the %1 points</source>
-        <translation>ein Tetraeder hat eine Ecke, die keiner der %1 Punkte ist</translation>
-    </message>
-    <message>
-        <source>a triangle has a handle at two corners</source>
-        <translation>ein Dreieck hat einen Griff an zwei Ecken</translation>
-    </message>
-    <message>
-        <source>a triangle refers to a handle that does not exist</source>
-        <translation>ein Dreieck verweist auf einen Griff, den es nicht gibt</translation>
-    </message>
-    <message>
-        <source>a triangle refers to a point that does not exist</source>
-        <translation>ein Dreieck verweist auf einen Punkt, den es nicht gibt</translation>
-    </message>
-    <message>
-        <source>a value</source>
-        <translation>ein Wert</translation>
-    </message>
-    <message>
-        <source>a voxel</source>
-        <translation>ein Voxel</translation>
-    </message>
-    <message>
-        <source>accessor %1 has an unknown type</source>
-        <translation>Accessor %1 hat einen unbekannten Typ</translation>
-    </message>
-    <message>
-        <source>accessor %1 is sparse, which Viscera does not read</source>
-        <translation>Accessor %1 ist dünn besetzt, was Viscera nicht liest</translation>
-    </message>
-    <message>
-        <source>accessor %1 lies behind the end of its buffer: the file is cut off or damaged</source>
-        <translation>Accessor %1 liegt hinter dem Ende seines Puffers: die Datei ist abgeschnitten oder beschädigt</translation>
-    </message>
-    <message>
-        <source>accessor %1 refers to buffer %2, but there are %3</source>
-        <translation>Accessor %1 verweist auf Puffer %2, es gibt aber %3</translation>
-    </message>
-    <message>
-        <source>accessor %1 should have %2 elements, more than its buffer holds</source>
-        <translation>Accessor %1 sollte %2 Elemente haben, mehr als sein Puffer enthält</translation>
-    </message>
-    <message>
-        <source>accessor %1 should hold point numbers</source>
-        <translation>Accessor %1 sollte Nummern von Punkten enthalten</translation>
     </message>
     <message>
         <source>add a group that encloses them, or put handles around them into a group</source>
@@ -3606,14 +2846,6 @@
         <translation>eine STL-Oberfläche</translation>
     </message>
     <message>
-        <source>an angle has three points, any other measurement two</source>
-        <translation>ein Winkel hat drei Punkte, jede andere Messung zwei</translation>
-    </message>
-    <message>
-        <source>an array&apos;s name</source>
-        <translation>der Name eines Arrays</translation>
-    </message>
-    <message>
         <source>an error without a message</source>
         <translation>ein Fehler ohne Meldung</translation>
     </message>
@@ -3658,10 +2890,6 @@
         <translation>Vorhofsystole</translation>
     </message>
     <message>
-        <source>bind by way of the deformation module, or choose another system</source>
-        <translation>binden Sie über das Modul deformation, oder wählen Sie ein anderes System</translation>
-    </message>
-    <message>
         <source>bind it first</source>
         <translation>binden Sie es zuerst</translation>
     </message>
@@ -3672,14 +2900,6 @@
     <message>
         <source>bounded biharmonic weights</source>
         <translation>beschränkte biharmonische Gewichte</translation>
-    </message>
-    <message>
-        <source>buffer %1 has no data</source>
-        <translation>Puffer %1 hat keine Daten</translation>
-    </message>
-    <message>
-        <source>buffer %1 is not a JSON object</source>
-        <translation>Puffer %1 ist kein JSON-Objekt</translation>
     </message>
     <message>
         <source>by its name it belongs on the patient's left, but it lies on the right (x = %1 mm): %2</source>
@@ -3698,20 +2918,12 @@
         <translation>kann nicht geöffnet werden: %1</translation>
     </message>
     <message>
-        <source>cannot draw without a display: %1</source>
-        <translation>ohne Bildschirm kann nicht gezeichnet werden: %1</translation>
-    </message>
-    <message>
         <source>cannot place %1 witness points</source>
         <translation>%1 Messpunkte können nicht gesetzt werden</translation>
     </message>
     <message>
         <source>cardiac output</source>
         <translation>Herzminutenvolumen</translation>
-    </message>
-    <message>
-        <source>cell %1 claims %2 points, but %3 numbers are left</source>
-        <translation>Zelle %1 beansprucht %2 Punkte, aber %3 Zahlen sind übrig</translation>
     </message>
     <message>
         <source>centimetres</source>
@@ -3758,16 +2970,8 @@
         <translation>prüfen Sie die Festplatte oder die Verbindung</translation>
     </message>
     <message>
-        <source>check the name</source>
-        <translation>prüfen Sie den Namen</translation>
-    </message>
-    <message>
         <source>check the name and the folder</source>
         <translation>prüfen Sie Namen und Ordner</translation>
-    </message>
-    <message>
-        <source>check the path</source>
-        <translation>prüfen Sie den Pfad</translation>
     </message>
     <message>
         <source>check the space left on the disk</source>
@@ -3790,16 +2994,8 @@
         <translation>prüfen Sie, ob eine davon falsch gekennzeichnet ist, oder lassen Sie sie weg</translation>
     </message>
     <message>
-        <source>child process</source>
-        <translation>Hilfsprogramm</translation>
-    </message>
-    <message>
         <source>choose %1 to %2</source>
         <translation>wählen Sie %1 bis %2</translation>
-    </message>
-    <message>
-        <source>choose %1 to %2 a minute</source>
-        <translation>wählen Sie %1 bis %2 pro Minute</translation>
     </message>
     <message>
         <source>choose a closed surface</source>
@@ -3822,10 +3018,6 @@
         <translation>wählen Sie einen Ordner, den es gibt, der beschreibbar ist und Platz hat</translation>
     </message>
     <message>
-        <source>choose a larger spacing</source>
-        <translation>wählen Sie eine größere Weite</translation>
-    </message>
-    <message>
         <source>choose a name that ends in .glb</source>
         <translation>wählen Sie einen Namen, der auf .glb endet</translation>
     </message>
@@ -3838,20 +3030,8 @@
         <translation>wählen Sie einen Namen, der auf .vtu endet</translation>
     </message>
     <message>
-        <source>choose a sequence first</source>
-        <translation>wählen Sie zuerst eine Sequenz</translation>
-    </message>
-    <message>
-        <source>choose a sequence, and use its handles</source>
-        <translation>wählen Sie eine Sequenz, und verwenden Sie ihre Griffe</translation>
-    </message>
-    <message>
         <source>choose a surface that has some</source>
         <translation>wählen Sie eine Oberfläche, die welche hat</translation>
-    </message>
-    <message>
-        <source>choose a volume nearer to the present one, or let more handles compensate</source>
-        <translation>wählen Sie ein Volumen näher am jetzigen, oder lassen Sie mehr Griffe ausgleichen</translation>
     </message>
     <message>
         <source>choose another one</source>
@@ -3870,16 +3050,8 @@
         <translation>wählen Sie sie auf dem Organ; prüfen Sie auch die Achsen (RAS oder LPS)</translation>
     </message>
     <message>
-        <source>choose more than 0 and up to 10 times</source>
-        <translation>wählen Sie mehr als 0 und höchstens das Zehnfache</translation>
-    </message>
-    <message>
         <source>choose one of them</source>
         <translation>wählen Sie eine davon</translation>
-    </message>
-    <message>
-        <source>choose organ, axis or cluster</source>
-        <translation>wählen Sie organ, axis oder cluster</translation>
     </message>
     <message>
         <source>choose the two ends of the organ</source>
@@ -3888,10 +3060,6 @@
     <message>
         <source>choose two ends of one surface</source>
         <translation>wählen Sie zwei Enden einer Oberfläche</translation>
-    </message>
-    <message>
-        <source>circulation that was kept</source>
-        <translation>gemerkter Kreislauf</translation>
     </message>
     <message>
         <source>close its holes first</source>
@@ -3904,10 +3072,6 @@
     <message>
         <source>close other programs, or use fewer handles or smaller organs</source>
         <translation>schließen Sie andere Programme, oder verwenden Sie weniger Griffe oder kleinere Organe</translation>
-    </message>
-    <message>
-        <source>compare it with the example in docs/lessons.md</source>
-        <translation>vergleichen Sie sie mit dem Beispiel in docs/lessons.md</translation>
     </message>
     <message>
         <source>compensating handles</source>
@@ -3932,14 +3096,6 @@
     <message>
         <source>crop the image to the organs</source>
         <translation>schneiden Sie das Bild auf die Organe zu</translation>
-    </message>
-    <message>
-        <source>crop the images to the organ</source>
-        <translation>schneiden Sie die Bilder auf das Organ zu</translation>
-    </message>
-    <message>
-        <source>crop the scan to the organs</source>
-        <translation>schneiden Sie den Scan auf die Organe zu</translation>
     </message>
     <message>
         <source>deeper ones would push folds of the surface into one another</source>
@@ -3972,14 +3128,6 @@
     <message>
         <source>distance</source>
         <translation>Abstand</translation>
-    </message>
-    <message>
-        <source>does not fit into memory</source>
-        <translation>passt nicht in den Speicher</translation>
-    </message>
-    <message>
-        <source>does not lie between 0 and 1</source>
-        <translation>liegt nicht zwischen 0 und 1</translation>
     </message>
     <message>
         <source>does not say how large its pixels are</source>
@@ -4028,10 +3176,6 @@
     <message>
         <source>export all surfaces of a patient in the same way (viscera convert --space LPS)</source>
         <translation>exportieren Sie alle Oberflächen eines Patienten auf dieselbe Weise (viscera convert --space LPS)</translation>
-    </message>
-    <message>
-        <source>export it as a surface</source>
-        <translation>exportieren Sie sie als Oberfläche</translation>
     </message>
     <message>
         <source>export it as a surface of triangles</source>
@@ -4094,40 +3238,12 @@
         <translation>gefaltet, wo es schraffiert ist</translation>
     </message>
     <message>
-        <source>frame %1 has no orientation</source>
-        <translation>Einzelbild %1 hat keine Ausrichtung</translation>
-    </message>
-    <message>
-        <source>frame %1 has no pixels</source>
-        <translation>Einzelbild %1 hat keine Pixel</translation>
-    </message>
-    <message>
-        <source>frame %1 has no position</source>
-        <translation>Einzelbild %1 hat keine Position</translation>
-    </message>
-    <message>
-        <source>frame %1 has no segment</source>
-        <translation>Einzelbild %1 hat kein Segment</translation>
-    </message>
-    <message>
-        <source>frame %1 has no spacing</source>
-        <translation>Einzelbild %1 hat keinen Pixelabstand</translation>
-    </message>
-    <message>
         <source>fundus</source>
         <translation>Fundus</translation>
     </message>
     <message>
         <source>fundus, centreline from the fundus down, body in between, pylorus</source>
         <translation>Fundus, Mittellinie vom Fundus abwärts, dazwischen der Corpus, Pylorus</translation>
-    </message>
-    <message>
-        <source>give a number from %1 to %2</source>
-        <translation>geben Sie eine Zahl von %1 bis %2 an</translation>
-    </message>
-    <message>
-        <source>give a whole number from %1 to %2</source>
-        <translation>geben Sie eine ganze Zahl von %1 bis %2 an</translation>
     </message>
     <message>
         <source>give apex and base too</source>
@@ -4164,10 +3280,6 @@
     <message>
         <source>give one for each phase</source>
         <translation>geben Sie eine für jede Phase an</translation>
-    </message>
-    <message>
-        <source>give one of: %1</source>
-        <translation>geben Sie eines an von: %1</translation>
     </message>
     <message>
         <source>give points of the centreline yourself</source>
@@ -4281,10 +3393,6 @@
         <translation>installieren Sie ffmpeg, oder schreiben Sie eine .ogv-Datei</translation>
     </message>
     <message>
-        <source>install libegl1 and libgl1-mesa-dri, or run under a display</source>
-        <translation>installieren Sie libegl1 und libgl1-mesa-dri, oder starten Sie mit einem Bildschirm</translation>
-    </message>
-    <message>
         <source>is a colour image</source>
         <translation>ist ein Farbbild</translation>
     </message>
@@ -4327,42 +3435,6 @@
         <translation>isovolumetrische Relaxation</translation>
     </message>
     <message>
-        <source>it begins behind the end of the data: the file is cut off</source>
-        <translation>es beginnt hinter dem Ende der Daten: die Datei ist abgeschnitten</translation>
-    </message>
-    <message>
-        <source>it cannot be decompressed: the file is damaged</source>
-        <translation>es kann nicht entpackt werden: die Datei ist beschädigt</translation>
-    </message>
-    <message>
-        <source>it claims %1 blocks, more than there are: the file is cut off or damaged</source>
-        <translation>es beansprucht %1 Blöcke, mehr als da sind: die Datei ist abgeschnitten oder beschädigt</translation>
-    </message>
-    <message>
-        <source>it claims %1 bytes in %2: the file is damaged</source>
-        <translation>es beansprucht %1 Bytes in %2: die Datei ist beschädigt</translation>
-    </message>
-    <message>
-        <source>it claims a block larger than the file: the file is cut off or damaged</source>
-        <translation>es beansprucht einen Block, der größer als die Datei ist: die Datei ist abgeschnitten oder beschädigt</translation>
-    </message>
-    <message>
-        <source>it contains %1, which is no number</source>
-        <translation>es enthält %1, was keine Zahl ist</translation>
-    </message>
-    <message>
-        <source>it contains %1, which is no whole number</source>
-        <translation>es enthält %1, was keine ganze Zahl ist</translation>
-    </message>
-    <message>
-        <source>it crashed</source>
-        <translation>es ist abgestürzt</translation>
-    </message>
-    <message>
-        <source>it does not hold a whole number of values</source>
-        <translation>es enthält keine ganze Zahl von Werten</translation>
-    </message>
-    <message>
         <source>it does not lie within the period</source>
         <translation>er liegt nicht innerhalb der Periode</translation>
     </message>
@@ -4383,119 +3455,28 @@
         <translation>es folgt keinen Griffen, also kann nichts sein Volumen ändern</translation>
     </message>
     <message>
-        <source>it stopped without a result</source>
-        <translation>es endete ohne Ergebnis</translation>
-    </message>
-    <message>
-        <source>it has %1</source>
-        <translation>es gibt %1</translation>
-    </message>
-    <message>
         <source>it has %1 triangles</source>
         <translation>sie hat %1 Dreiecke</translation>
-    </message>
-    <message numerus="yes">
-        <source>it has %n {segment|segments}</source>
-        <translation>
-            <numerusform>sie hat %n Segment</numerusform>
-            <numerusform>sie hat %n Segmente</numerusform>
-        </translation>
     </message>
     <message>
         <source>it has no name</source>
         <translation>es hat keinen Namen</translation>
     </message>
     <message>
-        <source>it has no organ for each surface, or no phases</source>
-        <translation>es hat nicht für jede Oberfläche ein Organ, oder keine Phasen</translation>
-    </message>
-    <message>
-        <source>it has the unknown format %1</source>
-        <translation>es hat das unbekannte Format %1</translation>
-    </message>
-    <message>
-        <source>it has the unknown type %1</source>
-        <translation>es hat den unbekannten Typ %1</translation>
-    </message>
-    <message>
-        <source>it is compressed by %1, which Viscera does not know</source>
-        <translation>es ist mit %1 komprimiert, was Viscera nicht kennt</translation>
-    </message>
-    <message>
         <source>it is not a millisecond at least behind the key before it</source>
         <translation>es liegt keine Millisekunde hinter dem vorigen Schlüsselbild</translation>
-    </message>
-    <message>
-        <source>it is not a record of a measured motion</source>
-        <translation>es ist keine Aufzeichnung einer gemessenen Bewegung</translation>
-    </message>
-    <message>
-        <source>it is not valid base64: the file is damaged</source>
-        <translation>es ist kein gültiges Base64: die Datei ist beschädigt</translation>
     </message>
     <message>
         <source>it may be mirrored</source>
         <translation>vielleicht ist es gespiegelt</translation>
     </message>
     <message>
-        <source>it should have %1 bytes, more than there are: the file is cut off or damaged</source>
-        <translation>es sollte %1 Bytes haben, mehr als da sind: die Datei ist abgeschnitten oder beschädigt</translation>
-    </message>
-    <message>
-        <source>it should have %1 more bytes, but %2 are left: the file is cut off or damaged</source>
-        <translation>es sollte noch %1 Bytes haben, %2 sind aber übrig: die Datei ist abgeschnitten oder beschädigt</translation>
-    </message>
-    <message>
-        <source>it should hold whole numbers</source>
-        <translation>es sollte ganze Zahlen enthalten</translation>
-    </message>
-    <message>
-        <source>its JPEG stream is damaged: it has no frame header</source>
-        <translation>ihr JPEG-Strom ist beschädigt: er hat keinen Frame-Header</translation>
-    </message>
-    <message>
-        <source>its JSON has no &quot;asset&quot;: it is not a glTF file</source>
-        <translation>ihr JSON hat kein „asset“: es ist keine glTF-Datei</translation>
-    </message>
-    <message>
-        <source>its JSON is not an object: it is not a glTF file</source>
-        <translation>ihr JSON ist kein Objekt: es ist keine glTF-Datei</translation>
-    </message>
-    <message>
-        <source>its XML is nested too deeply</source>
-        <translation>das XML ist zu tief verschachtelt</translation>
-    </message>
-    <message>
-        <source>its XML is not complete</source>
-        <translation>das XML ist nicht vollständig</translation>
-    </message>
-    <message>
         <source>its axes %1 are unknown; LPS is assumed</source>
         <translation>ihre Achsen %1 sind unbekannt; LPS wird angenommen</translation>
     </message>
     <message>
-        <source>its buffer %1 cannot be read: %2</source>
-        <translation>ihr Puffer %1 kann nicht gelesen werden: %2</translation>
-    </message>
-    <message>
-        <source>its colour does not lie between 0 and 1</source>
-        <translation>seine Farbe liegt nicht zwischen 0 und 1</translation>
-    </message>
-    <message>
-        <source>its colours do not fit its points</source>
-        <translation>ihre Farben passen nicht zu ihren Punkten</translation>
-    </message>
-    <message>
-        <source>its description is not UTF-8</source>
-        <translation>seine Beschreibung ist kein UTF-8</translation>
-    </message>
-    <message>
         <source>its encoding %1 is not supported</source>
         <translation>ihre Kodierung %1 wird nicht unterstützt</translation>
-    </message>
-    <message>
-        <source>its faces have no vertex_indices</source>
-        <translation>ihre Flächen haben keine vertex_indices</translation>
     </message>
     <message>
         <source>its file %1 is not there any more (put it beside the session and open that again)</source>
@@ -4506,220 +3487,16 @@
         <translation>seine Datei wurde als %1 gefunden</translation>
     </message>
     <message>
-        <source>its first chunk is not JSON: the file is damaged</source>
-        <translation>ihr erster Block ist kein JSON: die Datei ist beschädigt</translation>
-    </message>
-    <message>
-        <source>its frames are too far from each other: %1 mm</source>
-        <translation>ihre Einzelbilder sind zu weit voneinander entfernt: %1 mm</translation>
-    </message>
-    <message>
-        <source>its frames belong to a segment %1, which it does not have</source>
-        <translation>ihre Einzelbilder gehören zu einem Segment %1, das es nicht gibt</translation>
-    </message>
-    <message>
         <source>its frames lie in different directions</source>
         <translation>ihre Einzelbilder liegen in verschiedenen Richtungen</translation>
-    </message>
-    <message>
-        <source>its handles are not handles of the rig, each once and in their order</source>
-        <translation>ihre Griffe sind nicht die Griffe des Rigs, jeder einmal und in ihrer Reihenfolge</translation>
-    </message>
-    <message>
-        <source>its header does not say its format</source>
-        <translation>ihr Kopf nennt ihr Format nicht</translation>
-    </message>
-    <message>
-        <source>its header is cut off or damaged: it has no %1</source>
-        <translation>ihr Kopf ist abgeschnitten oder beschädigt: %1 fehlt</translation>
-    </message>
-    <message>
-        <source>its header is damaged: %1 has not %2 numbers</source>
-        <translation>ihr Kopf ist beschädigt: %1 hat nicht %2 Zahlen</translation>
-    </message>
-    <message>
-        <source>its header is damaged: %1 is not a number for %2</source>
-        <translation>ihr Kopf ist beschädigt: %1 ist keine Zahl für %2</translation>
-    </message>
-    <message>
-        <source>its header is damaged: %1 is not a number of %2</source>
-        <translation>ihr Kopf ist beschädigt: %1 ist keine Zahl von %2</translation>
-    </message>
-    <message>
-        <source>its header is damaged: %1 is not a size of an axis</source>
-        <translation>ihr Kopf ist beschädigt: %1 ist keine Größe einer Achse</translation>
-    </message>
-    <message>
-        <source>its header is damaged: %1 is not a vector</source>
-        <translation>ihr Kopf ist beschädigt: %1 ist kein Vektor</translation>
-    </message>
-    <message>
-        <source>its header is damaged: %1 is not an origin</source>
-        <translation>ihr Kopf ist beschädigt: %1 ist kein Ursprung</translation>
-    </message>
-    <message>
-        <source>its header is damaged: DimSize has not three numbers</source>
-        <translation>ihr Kopf ist beschädigt: DimSize hat nicht drei Zahlen</translation>
-    </message>
-    <message>
-        <source>its header is damaged: HeaderSize is not a number of bytes</source>
-        <translation>ihr Kopf ist beschädigt: HeaderSize ist keine Zahl von Bytes</translation>
-    </message>
-    <message>
-        <source>its header is damaged: a vector in it has not three numbers</source>
-        <translation>ihr Kopf ist beschädigt: ein Vektor darin hat nicht drei Zahlen</translation>
-    </message>
-    <message>
-        <source>its header is damaged: an image has 2 to 7 dimensions, not %1</source>
-        <translation>ihr Kopf ist beschädigt: ein Bild hat 2 bis 7 Dimensionen, nicht %1</translation>
-    </message>
-    <message>
-        <source>its header is damaged: it describes %1 of %2 frames</source>
-        <translation>ihr Kopf ist beschädigt: er beschreibt %1 von %2 Einzelbildern</translation>
-    </message>
-    <message>
-        <source>its header is damaged: it has %1 frames</source>
-        <translation>ihr Kopf ist beschädigt: er hat %1 Einzelbilder</translation>
-    </message>
-    <message numerus="yes">
-        <source>its header is damaged: it has %n {direction|directions} for %2 axes</source>
-        <translation>
-            <numerusform>ihr Kopf ist beschädigt: er hat %n Richtung für %2 Achsen</numerusform>
-            <numerusform>ihr Kopf ist beschädigt: er hat %n Richtungen für %2 Achsen</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>its header is damaged: it has %n {size|sizes} for %2 dimensions</source>
-        <translation>
-            <numerusform>ihr Kopf ist beschädigt: er hat %n Größe für %2 Dimensionen</numerusform>
-            <numerusform>ihr Kopf ist beschädigt: er hat %n Größen für %2 Dimensionen</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>its header is damaged: it promises %1 bytes of pixels in a file of %2 bytes</source>
-        <translation>ihr Kopf ist beschädigt: er verspricht %1 Bytes an Pixeln in einer Datei von %2 Bytes</translation>
-    </message>
-    <message numerus="yes">
-        <source>its header is damaged: its packed pixels have %n {part|parts} for %2 frames</source>
-        <translation>
-            <numerusform>ihr Kopf ist beschädigt: ihre gepackten Pixel haben %n Teil für %2 Einzelbilder</numerusform>
-            <numerusform>ihr Kopf ist beschädigt: ihre gepackten Pixel haben %n Teile für %2 Einzelbilder</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>its header is damaged: its packed pixels have no parts</source>
-        <translation>ihr Kopf ist beschädigt: ihre gepackten Pixel haben keine Teile</translation>
-    </message>
-    <message>
-        <source>its header is damaged: its packed pixels have not one part a frame</source>
-        <translation>ihr Kopf ist beschädigt: ihre gepackten Pixel haben nicht einen Teil je Einzelbild</translation>
-    </message>
-    <message>
-        <source>its header is damaged: its rescale slope is 0</source>
-        <translation>ihr Kopf ist beschädigt: die Reskalierungssteigung (Rescale Slope) ist 0</translation>
-    </message>
-    <message>
-        <source>its header is damaged: its size along %1 is %2</source>
-        <translation>ihr Kopf ist beschädigt: die Größe entlang %1 ist %2</translation>
-    </message>
-    <message>
-        <source>its header is damaged: the directions of its rows and columns are not square</source>
-        <translation>ihr Kopf ist beschädigt: die Richtungen ihrer Zeilen und Spalten stehen nicht rechtwinklig</translation>
-    </message>
-    <message>
-        <source>its header is damaged: the voxels cannot begin at byte %1</source>
-        <translation>ihr Kopf ist beschädigt: die Voxel können nicht bei Byte %1 beginnen</translation>
-    </message>
-    <message numerus="yes">
-        <source>its header promises %n {triangle|triangles}, but there is room for %2: the file is damaged</source>
-        <translation>
-            <numerusform>ihr Kopf verspricht %n Dreieck, es ist aber Platz für %2: die Datei ist beschädigt</numerusform>
-            <numerusform>ihr Kopf verspricht %n Dreiecke, es ist aber Platz für %2: die Datei ist beschädigt</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>another item has the same id</source>
-        <translation>ein anderes Element hat dieselbe Kennung</translation>
-    </message>
-    <message>
-        <source>its id is not a whole number from 1 to 2^52</source>
-        <translation>seine Kennung ist keine ganze Zahl von 1 bis 2^52</translation>
     </message>
     <message>
         <source>its labels are those of a heart: muscle and chambers are its outer surface, each chamber is a cavity</source>
         <translation>seine Labels sind die eines Herzens: Muskel und Herzhöhlen bilden die äußere Oberfläche, jede Herzhöhle ist ein Hohlraum</translation>
     </message>
     <message>
-        <source>its layers lie between the axes of space</source>
-        <translation>ihre Lagen liegen zwischen den Achsen des Raumes</translation>
-    </message>
-    <message>
-        <source>its name is not UTF-8</source>
-        <translation>sein Name ist kein UTF-8</translation>
-    </message>
-    <message>
-        <source>its opacity does not lie between 0 and 1</source>
-        <translation>seine Deckkraft liegt nicht zwischen 0 und 1</translation>
-    </message>
-    <message>
-        <source>its packed pixels cannot be read</source>
-        <translation>ihre gepackten Pixel können nicht gelesen werden</translation>
-    </message>
-    <message>
-        <source>its parent is not an organ before it</source>
-        <translation>sein übergeordnetes Organ steht nicht vor ihm</translation>
-    </message>
-    <message>
-        <source>its pixels (%1) are damaged or packed in an unknown way</source>
-        <translation>ihre Pixel (%1) sind beschädigt oder auf unbekannte Weise gepackt</translation>
-    </message>
-    <message>
-        <source>its pixels (%1) cannot be unpacked: %2</source>
-        <translation>ihre Pixel (%1) können nicht entpackt werden: %2</translation>
-    </message>
-    <message>
-        <source>its pixels (%1) cannot be unpacked: frame %2 is damaged</source>
-        <translation>ihre Pixel (%1) können nicht entpackt werden: Einzelbild %2 ist beschädigt</translation>
-    </message>
-    <message>
-        <source>its pixels cannot be read</source>
-        <translation>ihre Pixel können nicht gelesen werden</translation>
-    </message>
-    <message>
         <source>its pixels of %1 bits in %2, up to bit %3, are not supported</source>
         <translation>ihre Pixel mit %1 Bits in %2, bis Bit %3, werden nicht unterstützt</translation>
-    </message>
-    <message>
-        <source>its pixels of 32 bits in big-endian order are not supported</source>
-        <translation>ihre Pixel mit 32 Bits in Big-Endian-Folge werden nicht unterstützt</translation>
-    </message>
-    <message>
-        <source>its points and triangles are no lists of threes</source>
-        <translation>seine Punkte und Dreiecke sind keine Listen von Dreiergruppen</translation>
-    </message>
-    <message>
-        <source>its points have %1 coordinates, not 3</source>
-        <translation>ihre Punkte haben %1 Koordinaten, nicht 3</translation>
-    </message>
-    <message>
-        <source>its points have no x, y and z</source>
-        <translation>ihre Punkte haben kein x, y und z</translation>
-    </message>
-    <message>
-        <source>its position</source>
-        <translation>seine Position</translation>
-    </message>
-    <message>
-        <source>its position at rest</source>
-        <translation>seine Ruheposition</translation>
-    </message>
-    <message>
-        <source>its segment %1 has no valid value or layer</source>
-        <translation>ihr Segment %1 hat keinen gültigen Wert oder keine gültige Lage</translation>
-    </message>
-    <message>
-        <source>its segmentation cannot be read</source>
-        <translation>ihre Segmentierung kann nicht gelesen werden</translation>
     </message>
     <message>
         <source>its sform and qform place the image differently; the sform is used</source>
@@ -4769,16 +3546,8 @@
         <translation>die Einheit ist der Mikrometer; in mm umgerechnet</translation>
     </message>
     <message>
-        <source>its value is not a finite number</source>
-        <translation>sein Wert ist keine endliche Zahl</translation>
-    </message>
-    <message>
         <source>its volume can be kept only after it is bound to the present handles</source>
         <translation>sein Volumen kann erst gehalten werden, nachdem es an die vorhandenen Griffe gebunden ist</translation>
-    </message>
-    <message>
-        <source>its volume differs from that of the surface</source>
-        <translation>sein Volumen weicht von dem der Oberfläche ab</translation>
     </message>
     <message>
         <source>its volume is not locked any more: the surface is open now</source>
@@ -4793,28 +3562,8 @@
         <translation>ihre Voxel liegen in mehreren Dateien oder in einem anderen Ordner (%1)</translation>
     </message>
     <message>
-        <source>its voxels are more than 1000 km away</source>
-        <translation>die Voxel sind mehr als 1000 km entfernt</translation>
-    </message>
-    <message>
-        <source>its voxels are no plain numbers (ElementType %1)</source>
-        <translation>ihre Voxel sind keine einfachen Zahlen (ElementType %1)</translation>
-    </message>
-    <message>
-        <source>its voxels are no plain numbers (NIfTI data type %1)</source>
-        <translation>ihre Voxel sind keine einfachen Zahlen (NIfTI-Datentyp %1)</translation>
-    </message>
-    <message>
-        <source>its voxels are no plain numbers (type %1)</source>
-        <translation>ihre Voxel sind keine einfachen Zahlen (Typ %1)</translation>
-    </message>
-    <message>
         <source>its voxels lie elsewhere than those of the other masks</source>
         <translation>ihre Voxel liegen woanders als die der anderen Masken</translation>
-    </message>
-    <message>
-        <source>barycentric weights must be at least 0 and sum to 1</source>
-        <translation>baryzentrische Gewichte müssen mindestens 0 sein und zusammen 1 ergeben</translation>
     </message>
     <message>
         <source>keep the largest, as viscera convert IN OUT --keep-largest does</source>
@@ -4901,10 +3650,6 @@
         <translation>machen Sie das letzte Volumen gleich dem ersten</translation>
     </message>
     <message>
-        <source>line %1: %2</source>
-        <translation>Zeile %1: %2</translation>
-    </message>
-    <message>
         <source>linear</source>
         <translation>linear</translation>
     </message>
@@ -4915,18 +3660,6 @@
     <message>
         <source>list %1 was converted from %2 to mm</source>
         <translation>Liste %1 wurde von %2 in mm umgerechnet</translation>
-    </message>
-    <message>
-        <source>list %1, point %2</source>
-        <translation>Liste %1, Punkt %2</translation>
-    </message>
-    <message>
-        <source>list %1: its coordinate system %2 is not LPS or RAS</source>
-        <translation>Liste %1: ihr Koordinatensystem %2 ist weder LPS noch RAS</translation>
-    </message>
-    <message>
-        <source>list %1: its points are no JSON array</source>
-        <translation>Liste %1: ihre Punkte sind kein JSON-Array</translation>
     </message>
     <message>
         <source>load a closed surface</source>
@@ -4949,32 +3682,12 @@
         <translation>macht eine geschlossene Oberfläche ohne Durchdringungen nahe dieser; Farben gehen verloren</translation>
     </message>
     <message>
-        <source>markup list %1 is not a JSON object</source>
-        <translation>die Markup-Liste %1 ist kein JSON-Objekt</translation>
-    </message>
-    <message>
-        <source>measured motion</source>
-        <translation>gemessene Bewegung</translation>
-    </message>
-    <message>
         <source>measurement</source>
         <translation>Messung</translation>
     </message>
     <message>
         <source>measurement %1</source>
         <translation>Messung %1</translation>
-    </message>
-    <message>
-        <source>mesh %1 has a primitive without attributes</source>
-        <translation>Netz %1 hat ein Primitiv ohne Attribute</translation>
-    </message>
-    <message>
-        <source>mesh %1 has no primitives</source>
-        <translation>Netz %1 hat keine Primitive</translation>
-    </message>
-    <message>
-        <source>mesh %1 refers to point %2, but there are %3 (counted from 0)</source>
-        <translation>Netz %1 verweist auf Punkt %2, es gibt aber %3 (von 0 an gezählt)</translation>
     </message>
     <message>
         <source>metres</source>
@@ -5093,14 +3806,6 @@
         <translation>Nanometer</translation>
     </message>
     <message>
-        <source>no EGL platform works without a window system</source>
-        <translation>keine EGL-Plattform arbeitet ohne Fenstersystem</translation>
-    </message>
-    <message>
-        <source>no OpenGL 3.2 context</source>
-        <translation>kein Kontext für OpenGL 3.2</translation>
-    </message>
-    <message>
         <source>no compensation within %1 mm restores the volume</source>
         <translation>kein Ausgleich innerhalb von %1 mm stellt das Volumen wieder her</translation>
     </message>
@@ -5121,16 +3826,8 @@
         <translation>keine Bewegung nahe dieser hält das Volumen</translation>
     </message>
     <message>
-        <source>no surface has so many triangles</source>
-        <translation>keine Oberfläche hat so viele Dreiecke</translation>
-    </message>
-    <message>
         <source>no witness point lies inside</source>
         <translation>kein Messpunkt liegt innen</translation>
-    </message>
-    <message>
-        <source>node %1 is in the scene twice</source>
-        <translation>Knoten %1 ist zweimal in der Szene</translation>
     </message>
     <message>
         <source>node %1 is moved by bones, which are ignored</source>
@@ -5143,10 +3840,6 @@
     <message>
         <source>of an unknown kind</source>
         <translation>von unbekannter Art</translation>
-    </message>
-    <message>
-        <source>one of its points</source>
-        <translation>einer ihrer Punkte</translation>
     </message>
     <message numerus="yes">
         <source>only %n {handle|handles}</source>
@@ -5200,14 +3893,6 @@
         <translation>auslaufend</translation>
     </message>
     <message>
-        <source>parameter %1</source>
-        <translation>Parameter %1</translation>
-    </message>
-    <message>
-        <source>parameters: %1</source>
-        <translation>Parameter: %1</translation>
-    </message>
-    <message>
         <source>pause</source>
         <translation>Pause</translation>
     </message>
@@ -5226,10 +3911,6 @@
     <message>
         <source>pick the point on the surface again</source>
         <translation>wählen Sie den Punkt auf der Oberfläche neu</translation>
-    </message>
-    <message>
-        <source>pictures of different sizes do not fit on one sheet</source>
-        <translation>Bilder verschiedener Größe passen nicht auf einen Bogen</translation>
     </message>
     <message>
         <source>place handles around it</source>
@@ -5256,32 +3937,12 @@
         <translation>Setzen der Griffe</translation>
     </message>
     <message>
-        <source>play at least one whole beat</source>
-        <translation>spielen Sie mindestens einen ganzen Schlag ab</translation>
-    </message>
-    <message>
         <source>play at the rate that the times are for</source>
         <translation>spielen Sie mit der Frequenz ab, für die die Zeiten gelten</translation>
     </message>
     <message>
-        <source>point %1 has a coordinate that is not a finite number</source>
-        <translation>Punkt %1 hat eine Koordinate, die keine endliche Zahl ist</translation>
-    </message>
-    <message>
-        <source>point %1 lies more than 1000 km away: the file is damaged</source>
-        <translation>Punkt %1 liegt mehr als 1000 km entfernt: die Datei ist beschädigt</translation>
-    </message>
-    <message>
-        <source>point numbers are of a type that is not whole</source>
-        <translation>Nummern von Punkten sind von einem Typ, der nicht ganzzahlig ist</translation>
-    </message>
-    <message>
         <source>points that coincide or are almost flat cause this</source>
         <translation>Punkte, die zusammenfallen oder fast in einer Ebene liegen, sind die Ursache</translation>
-    </message>
-    <message>
-        <source>polygon %1 refers to point %2, but there are %3 (counted from 0)</source>
-        <translation>Vieleck %1 verweist auf Punkt %2, es gibt aber %3 (von 0 an gezählt)</translation>
     </message>
     <message>
         <source>put both files into one folder</source>
@@ -5330,10 +3991,6 @@
     <message>
         <source>reduce the surface first</source>
         <translation>verkleinern Sie die Oberfläche zuerst</translation>
-    </message>
-    <message>
-        <source>reduce the surfaces first</source>
-        <translation>verkleinern Sie die Oberflächen zuerst</translation>
     </message>
     <message>
         <source>reduced ejection</source>
@@ -5388,10 +4045,6 @@
         <translation>setzen Sie die Pose zurück</translation>
     </message>
     <message>
-        <source>restore its definition from the installation</source>
-        <translation>stellen Sie seine Definition aus der Installation wieder her</translation>
-    </message>
-    <message>
         <source>restoring the volume would move a handle by %1 mm</source>
         <translation>um das Volumen wiederherzustellen, müsste sich ein Griff um %1 mm bewegen</translation>
     </message>
@@ -5428,16 +4081,8 @@
         <translation>speichern Sie es als eine Datei</translation>
     </message>
     <message>
-        <source>save it as one volume</source>
-        <translation>speichern Sie es als ein Volumen</translation>
-    </message>
-    <message>
         <source>save it with gzip or raw encoding</source>
         <translation>speichern Sie sie mit der Kodierung gzip oder raw</translation>
-    </message>
-    <message>
-        <source>save it with one number a voxel</source>
-        <translation>speichern Sie es mit einer Zahl je Voxel</translation>
     </message>
     <message>
         <source>save it with one value per voxel</source>
@@ -5504,10 +4149,6 @@
         <translation>Oberflächen können nicht als „%1“ geschrieben werden</translation>
     </message>
     <message>
-        <source>system parameter %1</source>
-        <translation>Parameter %1 des Systems</translation>
-    </message>
-    <message>
         <source>system parameters</source>
         <translation>Parameter des Systems</translation>
     </message>
@@ -5552,174 +4193,24 @@
         <translation>terminale Antrumkontraktion</translation>
     </message>
     <message>
-        <source>tetrahedron %1 has a corner that does not exist</source>
-        <translation>Tetraeder %1 hat eine Ecke, die es nicht gibt</translation>
-    </message>
-    <message>
-        <source>tetrahedron %1 is flat or turned around</source>
-        <translation>Tetraeder %1 ist flach oder umgekehrt</translation>
-    </message>
-    <message>
-        <source>it has text in place of numbers</source>
-        <translation>sie enthält Text anstelle von Zahlen</translation>
-    </message>
-    <message>
         <source>the Delaunay tetrahedra of %1 points cannot be computed</source>
         <translation>die Delaunay-Tetraeder von %1 Punkten können nicht berechnet werden</translation>
-    </message>
-    <message>
-        <source>the JSON chunk</source>
-        <translation>der JSON-Block</translation>
-    </message>
-    <message>
-        <source>the array %1 has %2 values for %3 points</source>
-        <translation>das Array %1 hat %2 Werte für %3 Punkte</translation>
-    </message>
-    <message>
-        <source>the array %1: %2</source>
-        <translation>das Array %1: %2</translation>
-    </message>
-    <message>
-        <source>the biharmonic energy cannot be factorised</source>
-        <translation>die biharmonische Energie kann nicht faktorisiert werden</translation>
     </message>
     <message>
         <source>the cage</source>
         <translation>der Käfig</translation>
     </message>
     <message>
-        <source>the cells&apos; offsets do not fit their points</source>
-        <translation>die Anfänge der Zellen passen nicht zu ihren Punkten</translation>
-    </message>
-    <message>
-        <source>the context cannot be used without a surface</source>
-        <translation>der Kontext kann nicht ohne Oberfläche verwendet werden</translation>
-    </message>
-    <message>
         <source>the convex hull of %1 points cannot be computed</source>
         <translation>die konvexe Hülle von %1 Punkten kann nicht berechnet werden</translation>
-    </message>
-    <message>
-        <source>the coordinate %1</source>
-        <translation>die Koordinate %1</translation>
-    </message>
-    <message>
-        <source>the coordinate system %1 is not LPS or RAS</source>
-        <translation>das Koordinatensystem %1 ist weder LPS noch RAS</translation>
     </message>
     <message>
         <source>the coordinates are kept in single precision: they would take %1 MiB otherwise</source>
         <translation>die Koordinaten werden in einfacher Genauigkeit gehalten; sonst bräuchten sie %1 MiB</translation>
     </message>
     <message>
-        <source>the directions and spacing of its voxels enclose no volume</source>
-        <translation>Richtungen und Abstände der Voxel umschließen kein Volumen</translation>
-    </message>
-    <message>
-        <source>the directions, spacing or origin of its voxels are not finite</source>
-        <translation>Richtungen, Abstände oder Ursprung der Voxel sind nicht endlich</translation>
-    </message>
-    <message>
-        <source>the driver's OpenGL is older than 3.2</source>
-        <translation>das OpenGL des Treibers ist älter als 3.2</translation>
-    </message>
-    <message>
         <source>the file does not state its axes: LPS is assumed</source>
         <translation>die Datei nennt ihre Achsen nicht: LPS wird angenommen</translation>
-    </message>
-    <message>
-        <source>the file is cut off before its data</source>
-        <translation>die Datei ist vor ihren Daten abgeschnitten</translation>
-    </message>
-    <message>
-        <source>the file is cut off or damaged: a list of %1 %2 should have more values than are left</source>
-        <translation>die Datei ist abgeschnitten oder beschädigt: eine Liste von %1 %2 sollte mehr Werte haben, als übrig sind</translation>
-    </message>
-    <message numerus="yes">
-        <source>the file is cut off, or is not an STL file: its header promises %n {triangle|triangles} (%2 bytes), but it has %3 bytes</source>
-        <translation>
-            <numerusform>die Datei ist abgeschnitten oder keine STL-Datei: ihr Kopf verspricht %n Dreieck (%2 Bytes), sie hat aber %3 Bytes</numerusform>
-            <numerusform>die Datei ist abgeschnitten oder keine STL-Datei: ihr Kopf verspricht %n Dreiecke (%2 Bytes), sie hat aber %3 Bytes</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>the file is cut off: %1 should have %2 bytes, but only %3 are left</source>
-        <translation>die Datei ist abgeschnitten: %1 sollte %2 Bytes haben, aber nur %3 sind übrig</translation>
-    </message>
-    <message numerus="yes">
-        <source>the file is cut off: %2 numbers should follow, but only %n {byte is|bytes are} left</source>
-        <translation>
-            <numerusform>die Datei ist abgeschnitten: %2 Zahlen sollten folgen, aber nur %n Byte ist übrig</numerusform>
-            <numerusform>die Datei ist abgeschnitten: %2 Zahlen sollten folgen, aber nur %n Bytes sind übrig</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>the file is cut off: %2 values are promised, there {is|are} only %n {byte|bytes}</source>
-        <translation>
-            <numerusform>die Datei ist abgeschnitten: %2 Werte sind versprochen, es gibt nur %n Byte</numerusform>
-            <numerusform>die Datei ist abgeschnitten: %2 Werte sind versprochen, es gibt nur %n Bytes</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>the file is cut off: buffer %1 should have %2 bytes, but has %3</source>
-        <translation>die Datei ist abgeschnitten: Puffer %1 sollte %2 Bytes haben, hat aber %3</translation>
-    </message>
-    <message>
-        <source>the file is cut off: it ends where %1 should stand</source>
-        <translation>die Datei ist abgeschnitten: sie endet, wo %1 stehen sollte</translation>
-    </message>
-    <message numerus="yes">
-        <source>the file is cut off: it has %n {byte|bytes}, a NIfTI header alone has 348</source>
-        <translation>
-            <numerusform>die Datei ist abgeschnitten: sie hat %n Byte, ein NIfTI-Kopf allein hat 348</numerusform>
-            <numerusform>die Datei ist abgeschnitten: sie hat %n Bytes, ein NIfTI-Kopf allein hat 348</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>the file is cut off: it has fewer lines than its header says</source>
-        <translation>die Datei ist abgeschnitten: sie hat weniger Zeilen, als ihr Kopf sagt</translation>
-    </message>
-    <message>
-        <source>the file is cut off: it should have %1 bytes, but has %2</source>
-        <translation>die Datei ist abgeschnitten: sie sollte %1 Bytes haben, hat aber %2</translation>
-    </message>
-    <message numerus="yes">
-        <source>the file is cut off: its %n {frame has|frames have} too few pixels</source>
-        <translation>
-            <numerusform>die Datei ist abgeschnitten: ihr %n Einzelbild hat zu wenige Pixel</numerusform>
-            <numerusform>die Datei ist abgeschnitten: ihre %n Einzelbilder haben zu wenige Pixel</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>the file is cut off: its end is missing</source>
-        <translation>die Datei ist abgeschnitten: ihr Ende fehlt</translation>
-    </message>
-    <message>
-        <source>the file is cut off: its header has no ElementDataFile</source>
-        <translation>die Datei ist abgeschnitten: ihr Kopf hat kein ElementDataFile</translation>
-    </message>
-    <message>
-        <source>the file is cut off: its header promises %1 bytes of pixels, %2 are there</source>
-        <translation>die Datei ist abgeschnitten: ihr Kopf verspricht %1 Bytes an Pixeln, %2 sind da</translation>
-    </message>
-    <message>
-        <source>the file is cut off: its header promises %1 bytes of voxels, %2 are there</source>
-        <translation>die Datei ist abgeschnitten: ihr Kopf verspricht %1 Bytes an Voxeln, %2 sind da</translation>
-    </message>
-    <message numerus="yes">
-        <source>the file is cut off: its header promises %2 of %3, more than the %n {byte|bytes} that are left can hold</source>
-        <translation>
-            <numerusform>die Datei ist abgeschnitten: ihr Kopf verspricht %2 von %3, mehr als in das übrige %n Byte passt</numerusform>
-            <numerusform>die Datei ist abgeschnitten: ihr Kopf verspricht %2 von %3, mehr als in die übrigen %n Bytes passt</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>the file is cut off: its header promises more voxels than there are</source>
-        <translation>die Datei ist abgeschnitten: ihr Kopf verspricht mehr Voxel, als es gibt</translation>
-    </message>
-    <message>
-        <source>the file is cut off: its packed data end too early</source>
-        <translation>die Datei ist abgeschnitten: ihre gepackten Daten enden zu früh</translation>
     </message>
     <message>
         <source>the file is empty</source>
@@ -5758,10 +4249,6 @@
         <translation>die %1 Körper der Datei wurden zu einer Oberfläche verbunden</translation>
     </message>
     <message>
-        <source>the first chunk&apos;s header</source>
-        <translation>der Kopf des ersten Blocks</translation>
-    </message>
-    <message>
         <source>the first one is 0</source>
         <translation>die erste ist 0</translation>
     </message>
@@ -5778,26 +4265,6 @@
         <translation>in den Ordner für die Einzelbilder kann nicht geschrieben werden</translation>
     </message>
     <message>
-        <source>the format %1 is not known</source>
-        <translation>das Format %1 ist nicht bekannt</translation>
-    </message>
-    <message>
-        <source>the frame rate has to be positive</source>
-        <translation>die Bildrate muss positiv sein</translation>
-    </message>
-    <message>
-        <source>the frames of a movie have to be of one size: this one is %1 x %2, the first was %3 x %4</source>
-        <translation>die Einzelbilder eines Films müssen gleich groß sein: dieses hat %1 x %2, das erste %3 x %4</translation>
-    </message>
-    <message>
-        <source>the handle %1 comes twice</source>
-        <translation>der Griff %1 kommt zweimal vor</translation>
-    </message>
-    <message>
-        <source>the handle %1 is in two groups</source>
-        <translation>der Griff %1 ist in zwei Gruppen</translation>
-    </message>
-    <message>
         <source>the handles enclose nothing: %1</source>
         <translation>die Griffe umschließen nichts: %1</translation>
     </message>
@@ -5810,24 +4277,8 @@
         <translation>die Tetraeder der Griffe</translation>
     </message>
     <message>
-        <source>the header</source>
-        <translation>der Kopf</translation>
-    </message>
-    <message>
-        <source>the id %1 comes twice</source>
-        <translation>die Kennung %1 kommt zweimal vor</translation>
-    </message>
-    <message>
-        <source>the label &quot;%1&quot; comes twice</source>
-        <translation>die Bezeichnung „%1“ kommt zweimal vor</translation>
-    </message>
-    <message>
         <source>the label &quot;%1&quot; is not a landmark of the sequence %2</source>
         <translation>die Bezeichnung „%1“ ist keine Landmarke der Sequenz %2</translation>
-    </message>
-    <message>
-        <source>the label map has no segment number %1</source>
-        <translation>die Labelmap hat kein Segment Nummer %1</translation>
     </message>
     <message>
         <source>the landmark &quot;%1&quot; comes twice</source>
@@ -5848,14 +4299,6 @@
     <message>
         <source>the last phase equals the first and is left out: phase %1 would be phase 1 again</source>
         <translation>die letzte Phase gleicht der ersten und wird weggelassen: Phase %1 wäre wieder Phase 1</translation>
-    </message>
-    <message>
-        <source>the layers</source>
-        <translation>der Lagen</translation>
-    </message>
-    <message>
-        <source>the limits of time and memory must be above 0</source>
-        <translation>die Grenzen von Zeit und Speicher müssen über 0 liegen</translation>
     </message>
     <message>
         <source>the locked volumes cannot be kept</source>
@@ -5898,52 +4341,8 @@
         <translation>die Namen der Labels sind die aus %1</translation>
     </message>
     <message>
-        <source>the number of arrays</source>
-        <translation>die Zahl der Arrays</translation>
-    </message>
-    <message>
-        <source>the number of cells</source>
-        <translation>die Zahl der Zellen</translation>
-    </message>
-    <message>
-        <source>the number of colour channels</source>
-        <translation>die Zahl der Farbkanäle</translation>
-    </message>
-    <message>
-        <source>the number of components</source>
-        <translation>die Zahl der Komponenten</translation>
-    </message>
-    <message>
-        <source>the number of components is not positive</source>
-        <translation>die Zahl der Komponenten ist nicht positiv</translation>
-    </message>
-    <message>
-        <source>the number of faces</source>
-        <translation>die Zahl der Flächen</translation>
-    </message>
-    <message>
-        <source>the number of groups must be at least 1, not %1</source>
-        <translation>die Zahl der Gruppen muss mindestens 1 sein, nicht %1</translation>
-    </message>
-    <message>
-        <source>the number of points</source>
-        <translation>die Zahl der Punkte</translation>
-    </message>
-    <message>
-        <source>the number of texture axes</source>
-        <translation>die Zahl der Texturachsen</translation>
-    </message>
-    <message>
-        <source>the number of values</source>
-        <translation>die Zahl der Werte</translation>
-    </message>
-    <message>
         <source>the offset of region &apos;%1&apos; is cut to %2 mm, the distance of its nearest handle from a zone</source>
         <translation>der Versatz der Region „%1“ ist auf %2 mm gekürzt, den Abstand ihres nächsten Griffs von einer Zone</translation>
-    </message>
-    <message>
-        <source>the offsets of its cells (%1) do not fit their points</source>
-        <translation>die Anfänge ihrer Zellen (%1) passen nicht zu deren Punkten</translation>
     </message>
     <message>
         <source>the organ is %1 times as long as that of an adult; check its unit</source>
@@ -5965,71 +4364,8 @@
         </translation>
     </message>
     <message>
-        <source>the organ that it is a cavity of is not before it</source>
-        <translation>das Organ, dessen Hohlraum es ist, steht nicht davor</translation>
-    </message>
-    <message>
-        <source>the outline of %1 vertices cannot follow %2</source>
-        <translation>der Umriss mit %1 Eckpunkten kann %2 nicht folgen</translation>
-    </message>
-    <message>
-        <source>the overlap of groups must lie between 0 and 1</source>
-        <translation>die Überlappung der Gruppen muss zwischen 0 und 1 liegen</translation>
-    </message>
-    <message>
-        <source>the packed data are damaged</source>
-        <translation>die gepackten Daten sind beschädigt</translation>
-    </message>
-    <message>
-        <source>It is damaged or no DICOM file: its header violates the DICOM standard</source>
-        <translation>Die Datei ist beschädigt oder keine DICOM-Datei: Ihr Kopf verletzt den DICOM-Standard</translation>
-    </message>
-    <message>
-        <source>its packed data are more than %1 MB unpacked, which no scan of its size is</source>
-        <translation>die gepackten Daten sind entpackt größer als %1 MB, was kein Scan dieser Größe ist</translation>
-    </message>
-    <message>
-        <source>the packed data are damaged (%1)</source>
-        <translation>die gepackten Daten sind beschädigt (%1)</translation>
-    </message>
-    <message>
-        <source>the packed data are damaged (bzip2 error %1)</source>
-        <translation>die gepackten Daten sind beschädigt (bzip2-Fehler %1)</translation>
-    </message>
-    <message>
-        <source>the parts of its colour do not lie between 0 and 1</source>
-        <translation>die Anteile seiner Farbe liegen nicht zwischen 0 und 1</translation>
-    </message>
-    <message>
-        <source>the period is not a positive number of seconds</source>
-        <translation>die Periode ist keine positive Zahl von Sekunden</translation>
-    </message>
-    <message>
         <source>the picture cannot be written</source>
         <translation>das Bild kann nicht geschrieben werden</translation>
-    </message>
-    <message>
-        <source>the picture does not exist</source>
-        <translation>das Bild gibt es nicht</translation>
-    </message>
-    <message>
-        <source>the picture is not of three channels of 8 bits</source>
-        <translation>das Bild hat nicht drei Kanäle zu 8 Bit</translation>
-    </message>
-    <message>
-        <source>the points to show are %1, the surface has %2</source>
-        <translation>zu zeigen sind %1 Punkte, die Oberfläche hat %2</translation>
-    </message>
-    <message numerus="yes">
-        <source>the pose has %n {handle|handles}, the organ is bound to %2</source>
-        <translation>
-            <numerusform>die Pose hat %n Griff, das Organ ist an %2 gebunden</numerusform>
-            <numerusform>die Pose hat %n Griffe, das Organ ist an %2 gebunden</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>the pose has another number of handles than the document</source>
-        <translation>die Pose hat eine andere Zahl von Griffen als das Dokument</translation>
     </message>
     <message>
         <source>the position is not finite</source>
@@ -6040,32 +4376,12 @@
         <translation>die Position des Griffs %1 in %2 ist nicht endlich</translation>
     </message>
     <message>
-        <source>the positions of its frames are not finite</source>
-        <translation>die Positionen ihrer Einzelbilder sind nicht endlich</translation>
-    </message>
-    <message>
         <source>the program ffmpeg is needed for this kind of movie and is not installed</source>
         <translation>für diese Art von Film wird das Programm ffmpeg gebraucht, das nicht installiert ist</translation>
     </message>
     <message>
-        <source>the quality of tetrahedra is a ratio from 1.1 (best) to 10</source>
-        <translation>die Güte der Tetraeder ist ein Verhältnis von 1,1 (beste) bis 10</translation>
-    </message>
-    <message>
-        <source>the reply is cut short</source>
-        <translation>die Antwort ist abgeschnitten</translation>
-    </message>
-    <message>
-        <source>the reply is damaged</source>
-        <translation>die Antwort ist beschädigt</translation>
-    </message>
-    <message>
         <source>the right ventricle is too small to eject as much as the left one</source>
         <translation>der rechte Ventrikel ist zu klein, um so viel auszuwerfen wie der linke</translation>
-    </message>
-    <message>
-        <source>the sample organ has no surface &quot;%1&quot;</source>
-        <translation>das Beispielorgan hat keine Oberfläche „%1“</translation>
     </message>
     <message>
         <source>the scan %1 is not there any more (put it beside the session and open that again)</source>
@@ -6078,18 +4394,6 @@
     <message>
         <source>the size is plausible: %1</source>
         <translation>die Größe ist plausibel: %1</translation>
-    </message>
-    <message>
-        <source>the size of a colour table</source>
-        <translation>die Größe einer Farbtabelle</translation>
-    </message>
-    <message>
-        <source>the size of the cells</source>
-        <translation>die Größe der Zellen</translation>
-    </message>
-    <message>
-        <source>the sizes of its voxels are missing, zero or not finite</source>
-        <translation>die Größen der Voxel fehlen, sind null oder nicht endlich</translation>
     </message>
     <message>
         <source>the solid could not be written</source>
@@ -6136,10 +4440,6 @@
         <translation>die Oberfläche hat %1 brauchbare Dreiecke und umschließt nichts</translation>
     </message>
     <message>
-        <source>the surface has no such triangle</source>
-        <translation>die Oberfläche hat dieses Dreieck nicht</translation>
-    </message>
-    <message>
         <source>the surface has no triangles or is flat, so it encloses nothing</source>
         <translation>die Oberfläche hat keine Dreiecke oder ist flach und umschließt daher nichts</translation>
     </message>
@@ -6179,13 +4479,6 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>the surface is open (%n boundary {edge|edges}), so it has no volume</source>
-        <translation>
-            <numerusform>die Oberfläche ist offen (%n Randkante) und hat kein Volumen</numerusform>
-            <numerusform>die Oberfläche ist offen (%n Randkanten) und hat kein Volumen</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>the surface is open (%n boundary {edge|edges}), so it has no volume that could be locked</source>
         <translation>
             <numerusform>die Oberfläche ist offen (%n Randkante) und hat kein Volumen, das gesperrt werden könnte</numerusform>
@@ -6197,28 +4490,12 @@
         <translation>die Oberfläche ist zu groß für GLB, das bei 4 GB endet</translation>
     </message>
     <message>
-        <source>the table of names in it cannot be read</source>
-        <translation>die Namenstabelle darin kann nicht gelesen werden</translation>
-    </message>
-    <message>
-        <source>the tetrahedra do not determine the coordinates</source>
-        <translation>die Tetraeder bestimmen die Koordinaten nicht</translation>
-    </message>
-    <message>
         <source>the triangles beside a hole do not all run the same way round, so it cannot be closed</source>
         <translation>die Dreiecke an einem Loch laufen nicht alle gleich herum, darum kann es nicht geschlossen werden</translation>
     </message>
     <message>
         <source>the triangles face outward</source>
         <translation>die Dreiecke zeigen nach außen</translation>
-    </message>
-    <message>
-        <source>the values to show are %1, the surface has %2 vertices</source>
-        <translation>zu zeigen sind %1 Werte, die Oberfläche hat %2 Eckpunkte</translation>
-    </message>
-    <message>
-        <source>the values to show are %1, the tissue has %2 points</source>
-        <translation>zu zeigen sind %1 Werte, das Gewebe hat %2 Punkte</translation>
     </message>
     <message>
         <source>the volume at the end of the cycle differs from the volume at its start</source>
@@ -6229,10 +4506,6 @@
         <translation>das Volumen kann hier nicht gehalten werden: %1</translation>
     </message>
     <message>
-        <source>the volumes</source>
-        <translation>der Volumina</translation>
-    </message>
-    <message>
         <source>the waves are %1 % as deep as in an adult: %2</source>
         <translation>die Wellen sind %1 % so tief wie bei einem Erwachsenen: %2</translation>
     </message>
@@ -6241,71 +4514,16 @@
         <translation>es gibt %1</translation>
     </message>
     <message>
-        <source>there are no points to group handles around</source>
-        <translation>es gibt keine Punkte, um die Griffe gruppiert werden könnten</translation>
-    </message>
-    <message>
         <source>there are no tetrahedra in it; the surface may be open</source>
         <translation>es sind keine Tetraeder darin; vielleicht ist die Oberfläche offen</translation>
-    </message>
-    <message numerus="yes">
-        <source>there are values for %n {point|points}, but the surface has %2</source>
-        <translation>
-            <numerusform>es gibt Werte für %n Punkt, aber die Oberfläche hat %2</numerusform>
-            <numerusform>es gibt Werte für %n Punkte, aber die Oberfläche hat %2</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>there are: %1</source>
-        <translation>es gibt: %1</translation>
-    </message>
-    <message>
-        <source>there is a second list of points</source>
-        <translation>es gibt eine zweite Liste von Punkten</translation>
-    </message>
-    <message>
-        <source>there is no %1 &quot;%2&quot;</source>
-        <translation>„%2“ ist kein Wert von %1</translation>
-    </message>
-    <message>
-        <source>there is no colour map of this name</source>
-        <translation>es gibt keine Farbskala dieses Namens</translation>
     </message>
     <message>
         <source>there is no coordinate system &quot;%1&quot;</source>
         <translation>es gibt kein Koordinatensystem „%1“</translation>
     </message>
     <message>
-        <source>there is no handle %1</source>
-        <translation>es gibt keinen Griff %1</translation>
-    </message>
-    <message>
         <source>there is no handle at vertex %1</source>
         <translation>am Eckpunkt %1 ist kein Griff</translation>
-    </message>
-    <message>
-        <source>there is no organ %1</source>
-        <translation>es gibt kein Organ %1</translation>
-    </message>
-    <message>
-        <source>there is no parameter %1</source>
-        <translation>es gibt keinen Parameter %1</translation>
-    </message>
-    <message>
-        <source>there is no picture to put on the sheet</source>
-        <translation>es gibt kein Bild für den Bogen</translation>
-    </message>
-    <message>
-        <source>there is no repair &quot;%1&quot;</source>
-        <translation>es gibt keine Reparatur „%1“</translation>
-    </message>
-    <message>
-        <source>there is no sequence &quot;%1&quot;</source>
-        <translation>es gibt keine Sequenz „%1“</translation>
-    </message>
-    <message>
-        <source>there is no sequence &quot;%1&quot; for other organs</source>
-        <translation>es gibt keine Sequenz „%1“ für andere Organe</translation>
     </message>
     <message>
         <source>there is no such file</source>
@@ -6316,56 +4534,20 @@
         <translation>es gibt keine solche Datei und keinen solchen Ordner</translation>
     </message>
     <message>
-        <source>there is no such slice</source>
-        <translation>diese Schicht gibt es nicht</translation>
-    </message>
-    <message>
         <source>there is no surface to write</source>
         <translation>es gibt keine Oberfläche zu schreiben</translation>
-    </message>
-    <message>
-        <source>there is no triangle %1</source>
-        <translation>es gibt kein Dreieck %1</translation>
     </message>
     <message>
         <source>there is no triangle to write</source>
         <translation>es gibt kein Dreieck zu schreiben</translation>
     </message>
     <message>
-        <source>there is no view of this name</source>
-        <translation>es gibt keine Ansicht dieses Namens</translation>
-    </message>
-    <message>
-        <source>there is no way &quot;%1&quot; to make groups</source>
-        <translation>es gibt keine Art „%1“, Gruppen zu bilden</translation>
-    </message>
-    <message>
         <source>simplifying the surface</source>
         <translation>Vereinfachen der Oberfläche</translation>
     </message>
     <message>
-        <source>this EGL knows no desktop OpenGL</source>
-        <translation>dieses EGL kennt kein Desktop-OpenGL</translation>
-    </message>
-    <message>
         <source>this is a fault of the program; please report it</source>
         <translation>das ist ein Fehler des Programms; bitte melden Sie ihn</translation>
-    </message>
-    <message>
-        <source>this is not a PNG picture</source>
-        <translation>dies ist kein PNG-Bild</translation>
-    </message>
-    <message>
-        <source>this is not a line of a MetaImage header: %1</source>
-        <translation>das ist keine Zeile eines MetaImage-Kopfes: %1</translation>
-    </message>
-    <message>
-        <source>this is not a line of an NRRD header: %1</source>
-        <translation>das ist keine Zeile eines NRRD-Kopfes: %1</translation>
-    </message>
-    <message>
-        <source>this system has no parameters</source>
-        <translation>dieses System hat keine Parameter</translation>
     </message>
     <message>
         <source>too few landmarks: there is %1 but neither fundus nor pylorus</source>
@@ -6386,10 +4568,6 @@
     <message>
         <source>triangle %1</source>
         <translation>Dreieck %1</translation>
-    </message>
-    <message>
-        <source>triangle %1 refers to vertex %2, but there are %3</source>
-        <translation>Dreieck %1 nennt Eckpunkt %2, es gibt aber %3</translation>
     </message>
     <message>
         <source>try another resolution</source>
@@ -6424,20 +4602,12 @@
         <translation>zwei Gruppen haben diesen Namen</translation>
     </message>
     <message>
-        <source>two handles are at one place</source>
-        <translation>zwei Griffe sind am selben Ort</translation>
-    </message>
-    <message>
         <source>two handles have this label</source>
         <translation>zwei Griffe haben diese Bezeichnung</translation>
     </message>
     <message>
         <source>unlock it, or let more handles compensate</source>
         <translation>entsperren Sie es, oder lassen Sie mehr Griffe ausgleichen</translation>
-    </message>
-    <message>
-        <source>unsaved work</source>
-        <translation>ungespeicherte Arbeit</translation>
     </message>
     <message>
         <source>unsaved work cannot be kept safe: the folder cannot be written to</source>
@@ -6452,32 +4622,12 @@
         <translation>verwenden Sie .ogv, .mp4, .gif oder einen Ordner für PNG-Einzelbilder</translation>
     </message>
     <message>
-        <source>use a pose of the same handles</source>
-        <translation>nehmen Sie eine Pose derselben Griffe</translation>
-    </message>
-    <message>
-        <source>use anterior, posterior, left, right, superior or inferior</source>
-        <translation>verwenden Sie anterior, posterior, left, right, superior oder inferior</translation>
-    </message>
-    <message>
         <source>use images that show all of it in every phase</source>
         <translation>verwenden Sie Bilder, die es in jeder Phase ganz zeigen</translation>
     </message>
     <message>
-        <source>use one of %1</source>
-        <translation>nehmen Sie eine von %1</translation>
-    </message>
-    <message>
         <source>use one of: %1</source>
         <translation>nehmen Sie eines von: %1</translation>
-    </message>
-    <message>
-        <source>use one of: heartbeat, peristalsis, breathing</source>
-        <translation>verwenden Sie eine von: heartbeat, peristalsis, breathing</translation>
-    </message>
-    <message>
-        <source>use viridis or diverging</source>
-        <translation>verwenden Sie viridis oder diverging</translation>
     </message>
     <message>
         <source>values from the section %1 on were not understood and ignored</source>
@@ -6486,10 +4636,6 @@
     <message>
         <source>vertex %1</source>
         <translation>Eckpunkt %1</translation>
-    </message>
-    <message>
-        <source>vertex %1 has a coordinate that is not a finite number</source>
-        <translation>Eckpunkt %1 hat eine Koordinate, die keine endliche Zahl ist</translation>
     </message>
     <message>
         <source>volume</source>
@@ -6526,10 +4672,6 @@
     <message>
         <source>wave in the body</source>
         <translation>Welle im Corpus</translation>
-    </message>
-    <message>
-        <source>witness point %1 has a coordinate that is not finite</source>
-        <translation>Messpunkt %1 hat eine Koordinate, die nicht endlich ist</translation>
     </message>
     <message>
         <source>witness points</source>
@@ -6573,22 +4715,6 @@
     <message>
         <source>stress profile</source>
         <translation>Stressprofil</translation>
-    </message>
-    <message>
-        <source>its number is not a whole number from 1</source>
-        <translation>seine Nummer ist keine ganze Zahl ab 1</translation>
-    </message>
-    <message>
-        <source>two stress probes have this number</source>
-        <translation>zwei Stresssonden haben diese Nummer</translation>
-    </message>
-    <message>
-        <source>its place at rest</source>
-        <translation>ihr Ort in Ruhe</translation>
-    </message>
-    <message>
-        <source>it does not join two stress probes of one organ</source>
-        <translation>sie verbindet nicht zwei Stresssonden eines Organs</translation>
     </message>
     <message>
         <source>A profile needs two probes of one organ</source>
@@ -6639,36 +4765,8 @@
         <translation>Schreiben des Films</translation>
     </message>
     <message>
-        <source>breathing needs at least four handles</source>
-        <translation>die Atmung braucht mindestens vier Griffe</translation>
-    </message>
-    <message>
         <source>the organ has no extent</source>
         <translation>das Organ hat keine Ausdehnung</translation>
-    </message>
-    <message>
-        <source>the liver cannot be pressed that far</source>
-        <translation>so weit lässt sich die Leber nicht drücken</translation>
-    </message>
-    <message>
-        <source>use shares between 0 and 0.5</source>
-        <translation>verwenden Sie Anteile zwischen 0 und 0,5</translation>
-    </message>
-    <message>
-        <source>a ventricle has to hold less at the end of systole than at the end of diastole</source>
-        <translation>ein Ventrikel muss am Ende der Systole weniger enthalten als am Ende der Diastole</translation>
-    </message>
-    <message>
-        <source>cardiac cycle</source>
-        <translation>Herzzyklus</translation>
-    </message>
-    <message>
-        <source>The volume of a cavity is not a number</source>
-        <translation>Das Volumen eines Hohlraums ist keine Zahl</translation>
-    </message>
-    <message>
-        <source>check the cavities' surfaces</source>
-        <translation>prüfen Sie die Oberflächen der Hohlräume</translation>
     </message>
     <message>
         <source>heart with %1 ml left and %2 ml right</source>
@@ -6711,47 +4809,12 @@
         <translation>entfernen Sie ihn</translation>
     </message>
     <message>
-        <source>the course does not cover a beat</source>
-        <translation>der Verlauf umfasst keinen ganzen Schlag</translation>
-    </message>
-    <message>
-        <source>valves and volumes of the heartbeat have different times</source>
-        <translation>Klappen und Volumina des Herzschlags haben verschiedene Zeiten</translation>
-    </message>
-    <message>
         <source>calibrating the heartbeat</source>
         <translation>Abgleich des Herzschlags</translation>
-    </message>
-    <message numerus="yes">
-        <source>a curve needs at least %n {key|keys}</source>
-        <translation>
-            <numerusform>eine Kurve braucht mindestens %n Stützpunkt</numerusform>
-            <numerusform>eine Kurve braucht mindestens %n Stützpunkte</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>the key is not a finite number</source>
-        <translation>der Stützpunkt ist keine endliche Zahl</translation>
     </message>
     <message>
         <source>curve key %1</source>
         <translation>Stützpunkt %1 der Kurve</translation>
-    </message>
-    <message>
-        <source>the key does not lie after the one before it</source>
-        <translation>der Stützpunkt liegt nicht nach dem vorigen</translation>
-    </message>
-    <message>
-        <source>sort the keys and remove doubles</source>
-        <translation>sortieren Sie die Stützpunkte und entfernen Sie doppelte</translation>
-    </message>
-    <message>
-        <source>the keys do not fit into one period</source>
-        <translation>die Stützpunkte passen nicht in eine Periode</translation>
-    </message>
-    <message>
-        <source>give keys of one period only</source>
-        <translation>geben Sie nur Stützpunkte einer Periode an</translation>
     </message>
     <message>
         <source>the pylorus does not lie beyond the middle of the body</source>
@@ -6764,14 +4827,6 @@
     <message>
         <source>choose the landmarks from the fundus downwards</source>
         <translation>wählen Sie die Landmarken vom Fundus abwärts</translation>
-    </message>
-    <message>
-        <source>waves without depth</source>
-        <translation>Wellen ohne Tiefe</translation>
-    </message>
-    <message>
-        <source>give a depth above 0</source>
-        <translation>geben Sie eine Tiefe über 0 an</translation>
     </message>
     <message>
         <source>the surface has no inside</source>
@@ -6821,55 +4876,12 @@
         <translation>prüfen Sie die Landmarken von Basis, Spitze und rechtem Ventrikel</translation>
     </message>
     <message>
-        <source>a surface needs three points at least to carry the ring of a valve</source>
-        <translation>eine Oberfläche braucht mindestens drei Punkte, um den Ring einer Klappe zu tragen</translation>
-    </message>
-    <message>
-        <source>its time is not a finite number</source>
-        <translation>seine Zeit ist keine endliche Zahl</translation>
-    </message>
-    <message numerus="yes">
-        <source>its pose has %n {handle|handles} instead of %2</source>
-        <translation>
-            <numerusform>seine Pose hat %n Griff statt %2</numerusform>
-            <numerusform>seine Pose hat %n Griffe statt %2</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>a handle's position is not a finite number</source>
-        <translation>die Position eines Griffs ist keine endliche Zahl</translation>
-    </message>
-    <message>
-        <source>its time, %1, is outside the period of %2</source>
-        <translation>seine Zeit, %1, liegt außerhalb der Periode von %2</translation>
-    </message>
-    <message>
         <source>move it, or lengthen the period</source>
         <translation>verschieben Sie ihn, oder verlängern Sie die Periode</translation>
     </message>
     <message>
-        <source>its time, %1, is not after that of the key before it</source>
-        <translation>seine Zeit, %1, liegt nicht nach der des vorigen Schlüsselbilds</translation>
-    </message>
-    <message>
-        <source>sort the keys by time and leave a millisecond at least between two</source>
-        <translation>sortieren Sie die Schlüsselbilder nach der Zeit, mit mindestens einer Millisekunde Abstand</translation>
-    </message>
-    <message>
         <source>there is no key</source>
         <translation>es gibt kein Schlüsselbild</translation>
-    </message>
-    <message>
-        <source>a handle's rest position is not a finite number</source>
-        <translation>die Ruheposition eines Griffs ist keine endliche Zahl</translation>
-    </message>
-    <message>
-        <source>a heart cannot lose that part of its volume in systole</source>
-        <translation>diesen Teil seines Volumens kann ein Herz in der Systole nicht verlieren</translation>
-    </message>
-    <message>
-        <source>choose 0 to 0.4; people have 0.048 to 0.106</source>
-        <translation>wählen Sie 0 bis 0,4; Menschen haben 0,048 bis 0,106</translation>
     </message>
     <message>
         <source>the heart cannot be brought to the volume that it has to hold</source>
@@ -6894,29 +4906,6 @@
     <message>
         <source>check the landmarks</source>
         <translation>prüfen Sie die Landmarken</translation>
-    </message>
-    <message>
-        <source>the coordinates of the handles are not a finite square matrix</source>
-        <translation>die Koordinaten der Griffe sind keine endliche quadratische Matrix</translation>
-    </message>
-    <message>
-        <source>pose compensation</source>
-        <translation>Ausgleich der Pose</translation>
-    </message>
-    <message>
-        <source>the coordinates do not sum to 1</source>
-        <translation>die Koordinaten ergeben zusammen nicht 1</translation>
-    </message>
-    <message numerus="yes">
-        <source>the compensation is for %n {handle|handles}, the organ (%2) has %3</source>
-        <translation>
-            <numerusform>der Ausgleich ist für %n Griff, das Organ (%2) hat %3</numerusform>
-            <numerusform>der Ausgleich ist für %n Griffe, das Organ (%2) hat %3</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>the size of the organ is not a positive number</source>
-        <translation>die Größe des Organs ist keine positive Zahl</translation>
     </message>
     <message>
         <source>the centreline leaves the stomach %1 mm below the top of the fundus</source>
@@ -6970,10 +4959,6 @@
         <translation>freie Wand des linken Ventrikels, außen</translation>
     </message>
     <message>
-        <source>The surfaces are not those that were measured at rest</source>
-        <translation>Die Oberflächen sind nicht die, die in Ruhe gemessen wurden</translation>
-    </message>
-    <message>
         <source>excursion of the mitral annulus towards the apex</source>
         <translation>Bewegung des Mitralrings zur Spitze</translation>
     </message>
@@ -7020,14 +5005,6 @@
     <message>
         <source>the amount in a healthy heart</source>
         <translation>die Menge in einem gesunden Herzen</translation>
-    </message>
-    <message>
-        <source>the circulation has no parameter of that name</source>
-        <translation>der Kreislauf hat keinen Parameter dieses Namens</translation>
-    </message>
-    <message>
-        <source>the nearest is %1; docs/circulation.md lists all</source>
-        <translation>der ähnlichste ist %1; docs/circulation.md nennt alle</translation>
     </message>
     <message>
         <source>%1 is out of its range</source>
@@ -7121,14 +5098,6 @@
         <translation>bringen Sie die Parameter näher an die in Ruhe, wenige auf einmal</translation>
     </message>
     <message>
-        <source>there is no such scenario</source>
-        <translation>dieses Szenario gibt es nicht</translation>
-    </message>
-    <message>
-        <source>choose one of %1</source>
-        <translation>wählen Sie eines von %1</translation>
-    </message>
-    <message>
         <source>fitting phase %1</source>
         <translation>Anpassung von Phase %1</translation>
     </message>
@@ -7178,24 +5147,12 @@
         </translation>
     </message>
     <message>
-        <source>ask for %1 at least</source>
-        <translation>verlangen Sie mindestens %1</translation>
-    </message>
-    <message>
         <source>ask for fewer</source>
         <translation>verlangen Sie weniger</translation>
     </message>
     <message>
         <source>keeping volumes</source>
         <translation>Volumina werden gehalten</translation>
-    </message>
-    <message>
-        <source>It has no phase</source>
-        <translation>Sie hat keine Phase</translation>
-    </message>
-    <message>
-        <source>name one surface for each phase</source>
-        <translation>nennen Sie eine Oberfläche für jede Phase</translation>
     </message>
     <message>
         <source>Phase %1 has %2 points and the first has %3</source>
@@ -7222,52 +5179,12 @@
         <translation>reparieren Sie die Oberflächen in dem Programm, das sie erzeugt hat</translation>
     </message>
     <message>
-        <source>There is no surface</source>
-        <translation>Es gibt keine Oberfläche</translation>
-    </message>
-    <message>
-        <source>name one at least</source>
-        <translation>nennen Sie mindestens eine</translation>
-    </message>
-    <message>
         <source>the volume cannot be kept throughout the cycle: %1</source>
         <translation>das Volumen lässt sich nicht über den ganzen Zyklus halten: %1</translation>
     </message>
     <message>
         <source>unlock it, or prescribe a volume nearer to that at rest</source>
         <translation>entsperren Sie es, oder geben Sie ein Volumen näher an dem in Ruhe vor</translation>
-    </message>
-    <message>
-        <source>It is not a rate at which the sequence can be played</source>
-        <translation>Mit dieser Frequenz lässt sich die Sequenz nicht abspielen</translation>
-    </message>
-    <message>
-        <source>rates of the lesson</source>
-        <translation>Frequenzen der Lektion</translation>
-    </message>
-    <message>
-        <source>from %1 to %2 a minute</source>
-        <translation>von %1 bis %2 pro Minute</translation>
-    </message>
-    <message>
-        <source>There is no such phase</source>
-        <translation>Diese Phase gibt es nicht</translation>
-    </message>
-    <message>
-        <source>viscera play names the phases of a sequence</source>
-        <translation>viscera play nennt die Phasen einer Sequenz</translation>
-    </message>
-    <message>
-        <source>There is no such organ to hide</source>
-        <translation>Dieses Organ zum Ausblenden gibt es nicht</translation>
-    </message>
-    <message>
-        <source>name one that is shown</source>
-        <translation>nennen Sie eines, das gezeigt wird</translation>
-    </message>
-    <message>
-        <source>It is not a language of the page</source>
-        <translation>Das ist keine Sprache der Seite</translation>
     </message>
     <message>
         <source>No organ is shown</source>
@@ -7282,20 +5199,8 @@
         <translation>zeigen Sie die, von denen die Lektion handelt</translation>
     </message>
     <message>
-        <source>a number does not fit into a lesson: %1</source>
-        <translation>eine Zahl passt nicht in eine Lektion: %1</translation>
-    </message>
-    <message>
         <source>check the size of the organ, and its motion</source>
         <translation>prüfen Sie die Größe des Organs und seine Bewegung</translation>
-    </message>
-    <message>
-        <source>an array of the lesson ends behind its bytes</source>
-        <translation>ein Feld der Lektion endet hinter ihren Bytes</translation>
-    </message>
-    <message>
-        <source>the arrays of the lesson cannot be unpacked</source>
-        <translation>die Felder der Lektion lassen sich nicht entpacken</translation>
     </message>
     <message>
         <source>system &quot;%1&quot; returned no binding of the right size</source>
@@ -7314,60 +5219,12 @@
         <translation>wählen Sie ein anderes System</translation>
     </message>
     <message>
-        <source>it is not a Viscera plugin, or it is damaged</source>
-        <translation>es ist kein Plugin für Viscera, oder es ist beschädigt</translation>
-    </message>
-    <message>
-        <source>it is a plugin for another program (%1)</source>
-        <translation>es ist ein Plugin für ein anderes Programm (%1)</translation>
-    </message>
-    <message>
         <source>it was made for version %1 of the plugin interface, this program has %2</source>
         <translation>es wurde für Version %1 der Plugin-Schnittstelle gemacht, dieses Programm hat %2</translation>
     </message>
     <message>
-        <source>its manifest lacks id, name or version</source>
-        <translation>seinem Manifest fehlt id, name oder version</translation>
-    </message>
-    <message>
-        <source>it cannot be loaded: %1</source>
-        <translation>es kann nicht geladen werden: %1</translation>
-    </message>
-    <message>
-        <source>it failed while loading: %1</source>
-        <translation>es ist beim Laden fehlgeschlagen: %1</translation>
-    </message>
-    <message>
-        <source>it failed while loading</source>
-        <translation>es ist beim Laden fehlgeschlagen</translation>
-    </message>
-    <message>
         <source>plugin %1: %2</source>
         <translation>Plugin %1: %2</translation>
-    </message>
-    <message>
-        <source>The coordinate system has a parameter without a name</source>
-        <translation>Das Koordinatensystem hat einen Parameter ohne Namen</translation>
-    </message>
-    <message>
-        <source>The coordinate system offers the parameter &quot;%1&quot; twice</source>
-        <translation>Das Koordinatensystem hat den Parameter „%1“ zweimal</translation>
-    </message>
-    <message>
-        <source>The standard value of the parameter &quot;%1&quot; is out of its own range</source>
-        <translation>Der Standardwert des Parameters „%1“ liegt außerhalb seines Bereichs</translation>
-    </message>
-    <message>
-        <source>There is no coordinate system to add</source>
-        <translation>Es gibt kein Koordinatensystem hinzuzufügen</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; cannot be the id of a coordinate system</source>
-        <translation>„%1“ kann nicht die ID eines Koordinatensystems sein</translation>
-    </message>
-    <message>
-        <source>use small letters, digits and single dashes, as in &quot;s-celestial&quot;</source>
-        <translation>verwenden Sie Kleinbuchstaben, Ziffern und einzelne Bindestriche wie in „s-celestial“</translation>
     </message>
     <message>
         <source>There is already a coordinate system &quot;%1&quot; (%2)</source>
@@ -7384,14 +5241,6 @@
     <message>
         <source>none is loaded</source>
         <translation>keines ist geladen</translation>
-    </message>
-    <message>
-        <source>There is no such slice</source>
-        <translation>Diese Schicht gibt es nicht</translation>
-    </message>
-    <message>
-        <source>take axial, coronal or sagittal</source>
-        <translation>nehmen Sie axial, coronal oder sagittal</translation>
     </message>
     <message>
         <source>none: the organs are as in their files</source>
@@ -7838,14 +5687,6 @@
         <translation>Organe und Griffe sind vollständig; speichern Sie die Sitzung neu</translation>
     </message>
     <message>
-        <source>There is no such normal range</source>
-        <translation>Diesen Normbereich gibt es nicht</translation>
-    </message>
-    <message>
-        <source>viscera reference names them all</source>
-        <translation>viscera reference nennt sie alle</translation>
-    </message>
-    <message>
         <source>women</source>
         <translation>Frauen</translation>
     </message>
@@ -8070,10 +5911,6 @@
         <translation>es gibt keine Griffe zu speichern</translation>
     </message>
     <message>
-        <source>A report cannot be written as this kind of file</source>
-        <translation>Ein Bericht kann nicht als Datei dieser Art geschrieben werden</translation>
-    </message>
-    <message>
         <source>There is no scan to export</source>
         <translation>Es gibt keinen Scan zu exportieren</translation>
     </message>
@@ -8098,24 +5935,56 @@
         <translation>bis %1</translation>
     </message>
     <message>
-        <source>there is no sample organ &quot;%1&quot;</source>
-        <translation>es gibt kein Beispielorgan „%1“</translation>
-    </message>
-    <message>
-        <source>there is no resolution &quot;%1&quot;</source>
-        <translation>es gibt keine Auflösung „%1“</translation>
-    </message>
-    <message>
-        <source>use low, medium or high</source>
-        <translation>verwenden Sie low, medium oder high</translation>
-    </message>
-    <message>
         <source>the sample organs cannot be listed: %1</source>
         <translation>die Beispielorgane lassen sich nicht auflisten: %1</translation>
     </message>
     <message>
         <source>set VISCERA_SAMPLE_ORGANS to the folder of the definitions</source>
         <translation>setzen Sie VISCERA_SAMPLE_ORGANS auf den Ordner der Definitionen</translation>
+    </message>
+    <message>
+        <source>The file cannot be read: %1</source>
+        <translation>Die Datei kann nicht gelesen werden: %1</translation>
+    </message>
+    <message>
+        <source>%1, ...</source>
+        <translation>%1, ...</translation>
+    </message>
+    <message>
+        <source>%1 = %2 mm</source>
+        <translation>%1 = %2 mm</translation>
+    </message>
+    <message>
+        <source>%1 - %2</source>
+        <translation>%1 - %2</translation>
+    </message>
+    <message>
+        <source>its segment %1 has no valid value or layer</source>
+        <translation>ihr Segment %1 hat keinen gültigen Wert oder keine gültige Lage</translation>
+    </message>
+    <message>
+        <source>the table of names in it cannot be read</source>
+        <translation>die Namenstabelle darin kann nicht gelesen werden</translation>
+    </message>
+    <message>
+        <source>its voxels are no plain numbers (%1)</source>
+        <translation>ihre Voxel sind keine einfachen Zahlen (%1)</translation>
+    </message>
+    <message>
+        <source>%1. %2.</source>
+        <translation>%1. %2.</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>%1 x %2 x %3 mm</source>
+        <translation>%1 x %2 x %3 mm</translation>
     </message>
 </context>
 </TS>

@@ -12,46 +12,6 @@
         <translation>«%1»</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; has no planar form</source>
-        <translation>«%1» no tiene forma plana</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is %2 instead of &quot;%3&quot;</source>
-        <translation>«%1» es %2 en lugar de «%3»</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is missing</source>
-        <translation>falta «%1»</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is neither true nor false</source>
-        <translation>«%1» no es verdadero ni falso</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is not a landmark of the sequence %2</source>
-        <translation>«%1» no es un punto de referencia de la secuencia %2</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is not a list</source>
-        <translation>«%1» no es una lista</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is not a text</source>
-        <translation>«%1» no es un texto</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is not a whole number from 0 on</source>
-        <translation>«%1» no es un número entero a partir de 0</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; needs all points at once, which planar coordinates do not support</source>
-        <translation>«%1» necesita todos los puntos a la vez, lo que las coordenadas planas no admiten</translation>
-    </message>
-    <message>
-        <source>&quot;version&quot; is not a positive whole number</source>
-        <translation>«version» no es un número entero positivo</translation>
-    </message>
-    <message>
         <source>%1 and %2 are at one place: %3 from each other</source>
         <translation>%1 y %2 están en el mismo sitio: a %3 uno de otro</translation>
     </message>
@@ -64,16 +24,8 @@
         <translation>%1 al %2 % del ciclo: %3</translation>
     </message>
     <message>
-        <source>%1 cells were announced, but there are %2</source>
-        <translation>%1 celdas anunciadas, pero hay %2</translation>
-    </message>
-    <message>
         <source>%1 gives another surface than the one that was saved</source>
         <translation>%1 da otra superficie que la guardada</translation>
-    </message>
-    <message>
-        <source>%1 has a coordinate that is not a finite number</source>
-        <translation>%1 tiene una coordenada que no es un número finito</translation>
     </message>
     <message>
         <source>%1 has changed since the session was saved</source>
@@ -82,10 +34,6 @@
     <message>
         <source>%1 has no place (%2) and was left out</source>
         <translation>%1 no tiene posición (%2) y se omite</translation>
-    </message>
-    <message>
-        <source>%1 has no position of three numbers</source>
-        <translation>%1 no tiene una posición de tres números</translation>
     </message>
     <message>
         <source>%1 has no volume in %2</source>
@@ -100,76 +48,8 @@
         <translation>%1 tiene en la %2 otros triángulos que en la primera: las superficies se ajustan por sus distancias, que no ven el movimiento a lo largo de la pared</translation>
     </message>
     <message>
-        <source>%1 is %2, more than the %3 bytes that are left can hold</source>
-        <translation>%1 es %2, más de lo que cabe en los %3 bytes que quedan</translation>
-    </message>
-    <message>
-        <source>%1 is %2, which is no whole number from 0 on</source>
-        <translation>%1 es %2, que no es un número entero a partir de 0</translation>
-    </message>
-    <message>
-        <source>%1 is farther away than a thousand kilometres</source>
-        <translation>%1 está a más de mil kilómetros</translation>
-    </message>
-    <message>
-        <source>%1 is negative</source>
-        <translation>%1 es negativo</translation>
-    </message>
-    <message>
-        <source>%1 is not a JSON object</source>
-        <translation>%1 no es un objeto JSON</translation>
-    </message>
-    <message>
-        <source>%1 is not a finite number</source>
-        <translation>%1 no es un número finito</translation>
-    </message>
-    <message>
-        <source>%1 is not a number of elements</source>
-        <translation>%1 no es un número de elementos</translation>
-    </message>
-    <message>
-        <source>%1 is not a section of a legacy VTK surface</source>
-        <translation>%1 no es una sección de una superficie VTK antigua</translation>
-    </message>
-    <message>
-        <source>%1 is not a statement of an OBJ file</source>
-        <translation>%1 no es una instrucción de un archivo OBJ</translation>
-    </message>
-    <message>
-        <source>%1 is not a type of a PLY file</source>
-        <translation>%1 no es un tipo de un archivo PLY</translation>
-    </message>
-    <message>
-        <source>%1 is not a type of numbers</source>
-        <translation>%1 no es un tipo de números</translation>
-    </message>
-    <message>
-        <source>%1 is not a value for parameter %2</source>
-        <translation>%1 no es un valor para el parámetro %2</translation>
-    </message>
-    <message>
-        <source>%1 is not a word of a PLY header</source>
-        <translation>%1 no es una palabra de una cabecera PLY</translation>
-    </message>
-    <message>
-        <source>%1 is not a word of an STL file</source>
-        <translation>%1 no es una palabra de un archivo STL</translation>
-    </message>
-    <message>
-        <source>%1 is out of range for parameter %2</source>
-        <translation>%1 está fuera del intervalo del parámetro %2</translation>
-    </message>
-    <message>
-        <source>%1 is too far away</source>
-        <translation>%1 está demasiado lejos</translation>
-    </message>
-    <message>
         <source>%1 ml cannot be reached</source>
         <translation>no se pueden alcanzar %1 ml</translation>
-    </message>
-    <message>
-        <source>%1 need tetrahedra, which cannot be made here</source>
-        <translation>%1: necesitan tetraedros, que aquí no se pueden hacer</translation>
     </message>
     <message>
         <source>%1 of %2 vertices have no coordinates</source>
@@ -196,14 +76,6 @@
         <translation>%1 / %2</translation>
     </message>
     <message>
-        <source>%1 rows</source>
-        <translation>%1 filas</translation>
-    </message>
-    <message>
-        <source>expected %2, found %1</source>
-        <translation>se esperaba %2 y se encontró %1</translation>
-    </message>
-    <message>
         <source>%1 touches the edge of the image in %2 and not in others, so that its volumes would be cut off</source>
         <translation>%1 toca el borde de la imagen en la %2 y no en otras, de modo que sus volúmenes quedarían recortados</translation>
     </message>
@@ -214,10 +86,6 @@
     <message>
         <source>%1 touches the edge of the image in every phase: what lies beyond is not in its volume</source>
         <translation>%1 toca el borde de la imagen en todas las fases: lo que queda fuera no está en su volumen</translation>
-    </message>
-    <message>
-        <source>%1 voxels</source>
-        <translation>%1 vóxeles</translation>
     </message>
     <message>
         <source>%1, %2</source>
@@ -233,10 +101,6 @@
     <message>
         <source>%1, changed</source>
         <translation>%1, modificado</translation>
-    </message>
-    <message>
-        <source>%1, handle &quot;%2&quot;</source>
-        <translation>%1, tirador «%2»</translation>
     </message>
     <message>
         <source>%1, handle %2</source>
@@ -447,13 +311,6 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n {point of the surface is|points of the surface are} missing</source>
-        <translation>
-            <numerusform>falta %n punto de la superficie</numerusform>
-            <numerusform>faltan %n puntos de la superficie</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>%n {point that repeats|points that repeat} another merged</source>
         <translation>
             <numerusform>%n punto que repite otro fusionado</numerusform>
@@ -546,36 +403,12 @@
         <translation>19 de cada 20 adultos tienen de %1 a %2 ml</translation>
     </message>
     <message>
-        <source>A cavity must follow the organ that contains it</source>
-        <translation>Una cavidad debe ir después del órgano que la contiene</translation>
-    </message>
-    <message>
-        <source>A group refers to a handle that does not exist</source>
-        <translation>Un grupo se refiere a un tirador que no existe</translation>
-    </message>
-    <message>
         <source>A healthy adult lying down.</source>
         <translation>Un adulto sano en decúbito.</translation>
     </message>
     <message>
-        <source>A place in the cycle lies between 0 and 1</source>
-        <translation>Un punto del ciclo está entre 0 y 1</translation>
-    </message>
-    <message>
         <source>A quarter of the stressed blood volume is lost; no reflex answers, so that pressures fall more than in life.</source>
         <translation>Se pierde una cuarta parte del volumen sanguíneo estresado; no responde ningún reflejo, por lo que las presiones bajan más que en la realidad.</translation>
-    </message>
-    <message>
-        <source>A rectangle lies in an axial, coronal or sagittal slice</source>
-        <translation>Un rectángulo está en un corte axial, coronal o sagital</translation>
-    </message>
-    <message>
-        <source>A row has four numbers</source>
-        <translation>Una fila tiene cuatro números</translation>
-    </message>
-    <message>
-        <source>A scan has three axes</source>
-        <translation>Un estudio tiene tres ejes</translation>
     </message>
     <message>
         <source>A session cannot be opened beside another</source>
@@ -606,10 +439,6 @@
         <translation>Un hilo en el espacio de vectores equilibrados; para muchos puntos no tiene respuesta</translation>
     </message>
     <message>
-        <source>ASCII or BINARY</source>
-        <translation>ASCII o BINARY</translation>
-    </message>
-    <message>
         <source>Add %1</source>
         <translation>Añadir %1</translation>
     </message>
@@ -627,10 +456,6 @@
     <message>
         <source>Add enclosing handles</source>
         <translation>Añadir tiradores envolventes</translation>
-    </message>
-    <message>
-        <source>Add group</source>
-        <translation>Añadir grupo</translation>
     </message>
     <message>
         <source>Add group %1</source>
@@ -656,16 +481,8 @@
         <translation>Poscarga: resistencia sistémica</translation>
     </message>
     <message>
-        <source>An angle needs three points, any other measurement two</source>
-        <translation>Un ángulo necesita tres puntos, cualquier otra medición dos</translation>
-    </message>
-    <message>
         <source>An ejection fraction of %1 is out of range</source>
         <translation>Una fracción de eyección de %1 está fuera del intervalo</translation>
-    </message>
-    <message>
-        <source>An organ needs a surface</source>
-        <translation>Un órgano necesita una superficie</translation>
     </message>
     <message>
         <source>An organ needs at least four handles around it: add %1 more</source>
@@ -1070,10 +887,6 @@
         <translation>Sistema digestivo</translation>
     </message>
     <message>
-        <source>Displacement_mm</source>
-        <translation>Displacement_mm</translation>
-    </message>
-    <message>
         <source>Distance from a zone within which its super-region still counts: smoothness against locality</source>
         <translation>Distancia a una zona dentro de la cual aún cuenta su superregión: suavidad frente a localidad</translation>
     </message>
@@ -1329,20 +1142,8 @@
         <translation>Error interno: %1</translation>
     </message>
     <message>
-        <source>It announces %1 points, but holds %2 coordinates</source>
-        <translation>Anuncia %1 puntos, pero contiene %2 coordenadas</translation>
-    </message>
-    <message>
-        <source>It announces cells of the kind %1, but has none</source>
-        <translation>Anuncia celdas del tipo %1, pero no tiene ninguna</translation>
-    </message>
-    <message>
         <source>It cannot be opened: %1</source>
         <translation>No se puede abrir: %1</translation>
-    </message>
-    <message>
-        <source>It cannot be packed: zlib does not start</source>
-        <translation>No se puede comprimir: zlib no se inicia</translation>
     </message>
     <message>
         <source>It cannot be read</source>
@@ -1351,14 +1152,6 @@
     <message>
         <source>It cannot be read to its end</source>
         <translation>No se puede leer hasta el final</translation>
-    </message>
-    <message>
-        <source>It cannot be unpacked: bzip2 does not start</source>
-        <translation>No se puede descomprimir: bzip2 no se inicia</translation>
-    </message>
-    <message>
-        <source>It cannot be unpacked: zlib does not start</source>
-        <translation>No se puede descomprimir: zlib no se inicia</translation>
     </message>
     <message>
         <source>It cannot be written: %1</source>
@@ -1376,32 +1169,8 @@
         </translation>
     </message>
     <message>
-        <source>It does not begin with &quot;# vtk DataFile&quot;: it is not a legacy VTK file</source>
-        <translation>No empieza por «# vtk DataFile»: no es un archivo VTK antiguo</translation>
-    </message>
-    <message>
-        <source>It does not begin with &quot;OFF&quot;: it is not an OFF file</source>
-        <translation>No empieza por «OFF»: no es un archivo OFF</translation>
-    </message>
-    <message>
-        <source>It does not begin with &quot;ply&quot;: it is not a PLY file</source>
-        <translation>No empieza por «ply»: no es un archivo PLY</translation>
-    </message>
-    <message>
-        <source>It does not describe a lesson: &quot;%1&quot; is missing</source>
-        <translation>No describe una lección: falta «%1»</translation>
-    </message>
-    <message>
-        <source>It does not describe a lesson: a text, a number or a list stands where something else belongs</source>
-        <translation>No describe una lección: hay un texto, un número o una lista donde va otra cosa</translation>
-    </message>
-    <message>
-        <source>It does not fit into memory</source>
-        <translation>No cabe en la memoria</translation>
-    </message>
-    <message>
-        <source>It does not say how far its slices are from each other</source>
-        <translation>No indica la distancia entre sus cortes</translation>
+        <source>it does not fit into memory</source>
+        <translation>no cabe en la memoria</translation>
     </message>
     <message>
         <source>The duration of one cycle is unknown</source>
@@ -1419,34 +1188,8 @@
         <translation>No indica la unidad de sus tiempos; se toman como milisegundos</translation>
     </message>
     <message>
-        <source>It has %1 colour values for %2 points</source>
-        <translation>Tiene %1 valores de color para %2 puntos</translation>
-    </message>
-    <message>
         <source>It has %1 labels; a mask in a folder has one</source>
         <translation>Tiene %1 etiquetas; una máscara de una carpeta tiene una</translation>
-    </message>
-    <message>
-        <source>It has %1 moved points for %2 vertices</source>
-        <translation>Tiene %1 puntos desplazados para %2 vértices</translation>
-    </message>
-    <message>
-        <source>It has %1 volumes; a label map has one</source>
-        <translation>Tiene %1 volúmenes; un mapa de etiquetas tiene uno</translation>
-    </message>
-    <message numerus="yes">
-        <source>It has %n {axis|axes} in space; an image of an organ has three</source>
-        <translation>
-            <numerusform>Tiene %n eje en el espacio; la imagen de un órgano tiene tres</numerusform>
-            <numerusform>Tiene %n ejes en el espacio; la imagen de un órgano tiene tres</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>It has %n {handle|handles} in place of %2</source>
-        <translation>
-            <numerusform>Tiene %n tirador en lugar de %2</numerusform>
-            <numerusform>Tiene %n tiradores en lugar de %2</numerusform>
-        </translation>
     </message>
     <message numerus="yes">
         <source>It has %n {handle|handles}; a region needs at least 4</source>
@@ -1481,10 +1224,6 @@
         <translation>Tiene una etiqueta superior a 2147483647</translation>
     </message>
     <message>
-        <source>It has cells without the array %1</source>
-        <translation>Tiene celdas sin la matriz %1</translation>
-    </message>
-    <message>
         <source>It has more than %1 files</source>
         <translation>Tiene más de %1 archivos</translation>
     </message>
@@ -1493,44 +1232,16 @@
         <translation>Tiene más de 32767 vóxeles a lo largo de un lado, que NIfTI no admite</translation>
     </message>
     <message>
-        <source>It has no &quot;%1&quot;</source>
-        <translation>Falta «%1»</translation>
-    </message>
-    <message>
         <source>It has no DICOM files with images</source>
         <translation>No tiene archivos DICOM con imágenes</translation>
-    </message>
-    <message>
-        <source>It has no frames</source>
-        <translation>No tiene fotogramas</translation>
-    </message>
-    <message>
-        <source>It has no label %1</source>
-        <translation>No tiene la etiqueta %1</translation>
     </message>
     <message>
         <source>It has no labelled voxel: all are 0</source>
         <translation>No tiene ningún vóxel etiquetado: todos son 0</translation>
     </message>
     <message>
-        <source>It has no number of columns</source>
-        <translation>Falta el número de columnas</translation>
-    </message>
-    <message>
-        <source>It has no number of rows</source>
-        <translation>Falta el número de filas</translation>
-    </message>
-    <message>
         <source>It has no phase %1; it has %2</source>
         <translation>No tiene la fase %1; tiene %2</translation>
-    </message>
-    <message>
-        <source>It has no series %1</source>
-        <translation>No tiene la serie %1</translation>
-    </message>
-    <message>
-        <source>It has no series %1; it is one scan</source>
-        <translation>No tiene la serie %1; es un solo estudio</translation>
     </message>
     <message>
         <source>It has no slices of a scan</source>
@@ -1547,10 +1258,6 @@
     <message>
         <source>It has no triangles</source>
         <translation>No tiene triángulos</translation>
-    </message>
-    <message>
-        <source>It has no uncompressed pixels</source>
-        <translation>No tiene píxeles sin comprimir</translation>
     </message>
     <message>
         <source>It does not have three dimensions</source>
@@ -1573,10 +1280,6 @@
         <translation>Tiene varios valores por vóxel (%1)</translation>
     </message>
     <message>
-        <source>It has to be a text</source>
-        <translation>Debe ser un texto</translation>
-    </message>
-    <message>
         <source>It has to be positive</source>
         <translation>Debe ser positivo</translation>
     </message>
@@ -1589,24 +1292,12 @@
         <translation>Contiene un conjunto de datos VTK de tipo %1, no una superficie (POLYDATA)</translation>
     </message>
     <message>
-        <source>It holds a piece without points</source>
-        <translation>Contiene una pieza sin puntos</translation>
-    </message>
-    <message>
-        <source>It holds a surface in a space of more than three dimensions</source>
-        <translation>Contiene una superficie en un espacio de más de tres dimensiones</translation>
-    </message>
-    <message>
         <source>It holds an image, not labels: it has more than %1 different values</source>
         <translation>Contiene una imagen, no etiquetas: tiene más de %1 valores distintos</translation>
     </message>
     <message>
         <source>It holds an image, not labels: one of its values is %1</source>
         <translation>Contiene una imagen, no etiquetas: uno de sus valores es %1</translation>
-    </message>
-    <message>
-        <source>It holds less than %1</source>
-        <translation>Contiene menos de %1</translation>
     </message>
     <message>
         <source>It holds more than %1 masks</source>
@@ -1617,24 +1308,12 @@
         <translation>No contiene ni superficies ni mapas de etiquetas</translation>
     </message>
     <message>
-        <source>It holds no &quot;markups&quot;: it is no 3D Slicer markups file</source>
-        <translation>No contiene «markups»: no es un archivo de marcas de 3D Slicer</translation>
-    </message>
-    <message>
         <source>It holds no PolyData</source>
         <translation>No contiene PolyData</translation>
     </message>
     <message>
         <source>It holds no label map</source>
         <translation>No contiene ningún mapa de etiquetas</translation>
-    </message>
-    <message>
-        <source>It holds no points</source>
-        <translation>No contiene puntos</translation>
-    </message>
-    <message>
-        <source>It holds no triangle that has three different corners</source>
-        <translation>No contiene ningún triángulo con tres vértices distintos</translation>
     </message>
     <message>
         <source>It holds no triangles</source>
@@ -1681,22 +1360,6 @@
         <translation>Es un estudio, no un órgano</translation>
     </message>
     <message>
-        <source>It is damaged or no DICOM file</source>
-        <translation>Está dañado o no es un archivo DICOM</translation>
-    </message>
-    <message>
-        <source>It is damaged or no DICOM file: %1</source>
-        <translation>Está dañado o no es un archivo DICOM: %1</translation>
-    </message>
-    <message>
-        <source>It is damaged: it does not hold %1</source>
-        <translation>Está dañado: no contiene %1</translation>
-    </message>
-    <message>
-        <source>It is damaged: its SHA-256 is not %1</source>
-        <translation>Está dañado: su SHA-256 no es %1</translation>
-    </message>
-    <message>
         <source>It is glTF version %1, but only 2 can be read</source>
         <translation>Es glTF versión %1, pero solo se puede leer la 2</translation>
     </message>
@@ -1705,20 +1368,8 @@
         <translation>Se llama %1, pero parece %2</translation>
     </message>
     <message>
-        <source>It is neither &quot;embedded&quot; nor &quot;linked&quot;</source>
-        <translation>No es ni «embedded» ni «linked»</translation>
-    </message>
-    <message>
-        <source>It is nested too deeply</source>
-        <translation>Está anidado demasiado profundamente</translation>
-    </message>
-    <message>
         <source>It is no %1: its &quot;format&quot; is not &quot;%2&quot;</source>
         <translation>No es un archivo de tipo %1: su «format» no es «%2»</translation>
-    </message>
-    <message>
-        <source>It is not a NIfTI image: it has no NIfTI header</source>
-        <translation>No es una imagen NIfTI: no tiene cabecera NIfTI</translation>
     </message>
     <message>
         <source>It is not a file with several phases</source>
@@ -1729,16 +1380,8 @@
         <translation>No es un archivo que se pueda leer</translation>
     </message>
     <message>
-        <source>It is not a finite number</source>
-        <translation>No es un número finito</translation>
-    </message>
-    <message>
         <source>It is not a handle file</source>
         <translation>No es un archivo de tiradores</translation>
-    </message>
-    <message>
-        <source>It is not a list of three numbers</source>
-        <translation>No es una lista de tres números</translation>
     </message>
     <message>
         <source>It is not a regular file</source>
@@ -1757,44 +1400,8 @@
         <translation>No es un corte de un estudio: %1</translation>
     </message>
     <message>
-        <source>It is not a text</source>
-        <translation>No es un texto</translation>
-    </message>
-    <message>
-        <source>It is not a triangle of three handles</source>
-        <translation>No es un triángulo de tres tiradores</translation>
-    </message>
-    <message>
-        <source>It is not a whole number from 0 to 2^53</source>
-        <translation>No es un número entero de 0 a 2^53</translation>
-    </message>
-    <message>
-        <source>It is not an object</source>
-        <translation>No es un objeto</translation>
-    </message>
-    <message>
-        <source>It is not base64</source>
-        <translation>No es base64</translation>
-    </message>
-    <message>
-        <source>It is not complete JSON: %1</source>
-        <translation>No es JSON completo: %1</translation>
-    </message>
-    <message>
-        <source>It is not complete JSON: the mistake is in line %1</source>
-        <translation>No es JSON completo: el error está en la línea %1</translation>
-    </message>
-    <message>
-        <source>It is not complete XML: %1</source>
-        <translation>No es XML completo: %1</translation>
-    </message>
-    <message>
         <source>It is not convex at its triangle %1</source>
         <translation>No es convexa en su triángulo %1</translation>
-    </message>
-    <message>
-        <source>It is not finite</source>
-        <translation>No es finita</translation>
     </message>
     <message>
         <source>It is of version %1; this program reads up to %2</source>
@@ -1805,17 +1412,6 @@
         <translation>Es demasiado grande: %1 puntos</translation>
     </message>
     <message>
-        <source>It is too long</source>
-        <translation>Es demasiado largo</translation>
-    </message>
-    <message numerus="yes">
-        <source>It is too short for an STL file: %n {byte|bytes}</source>
-        <translation>
-            <numerusform>Es demasiado corto para un archivo STL: %n byte</numerusform>
-            <numerusform>Es demasiado corto para un archivo STL: %n bytes</numerusform>
-        </translation>
-    </message>
-    <message>
         <source>The displacement field would have more than 20 million points</source>
         <translation>El campo de desplazamientos tendría más de 20 millones de puntos</translation>
     </message>
@@ -1824,36 +1420,12 @@
         <translation>Mezcla superficies y mapas de etiquetas</translation>
     </message>
     <message>
-        <source>It names the handle %1, which is not among &quot;handles&quot;</source>
-        <translation>Nombra el tirador %1, que no está entre «handles»</translation>
-    </message>
-    <message>
         <source>It needs the glTF extension %1, which Viscera does not know</source>
         <translation>Necesita la extensión de glTF %1, que Viscera no conoce</translation>
     </message>
     <message>
-        <source>It refers to handle %1, but there are %2</source>
-        <translation>Se refiere al tirador %1, pero hay %2</translation>
-    </message>
-    <message>
-        <source>It refers to number %1 of &quot;%2&quot;, but there are %3 (counted from 0)</source>
-        <translation>Se refiere al número %1 de «%2», pero hay %3 (contados desde 0)</translation>
-    </message>
-    <message>
         <source>It seems to be in RAS where %1 is in LPS, or the other way round: it lies on the opposite side of the patient's middle</source>
         <translation>Parece estar en RAS mientras que %1 está en LPS, o al revés: está al otro lado del centro del paciente</translation>
-    </message>
-    <message>
-        <source>With its instances expanded, it has too many points</source>
-        <translation>Con sus instancias expandidas tiene demasiados puntos</translation>
-    </message>
-    <message>
-        <source>With its instances expanded, it has too many triangles</source>
-        <translation>Con sus instancias expandidas tiene demasiados triángulos</translation>
-    </message>
-    <message>
-        <source>Its axes lie in one plane</source>
-        <translation>Sus ejes están en un plano</translation>
     </message>
     <message>
         <source>Its grid is sheared: its axes are not at right angles</source>
@@ -1878,10 +1450,6 @@
     <message>
         <source>LA cavity</source>
         <translation>Cav. AI</translation>
-    </message>
-    <message>
-        <source>LPS</source>
-        <translation>LPS</translation>
     </message>
     <message>
         <source>LV cavity</source>
@@ -1922,10 +1490,6 @@
     <message>
         <source>Lateral border</source>
         <translation>Borde lateral</translation>
-    </message>
-    <message>
-        <source>Leak below its</source>
-        <translation>Fuga inferior a su</translation>
     </message>
     <message>
         <source>Left anterior descending artery</source>
@@ -2157,18 +1721,6 @@
         <translation>Ninguna cavidad es un ventrículo por su nombre</translation>
     </message>
     <message>
-        <source>No channel to another program</source>
-        <translation>No hay canal con otro programa</translation>
-    </message>
-    <message>
-        <source>No file for a program&apos;s messages</source>
-        <translation>No hay archivo para los mensajes de un programa</translation>
-    </message>
-    <message>
-        <source>No scan has %1 voxels along an axis</source>
-        <translation>Ningún estudio tiene %1 vóxeles a lo largo de un eje</translation>
-    </message>
-    <message>
         <source>No surface is chosen</source>
         <translation>No hay ninguna superficie elegida</translation>
     </message>
@@ -2326,10 +1878,6 @@
     <message>
         <source>RA cavity</source>
         <translation>Cav. AD</translation>
-    </message>
-    <message>
-        <source>RAS</source>
-        <translation>RAS</translation>
     </message>
     <message>
         <source>RV cavity</source>
@@ -2548,10 +2096,6 @@
         <translation>Estrés rotacional</translation>
     </message>
     <message>
-        <source>RotationalStress_deg</source>
-        <translation>RotationalStress_deg</translation>
-    </message>
-    <message>
         <source>S-Celestial</source>
         <translation>S-Celestial</translation>
     </message>
@@ -2658,24 +2202,12 @@
         <translation>Estrés en los puntos testigo</translation>
     </message>
     <message>
-        <source>StretchMax</source>
-        <translation>StretchMax</translation>
-    </message>
-    <message>
-        <source>StretchMin</source>
-        <translation>StretchMin</translation>
-    </message>
-    <message>
         <source>Stroke volume</source>
         <translation>Volumen sistólico</translation>
     </message>
     <message>
         <source>Superior vena cava</source>
         <translation>Vena cava superior</translation>
-    </message>
-    <message>
-        <source>Surfaces are cut by at most 8 planes at once, not by %1</source>
-        <translation>Las superficies se cortan con 8 planos a la vez como máximo, no con %1</translation>
     </message>
     <message>
         <source>System used inside each region</source>
@@ -2750,10 +2282,6 @@
         <translation>La válvula aórtica se abre hasta 0,8 cm2: la presión del ventrículo hipertrofiado supera con mucho la de la aorta.</translation>
     </message>
     <message>
-        <source>The cage refers to a handle that does not exist</source>
-        <translation>La jaula se refiere a un tirador que no existe</translation>
-    </message>
-    <message>
         <source>The cavity %1 is not inside the outer surface %2: %3 % of it lie outside</source>
         <translation>La cavidad %1 no está dentro de la superficie exterior %2: el %3 % queda fuera</translation>
     </message>
@@ -2768,10 +2296,6 @@
     <message>
         <source>The grid of %1 is another one than that of the first phase</source>
         <translation>La cuadrícula de la %1 no es la de la primera fase</translation>
-    </message>
-    <message>
-        <source>The heart rate has to be a positive number of beats a minute</source>
-        <translation>La frecuencia cardíaca debe ser un número positivo de latidos por minuto</translation>
     </message>
     <message>
         <source>The label &quot;%1&quot; is missing in %2</source>
@@ -2826,10 +2350,6 @@
         <translation>Los puntos del espacio n que une el hilo</translation>
     </message>
     <message>
-        <source>The pose has %1 handles, the document %2</source>
-        <translation>La pose tiene %1 tiradores, el documento %2</translation>
-    </message>
-    <message>
         <source>The pose has a position that is not a finite number, or too far away</source>
         <translation>La pose tiene una posición que no es un número finito o está demasiado lejos</translation>
     </message>
@@ -2840,10 +2360,6 @@
     <message>
         <source>The program ffmpeg could not write the movie: %1</source>
         <translation>El programa ffmpeg no pudo escribir la película: %1</translation>
-    </message>
-    <message>
-        <source>The rate is out of range</source>
-        <translation>La frecuencia está fuera del intervalo</translation>
     </message>
     <message>
         <source>The sequence moves %1 handles, but there are %2</source>
@@ -2880,16 +2396,8 @@
         <translation>La separación es desigual entre el corte %1 (%2) y el siguiente, que distan %3 mm en lugar de %4 mm (%5 %)</translation>
     </message>
     <message>
-        <source>The speed is out of range</source>
-        <translation>La velocidad está fuera del intervalo</translation>
-    </message>
-    <message>
         <source>The surface has no triangle</source>
         <translation>La superficie no tiene ningún triángulo</translation>
-    </message>
-    <message>
-        <source>The surface was repaired before it was filled.</source>
-        <translation>La superficie se reparó antes de llenarla.</translation>
     </message>
     <message>
         <source>The surface was repaired before it was filled. %1. Details smaller than %2 mm are lost.</source>
@@ -2916,20 +2424,8 @@
         <translation>El volumen de %1 salta de %2 a %3 ml entre la %4 y la %5</translation>
     </message>
     <message>
-        <source>The width has to be positive</source>
-        <translation>La anchura debe ser positiva</translation>
-    </message>
-    <message>
-        <source>The witness points lie on a regular grid inside the surface.</source>
-        <translation>Los puntos testigo están en una cuadrícula regular dentro de la superficie.</translation>
-    </message>
-    <message>
         <source>The witness points lie on a regular grid inside the surface. %1.</source>
         <translation>Los puntos testigo están en una cuadrícula regular dentro de la superficie. %1.</translation>
-    </message>
-    <message>
-        <source>There are %1 positions for %2 handles</source>
-        <translation>Hay %1 posiciones para %2 tiradores</translation>
     </message>
     <message>
         <source>There are %1 witness points; %2 do not fit this shape or the limits of time and memory.</source>
@@ -2942,14 +2438,6 @@
     <message>
         <source>There are no handles whose pose could be recorded</source>
         <translation>No hay tiradores cuya pose se pueda grabar</translation>
-    </message>
-    <message>
-        <source>The list of vertices to enclose is empty or names vertices that the organ does not have</source>
-        <translation>La lista de vértices que rodear está vacía o nombra vértices que el órgano no tiene</translation>
-    </message>
-    <message>
-        <source>There are no volumes to compute an ejection fraction from</source>
-        <translation>No hay volúmenes con los que calcular una fracción de eyección</translation>
     </message>
     <message>
         <source>There is no %1</source>
@@ -2972,18 +2460,6 @@
         <translation>No hay ningún estudio que cerrar</translation>
     </message>
     <message>
-        <source>There is no sequence that could move these handles</source>
-        <translation>No hay ninguna secuencia que pueda mover estos tiradores</translation>
-    </message>
-    <message>
-        <source>There is no sequence whose rate could be set</source>
-        <translation>No hay ninguna secuencia cuya frecuencia se pueda ajustar</translation>
-    </message>
-    <message>
-        <source>There is no series</source>
-        <translation>No hay ninguna serie</translation>
-    </message>
-    <message>
         <source>There is no stress map yet</source>
         <translation>Aún no hay mapa de estrés</translation>
     </message>
@@ -3000,16 +2476,8 @@
         <translation>Ese órgano ya no existe</translation>
     </message>
     <message>
-        <source>There is no such point</source>
-        <translation>Ese punto no existe</translation>
-    </message>
-    <message>
         <source>There is no surface &quot;%1&quot;</source>
         <translation>No hay ninguna superficie «%1»</translation>
-    </message>
-    <message>
-        <source>There is no type of samples &quot;%1&quot;</source>
-        <translation>No existe el tipo de muestras «%1»</translation>
     </message>
     <message>
         <source>There is no volume in it</source>
@@ -3071,16 +2539,12 @@
         <translation>No se pueden abrir dos archivos de tiradores a la vez</translation>
     </message>
     <message>
-        <source>Two handles are at one place</source>
-        <translation>Dos tiradores están en el mismo lugar</translation>
+        <source>two handles are at one place</source>
+        <translation>dos tiradores están en el mismo lugar</translation>
     </message>
     <message>
         <source>Uncinate process</source>
         <translation>Proceso uncinado</translation>
-    </message>
-    <message>
-        <source>Unlock</source>
-        <translation>Desbloquear</translation>
     </message>
     <message>
         <source>Unlock volume</source>
@@ -3130,16 +2594,8 @@
         <translation>Viscera no lee archivos de superficie que terminan en «%1»</translation>
     </message>
     <message>
-        <source>Viscera:</source>
-        <translation>Viscera:</translation>
-    </message>
-    <message>
         <source>Volume ratio</source>
         <translation>Razón de volúmenes</translation>
-    </message>
-    <message>
-        <source>VolumeRatio</source>
-        <translation>VolumeRatio</translation>
     </message>
     <message>
         <source>Voronoi regions triangulation</source>
@@ -3250,92 +2706,8 @@
         <translation>un búfer está en %1, pero solo se leen archivos situados al lado</translation>
     </message>
     <message>
-        <source>a buffer within the file is not valid base64</source>
-        <translation>un búfer dentro del archivo no es base64 válido</translation>
-    </message>
-    <message>
         <source>a cage is a coarse surface: take one of at most %1 vertices</source>
         <translation>una jaula es una superficie tosca: elija una de %1 vértices como máximo</translation>
-    </message>
-    <message>
-        <source>a cell refers to point %1, but there are %2 (counted from 0)</source>
-        <translation>una celda se refiere al punto %1, pero hay %2 (contados desde 0)</translation>
-    </message>
-    <message>
-        <source>a chunk</source>
-        <translation>un bloque</translation>
-    </message>
-    <message>
-        <source>a chunk&apos;s header</source>
-        <translation>la cabecera de un bloque</translation>
-    </message>
-    <message>
-        <source>a coarse surface needs at least four vertices</source>
-        <translation>una superficie tosca necesita al menos cuatro vértices</translation>
-    </message>
-    <message>
-        <source>a column</source>
-        <translation>una columna</translation>
-    </message>
-    <message>
-        <source>a convex hull needs at least 4 points, there are %1</source>
-        <translation>una envolvente convexa necesita al menos 4 puntos, hay %1</translation>
-    </message>
-    <message>
-        <source>a coordinate</source>
-        <translation>una coordenada</translation>
-    </message>
-    <message>
-        <source>a curve needs one number for each time</source>
-        <translation>una curva necesita un número para cada tiempo</translation>
-    </message>
-    <message>
-        <source>a curve needs one y for each x</source>
-        <translation>una curva necesita una y para cada x</translation>
-    </message>
-    <message>
-        <source>a displacement</source>
-        <translation>un desplazamiento</translation>
-    </message>
-    <message>
-        <source>a distance grid of this spacing is too large</source>
-        <translation>una cuadrícula de distancias con este paso es demasiado grande</translation>
-    </message>
-    <message>
-        <source>a face</source>
-        <translation>una cara</translation>
-    </message>
-    <message>
-        <source>a face has fewer corners than it claims</source>
-        <translation>una cara tiene menos vértices de los que indica</translation>
-    </message>
-    <message>
-        <source>a face has fewer than three corners</source>
-        <translation>una cara tiene menos de tres vértices</translation>
-    </message>
-    <message>
-        <source>a face refers to point %1, but there are only %2 before it</source>
-        <translation>una cara se refiere al punto %1, pero solo hay %2 antes</translation>
-    </message>
-    <message>
-        <source>a face&apos;s number of corners</source>
-        <translation>el número de vértices de una cara</translation>
-    </message>
-    <message>
-        <source>a frame has no orientation</source>
-        <translation>un fotograma no tiene orientación</translation>
-    </message>
-    <message>
-        <source>a frame has no position</source>
-        <translation>un fotograma no tiene posición</translation>
-    </message>
-    <message>
-        <source>a frame has no segment</source>
-        <translation>un fotograma no tiene segmento</translation>
-    </message>
-    <message>
-        <source>a frame has no spacing</source>
-        <translation>un fotograma no tiene espaciado</translation>
     </message>
     <message>
         <source>a gallbladder</source>
@@ -3350,10 +2722,6 @@
         <translation>un archivo comprimido con gzip</translation>
     </message>
     <message>
-        <source>a handle of a keyframe</source>
-        <translation>un tirador de un fotograma clave</translation>
-    </message>
-    <message>
         <source>a heart</source>
         <translation>un corazón</translation>
     </message>
@@ -3364,10 +2732,6 @@
     <message>
         <source>a legacy VTK file</source>
         <translation>un archivo VTK antiguo</translation>
-    </message>
-    <message>
-        <source>a list of triangles ends within one</source>
-        <translation>una lista de triángulos termina en medio de uno</translation>
     </message>
     <message>
         <source>a liver</source>
@@ -3382,84 +2746,16 @@
         <translation>un miocardio</translation>
     </message>
     <message>
-        <source>a node&apos;s &quot;%1&quot; does not have %2 numbers</source>
-        <translation>«%1» de un nodo no tiene %2 números</translation>
-    </message>
-    <message>
-        <source>a node&apos;s &quot;%1&quot; holds something that is not a number</source>
-        <translation>«%1» de un nodo contiene algo que no es un número</translation>
-    </message>
-    <message>
-        <source>a node&apos;s children are not numbers</source>
-        <translation>los hijos de un nodo no son números</translation>
-    </message>
-    <message>
-        <source>a number</source>
-        <translation>un número</translation>
-    </message>
-    <message>
         <source>a pancreas</source>
         <translation>un páncreas</translation>
-    </message>
-    <message>
-        <source>a rectangle or sphere must not refer to an organ</source>
-        <translation>un rectángulo o una esfera no debe referirse a un órgano</translation>
-    </message>
-    <message>
-        <source>a phase lacks a surface</source>
-        <translation>a una fase le falta una superficie</translation>
     </message>
     <message>
         <source>a picture</source>
         <translation>una imagen</translation>
     </message>
     <message>
-        <source>a point</source>
-        <translation>un punto</translation>
-    </message>
-    <message>
-        <source>a point has fewer than three coordinates</source>
-        <translation>un punto tiene menos de tres coordenadas</translation>
-    </message>
-    <message>
-        <source>a point of its surface</source>
-        <translation>un punto de su superficie</translation>
-    </message>
-    <message>
         <source>a point of the centreline lies %1 outside the organ</source>
         <translation>un punto de la línea central está %1 fuera del órgano</translation>
-    </message>
-    <message>
-        <source>a point of the divided cage is not on the cage</source>
-        <translation>un punto de la jaula dividida no está en la jaula</translation>
-    </message>
-    <message>
-        <source>a point&apos;s number</source>
-        <translation>el número de un punto</translation>
-    </message>
-    <message>
-        <source>a polygon refers to point %1, but there are %2 (counted from 0)</source>
-        <translation>un polígono se refiere al punto %1, pero hay %2 (contados desde 0)</translation>
-    </message>
-    <message>
-        <source>a pose of %1 handles does not fit witness points of %2</source>
-        <translation>una pose de %1 tiradores no corresponde a puntos testigo de %2</translation>
-    </message>
-    <message>
-        <source>a property stands before the first element</source>
-        <translation>una propiedad aparece antes del primer elemento</translation>
-    </message>
-    <message>
-        <source>a keyframe</source>
-        <translation>un fotograma clave</translation>
-    </message>
-    <message>
-        <source>a remark on it is not UTF-8</source>
-        <translation>una observación sobre él no es UTF-8</translation>
-    </message>
-    <message>
-        <source>a row</source>
-        <translation>una fila</translation>
     </message>
     <message>
         <source>a scan</source>
@@ -3480,62 +2776,6 @@
     <message>
         <source>a surface of %1 vertices and %2 triangles is too small for handles</source>
         <translation>una superficie de %1 vértices y %2 triángulos es demasiado pequeña para tiradores</translation>
-    </message>
-    <message>
-        <source>a surface without triangles has no inside</source>
-        <translation>una superficie sin triángulos no tiene interior</translation>
-    </message>
-    <message>
-        <source>a tetrahedron has a corner that does not exist</source>
-        <translation>un tetraedro tiene un vértice que no existe</translation>
-    </message>
-    <message>
-        <source>a tetrahedron has a corner that is none of the %1 points</source>
-        <translation>un tetraedro tiene un vértice que no es ninguno de los %1 puntos</translation>
-    </message>
-    <message>
-        <source>a triangle has a handle at two corners</source>
-        <translation>un triángulo tiene un tirador en dos vértices</translation>
-    </message>
-    <message>
-        <source>a triangle refers to a handle that does not exist</source>
-        <translation>un triángulo se refiere a un tirador que no existe</translation>
-    </message>
-    <message>
-        <source>a triangle refers to a point that does not exist</source>
-        <translation>un triángulo se refiere a un punto que no existe</translation>
-    </message>
-    <message>
-        <source>a value</source>
-        <translation>un valor</translation>
-    </message>
-    <message>
-        <source>a voxel</source>
-        <translation>un vóxel</translation>
-    </message>
-    <message>
-        <source>accessor %1 has an unknown type</source>
-        <translation>el accessor %1 tiene un tipo desconocido</translation>
-    </message>
-    <message>
-        <source>accessor %1 is sparse, which Viscera does not read</source>
-        <translation>el accessor %1 es disperso, y Viscera no los lee</translation>
-    </message>
-    <message>
-        <source>accessor %1 lies behind the end of its buffer: the file is cut off or damaged</source>
-        <translation>el accessor %1 está más allá del final de su búfer: el archivo está cortado o dañado</translation>
-    </message>
-    <message>
-        <source>accessor %1 refers to buffer %2, but there are %3</source>
-        <translation>el accessor %1 se refiere al búfer %2, pero hay %3</translation>
-    </message>
-    <message>
-        <source>accessor %1 should have %2 elements, more than its buffer holds</source>
-        <translation>el accessor %1 debería tener %2 elementos, más de los que contiene su búfer</translation>
-    </message>
-    <message>
-        <source>accessor %1 should hold point numbers</source>
-        <translation>el accessor %1 debería contener números de puntos</translation>
     </message>
     <message>
         <source>add a group that encloses them, or put handles around them into a group</source>
@@ -3606,14 +2846,6 @@
         <translation>una superficie STL</translation>
     </message>
     <message>
-        <source>an angle has three points, any other measurement two</source>
-        <translation>un ángulo tiene tres puntos, cualquier otra medición dos</translation>
-    </message>
-    <message>
-        <source>an array&apos;s name</source>
-        <translation>el nombre de una matriz</translation>
-    </message>
-    <message>
         <source>an error without a message</source>
         <translation>un error sin mensaje</translation>
     </message>
@@ -3658,10 +2890,6 @@
         <translation>sístole auricular</translation>
     </message>
     <message>
-        <source>bind by way of the deformation module, or choose another system</source>
-        <translation>vincule mediante el módulo deformation, o elija otro sistema</translation>
-    </message>
-    <message>
         <source>bind it first</source>
         <translation>vincúlelo primero</translation>
     </message>
@@ -3672,14 +2900,6 @@
     <message>
         <source>bounded biharmonic weights</source>
         <translation>pesos biarmónicos acotados</translation>
-    </message>
-    <message>
-        <source>buffer %1 has no data</source>
-        <translation>el búfer %1 no tiene datos</translation>
-    </message>
-    <message>
-        <source>buffer %1 is not a JSON object</source>
-        <translation>el búfer %1 no es un objeto JSON</translation>
     </message>
     <message>
         <source>by its name it belongs on the patient's left, but it lies on the right (x = %1 mm): %2</source>
@@ -3698,20 +2918,12 @@
         <translation>no se puede abrir: %1</translation>
     </message>
     <message>
-        <source>cannot draw without a display: %1</source>
-        <translation>no se puede dibujar sin pantalla: %1</translation>
-    </message>
-    <message>
         <source>cannot place %1 witness points</source>
         <translation>no se pueden colocar %1 puntos testigo</translation>
     </message>
     <message>
         <source>cardiac output</source>
         <translation>gasto cardíaco</translation>
-    </message>
-    <message>
-        <source>cell %1 claims %2 points, but %3 numbers are left</source>
-        <translation>la celda %1 declara %2 puntos, pero quedan %3 números</translation>
     </message>
     <message>
         <source>centimetres</source>
@@ -3758,16 +2970,8 @@
         <translation>compruebe el disco o la conexión</translation>
     </message>
     <message>
-        <source>check the name</source>
-        <translation>compruebe el nombre</translation>
-    </message>
-    <message>
         <source>check the name and the folder</source>
         <translation>compruebe el nombre y la carpeta</translation>
-    </message>
-    <message>
-        <source>check the path</source>
-        <translation>compruebe la ruta</translation>
     </message>
     <message>
         <source>check the space left on the disk</source>
@@ -3790,16 +2994,8 @@
         <translation>compruebe si una de ellas está mal etiquetada, u omítala</translation>
     </message>
     <message>
-        <source>child process</source>
-        <translation>programa auxiliar</translation>
-    </message>
-    <message>
         <source>choose %1 to %2</source>
         <translation>elija de %1 a %2</translation>
-    </message>
-    <message>
-        <source>choose %1 to %2 a minute</source>
-        <translation>elija de %1 a %2 por minuto</translation>
     </message>
     <message>
         <source>choose a closed surface</source>
@@ -3822,10 +3018,6 @@
         <translation>elija una carpeta que exista, en la que se pueda escribir y que tenga espacio</translation>
     </message>
     <message>
-        <source>choose a larger spacing</source>
-        <translation>elija un paso mayor</translation>
-    </message>
-    <message>
         <source>choose a name that ends in .glb</source>
         <translation>elija un nombre que termine en .glb</translation>
     </message>
@@ -3838,20 +3030,8 @@
         <translation>elija un nombre que termine en .vtu</translation>
     </message>
     <message>
-        <source>choose a sequence first</source>
-        <translation>elija primero una secuencia</translation>
-    </message>
-    <message>
-        <source>choose a sequence, and use its handles</source>
-        <translation>elija una secuencia y use sus tiradores</translation>
-    </message>
-    <message>
         <source>choose a surface that has some</source>
         <translation>elija una superficie que los tenga</translation>
-    </message>
-    <message>
-        <source>choose a volume nearer to the present one, or let more handles compensate</source>
-        <translation>elija un volumen más próximo al actual, o deje compensar a más tiradores</translation>
     </message>
     <message>
         <source>choose another one</source>
@@ -3870,16 +3050,8 @@
         <translation>elíjalo sobre el órgano; compruebe también los ejes (RAS o LPS)</translation>
     </message>
     <message>
-        <source>choose more than 0 and up to 10 times</source>
-        <translation>elija más de 0 y hasta 10 veces</translation>
-    </message>
-    <message>
         <source>choose one of them</source>
         <translation>elija uno de ellos</translation>
-    </message>
-    <message>
-        <source>choose organ, axis or cluster</source>
-        <translation>elija organ, axis o cluster</translation>
     </message>
     <message>
         <source>choose the two ends of the organ</source>
@@ -3888,10 +3060,6 @@
     <message>
         <source>choose two ends of one surface</source>
         <translation>elija dos extremos de una superficie</translation>
-    </message>
-    <message>
-        <source>circulation that was kept</source>
-        <translation>circulación conservada</translation>
     </message>
     <message>
         <source>close its holes first</source>
@@ -3904,10 +3072,6 @@
     <message>
         <source>close other programs, or use fewer handles or smaller organs</source>
         <translation>cierre otros programas, o use menos tiradores u órganos más pequeños</translation>
-    </message>
-    <message>
-        <source>compare it with the example in docs/lessons.md</source>
-        <translation>compárelo con el ejemplo de docs/lessons.md</translation>
     </message>
     <message>
         <source>compensating handles</source>
@@ -3932,14 +3096,6 @@
     <message>
         <source>crop the image to the organs</source>
         <translation>recorte la imagen a los órganos</translation>
-    </message>
-    <message>
-        <source>crop the images to the organ</source>
-        <translation>recorte las imágenes al órgano</translation>
-    </message>
-    <message>
-        <source>crop the scan to the organs</source>
-        <translation>recorte el estudio a los órganos</translation>
     </message>
     <message>
         <source>deeper ones would push folds of the surface into one another</source>
@@ -3972,14 +3128,6 @@
     <message>
         <source>distance</source>
         <translation>distancia</translation>
-    </message>
-    <message>
-        <source>does not fit into memory</source>
-        <translation>no cabe en la memoria</translation>
-    </message>
-    <message>
-        <source>does not lie between 0 and 1</source>
-        <translation>no está entre 0 y 1</translation>
     </message>
     <message>
         <source>does not say how large its pixels are</source>
@@ -4028,10 +3176,6 @@
     <message>
         <source>export all surfaces of a patient in the same way (viscera convert --space LPS)</source>
         <translation>exporte todas las superficies de un paciente de la misma manera (viscera convert --space LPS)</translation>
-    </message>
-    <message>
-        <source>export it as a surface</source>
-        <translation>expórtelo como superficie</translation>
     </message>
     <message>
         <source>export it as a surface of triangles</source>
@@ -4094,40 +3238,12 @@
         <translation>plegado donde está rayado</translation>
     </message>
     <message>
-        <source>frame %1 has no orientation</source>
-        <translation>el fotograma %1 no tiene orientación</translation>
-    </message>
-    <message>
-        <source>frame %1 has no pixels</source>
-        <translation>el fotograma %1 no tiene píxeles</translation>
-    </message>
-    <message>
-        <source>frame %1 has no position</source>
-        <translation>el fotograma %1 no tiene posición</translation>
-    </message>
-    <message>
-        <source>frame %1 has no segment</source>
-        <translation>el fotograma %1 no tiene segmento</translation>
-    </message>
-    <message>
-        <source>frame %1 has no spacing</source>
-        <translation>el fotograma %1 no tiene espaciado</translation>
-    </message>
-    <message>
         <source>fundus</source>
         <translation>fundus</translation>
     </message>
     <message>
         <source>fundus, centreline from the fundus down, body in between, pylorus</source>
         <translation>fundus, línea central desde el fundus hacia abajo, cuerpo en medio, píloro</translation>
-    </message>
-    <message>
-        <source>give a number from %1 to %2</source>
-        <translation>indique un número de %1 a %2</translation>
-    </message>
-    <message>
-        <source>give a whole number from %1 to %2</source>
-        <translation>indique un número entero de %1 a %2</translation>
     </message>
     <message>
         <source>give apex and base too</source>
@@ -4164,10 +3280,6 @@
     <message>
         <source>give one for each phase</source>
         <translation>indique uno para cada fase</translation>
-    </message>
-    <message>
-        <source>give one of: %1</source>
-        <translation>indique uno de: %1</translation>
     </message>
     <message>
         <source>give points of the centreline yourself</source>
@@ -4281,10 +3393,6 @@
         <translation>instale ffmpeg, o escriba un .ogv</translation>
     </message>
     <message>
-        <source>install libegl1 and libgl1-mesa-dri, or run under a display</source>
-        <translation>instale libegl1 y libgl1-mesa-dri, o ejecútelo con una pantalla</translation>
-    </message>
-    <message>
         <source>is a colour image</source>
         <translation>es una imagen en color</translation>
     </message>
@@ -4327,42 +3435,6 @@
         <translation>relajación isovolumétrica</translation>
     </message>
     <message>
-        <source>it begins behind the end of the data: the file is cut off</source>
-        <translation>empieza más allá del final de los datos: el archivo está cortado</translation>
-    </message>
-    <message>
-        <source>it cannot be decompressed: the file is damaged</source>
-        <translation>no se puede descomprimir: el archivo está dañado</translation>
-    </message>
-    <message>
-        <source>it claims %1 blocks, more than there are: the file is cut off or damaged</source>
-        <translation>declara %1 bloques, más de los que hay: el archivo está cortado o dañado</translation>
-    </message>
-    <message>
-        <source>it claims %1 bytes in %2: the file is damaged</source>
-        <translation>declara %1 bytes en %2: el archivo está dañado</translation>
-    </message>
-    <message>
-        <source>it claims a block larger than the file: the file is cut off or damaged</source>
-        <translation>declara un bloque mayor que el archivo: el archivo está cortado o dañado</translation>
-    </message>
-    <message>
-        <source>it contains %1, which is no number</source>
-        <translation>contiene %1, que no es un número</translation>
-    </message>
-    <message>
-        <source>it contains %1, which is no whole number</source>
-        <translation>contiene %1, que no es un número entero</translation>
-    </message>
-    <message>
-        <source>it crashed</source>
-        <translation>falló</translation>
-    </message>
-    <message>
-        <source>it does not hold a whole number of values</source>
-        <translation>no contiene un número entero de valores</translation>
-    </message>
-    <message>
         <source>it does not lie within the period</source>
         <translation>no está dentro del período</translation>
     </message>
@@ -4383,119 +3455,28 @@
         <translation>no sigue ningún tirador, así que nada puede cambiar su volumen</translation>
     </message>
     <message>
-        <source>it stopped without a result</source>
-        <translation>terminó sin resultado</translation>
-    </message>
-    <message>
-        <source>it has %1</source>
-        <translation>tiene %1</translation>
-    </message>
-    <message>
         <source>it has %1 triangles</source>
         <translation>tiene %1 triángulos</translation>
-    </message>
-    <message numerus="yes">
-        <source>it has %n {segment|segments}</source>
-        <translation>
-            <numerusform>tiene %n segmento</numerusform>
-            <numerusform>tiene %n segmentos</numerusform>
-        </translation>
     </message>
     <message>
         <source>it has no name</source>
         <translation>no tiene nombre</translation>
     </message>
     <message>
-        <source>it has no organ for each surface, or no phases</source>
-        <translation>no tiene un órgano para cada superficie, o no tiene fases</translation>
-    </message>
-    <message>
-        <source>it has the unknown format %1</source>
-        <translation>tiene el formato desconocido %1</translation>
-    </message>
-    <message>
-        <source>it has the unknown type %1</source>
-        <translation>tiene el tipo desconocido %1</translation>
-    </message>
-    <message>
-        <source>it is compressed by %1, which Viscera does not know</source>
-        <translation>está comprimida con %1, que Viscera no conoce</translation>
-    </message>
-    <message>
         <source>it is not a millisecond at least behind the key before it</source>
         <translation>no está al menos un milisegundo después del fotograma clave anterior</translation>
-    </message>
-    <message>
-        <source>it is not a record of a measured motion</source>
-        <translation>no es un registro de un movimiento medido</translation>
-    </message>
-    <message>
-        <source>it is not valid base64: the file is damaged</source>
-        <translation>no es base64 válido: el archivo está dañado</translation>
     </message>
     <message>
         <source>it may be mirrored</source>
         <translation>puede estar reflejado</translation>
     </message>
     <message>
-        <source>it should have %1 bytes, more than there are: the file is cut off or damaged</source>
-        <translation>debería tener %1 bytes, más de los que hay: el archivo está cortado o dañado</translation>
-    </message>
-    <message>
-        <source>it should have %1 more bytes, but %2 are left: the file is cut off or damaged</source>
-        <translation>debería tener %1 bytes más, pero quedan %2: el archivo está cortado o dañado</translation>
-    </message>
-    <message>
-        <source>it should hold whole numbers</source>
-        <translation>debería contener números enteros</translation>
-    </message>
-    <message>
-        <source>its JPEG stream is damaged: it has no frame header</source>
-        <translation>su flujo JPEG está dañado: no tiene cabecera de trama</translation>
-    </message>
-    <message>
-        <source>its JSON has no &quot;asset&quot;: it is not a glTF file</source>
-        <translation>su JSON no tiene «asset»: no es un archivo glTF</translation>
-    </message>
-    <message>
-        <source>its JSON is not an object: it is not a glTF file</source>
-        <translation>su JSON no es un objeto: no es un archivo glTF</translation>
-    </message>
-    <message>
-        <source>its XML is nested too deeply</source>
-        <translation>su XML está anidado a demasiada profundidad</translation>
-    </message>
-    <message>
-        <source>its XML is not complete</source>
-        <translation>su XML no está completo</translation>
-    </message>
-    <message>
         <source>its axes %1 are unknown; LPS is assumed</source>
         <translation>sus ejes %1 no se conocen; se supone LPS</translation>
     </message>
     <message>
-        <source>its buffer %1 cannot be read: %2</source>
-        <translation>no se puede leer su búfer %1: %2</translation>
-    </message>
-    <message>
-        <source>its colour does not lie between 0 and 1</source>
-        <translation>su color no está entre 0 y 1</translation>
-    </message>
-    <message>
-        <source>its colours do not fit its points</source>
-        <translation>sus colores no corresponden a sus puntos</translation>
-    </message>
-    <message>
-        <source>its description is not UTF-8</source>
-        <translation>su descripción no es UTF-8</translation>
-    </message>
-    <message>
         <source>its encoding %1 is not supported</source>
         <translation>su codificación %1 no se admite</translation>
-    </message>
-    <message>
-        <source>its faces have no vertex_indices</source>
-        <translation>sus caras no tienen vertex_indices</translation>
     </message>
     <message>
         <source>its file %1 is not there any more (put it beside the session and open that again)</source>
@@ -4506,220 +3487,16 @@
         <translation>su archivo se encontró como %1</translation>
     </message>
     <message>
-        <source>its first chunk is not JSON: the file is damaged</source>
-        <translation>su primer bloque no es JSON: el archivo está dañado</translation>
-    </message>
-    <message>
-        <source>its frames are too far from each other: %1 mm</source>
-        <translation>sus fotogramas están demasiado lejos unos de otros: %1 mm</translation>
-    </message>
-    <message>
-        <source>its frames belong to a segment %1, which it does not have</source>
-        <translation>sus fotogramas pertenecen a un segmento %1, que no existe</translation>
-    </message>
-    <message>
         <source>its frames lie in different directions</source>
         <translation>sus fotogramas están en direcciones distintas</translation>
-    </message>
-    <message>
-        <source>its handles are not handles of the rig, each once and in their order</source>
-        <translation>sus tiradores no son los del conjunto de tiradores, cada uno una vez y en su orden</translation>
-    </message>
-    <message>
-        <source>its header does not say its format</source>
-        <translation>su cabecera no indica su formato</translation>
-    </message>
-    <message>
-        <source>its header is cut off or damaged: it has no %1</source>
-        <translation>su cabecera está cortada o dañada: falta %1</translation>
-    </message>
-    <message>
-        <source>its header is damaged: %1 has not %2 numbers</source>
-        <translation>su cabecera está dañada: %1 no tiene %2 números</translation>
-    </message>
-    <message>
-        <source>its header is damaged: %1 is not a number for %2</source>
-        <translation>su cabecera está dañada: %1 no es un número para %2</translation>
-    </message>
-    <message>
-        <source>its header is damaged: %1 is not a number of %2</source>
-        <translation>su cabecera está dañada: %1 no es un número de %2</translation>
-    </message>
-    <message>
-        <source>its header is damaged: %1 is not a size of an axis</source>
-        <translation>su cabecera está dañada: %1 no es el tamaño de un eje</translation>
-    </message>
-    <message>
-        <source>its header is damaged: %1 is not a vector</source>
-        <translation>su cabecera está dañada: %1 no es un vector</translation>
-    </message>
-    <message>
-        <source>its header is damaged: %1 is not an origin</source>
-        <translation>su cabecera está dañada: %1 no es un origen</translation>
-    </message>
-    <message>
-        <source>its header is damaged: DimSize has not three numbers</source>
-        <translation>su cabecera está dañada: DimSize no tiene tres números</translation>
-    </message>
-    <message>
-        <source>its header is damaged: HeaderSize is not a number of bytes</source>
-        <translation>su cabecera está dañada: HeaderSize no es un número de bytes</translation>
-    </message>
-    <message>
-        <source>its header is damaged: a vector in it has not three numbers</source>
-        <translation>su cabecera está dañada: un vector no tiene tres números</translation>
-    </message>
-    <message>
-        <source>its header is damaged: an image has 2 to 7 dimensions, not %1</source>
-        <translation>su cabecera está dañada: una imagen tiene de 2 a 7 dimensiones, no %1</translation>
-    </message>
-    <message>
-        <source>its header is damaged: it describes %1 of %2 frames</source>
-        <translation>su cabecera está dañada: describe %1 de %2 fotogramas</translation>
-    </message>
-    <message>
-        <source>its header is damaged: it has %1 frames</source>
-        <translation>su cabecera está dañada: tiene %1 fotogramas</translation>
-    </message>
-    <message numerus="yes">
-        <source>its header is damaged: it has %n {direction|directions} for %2 axes</source>
-        <translation>
-            <numerusform>su cabecera está dañada: tiene %n dirección para %2 ejes</numerusform>
-            <numerusform>su cabecera está dañada: tiene %n direcciones para %2 ejes</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>its header is damaged: it has %n {size|sizes} for %2 dimensions</source>
-        <translation>
-            <numerusform>su cabecera está dañada: tiene %n tamaño para %2 dimensiones</numerusform>
-            <numerusform>su cabecera está dañada: tiene %n tamaños para %2 dimensiones</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>its header is damaged: it promises %1 bytes of pixels in a file of %2 bytes</source>
-        <translation>su cabecera está dañada: promete %1 bytes de píxeles en un archivo de %2 bytes</translation>
-    </message>
-    <message numerus="yes">
-        <source>its header is damaged: its packed pixels have %n {part|parts} for %2 frames</source>
-        <translation>
-            <numerusform>su cabecera está dañada: sus píxeles comprimidos tienen %n parte para %2 fotogramas</numerusform>
-            <numerusform>su cabecera está dañada: sus píxeles comprimidos tienen %n partes para %2 fotogramas</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>its header is damaged: its packed pixels have no parts</source>
-        <translation>su cabecera está dañada: sus píxeles comprimidos no tienen partes</translation>
-    </message>
-    <message>
-        <source>its header is damaged: its packed pixels have not one part a frame</source>
-        <translation>su cabecera está dañada: sus píxeles comprimidos no tienen una parte por fotograma</translation>
-    </message>
-    <message>
-        <source>its header is damaged: its rescale slope is 0</source>
-        <translation>su cabecera está dañada: la pendiente de reescalado (Rescale Slope) es 0</translation>
-    </message>
-    <message>
-        <source>its header is damaged: its size along %1 is %2</source>
-        <translation>su cabecera está dañada: su tamaño a lo largo de %1 es %2</translation>
-    </message>
-    <message>
-        <source>its header is damaged: the directions of its rows and columns are not square</source>
-        <translation>su cabecera está dañada: las direcciones de sus filas y columnas no son perpendiculares</translation>
-    </message>
-    <message>
-        <source>its header is damaged: the voxels cannot begin at byte %1</source>
-        <translation>su cabecera está dañada: los vóxeles no pueden empezar en el byte %1</translation>
-    </message>
-    <message numerus="yes">
-        <source>its header promises %n {triangle|triangles}, but there is room for %2: the file is damaged</source>
-        <translation>
-            <numerusform>su cabecera promete %n triángulo, pero hay sitio para %2: el archivo está dañado</numerusform>
-            <numerusform>su cabecera promete %n triángulos, pero hay sitio para %2: el archivo está dañado</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>another item has the same id</source>
-        <translation>otro elemento tiene el mismo identificador</translation>
-    </message>
-    <message>
-        <source>its id is not a whole number from 1 to 2^52</source>
-        <translation>su identificador no es un número entero de 1 a 2^52</translation>
     </message>
     <message>
         <source>its labels are those of a heart: muscle and chambers are its outer surface, each chamber is a cavity</source>
         <translation>sus etiquetas son las de un corazón: el músculo y las cavidades cardíacas forman su superficie exterior, cada una de estas es una cavidad</translation>
     </message>
     <message>
-        <source>its layers lie between the axes of space</source>
-        <translation>sus capas están entre los ejes del espacio</translation>
-    </message>
-    <message>
-        <source>its name is not UTF-8</source>
-        <translation>su nombre no es UTF-8</translation>
-    </message>
-    <message>
-        <source>its opacity does not lie between 0 and 1</source>
-        <translation>su opacidad no está entre 0 y 1</translation>
-    </message>
-    <message>
-        <source>its packed pixels cannot be read</source>
-        <translation>no se pueden leer sus píxeles comprimidos</translation>
-    </message>
-    <message>
-        <source>its parent is not an organ before it</source>
-        <translation>su órgano superior no está antes que él</translation>
-    </message>
-    <message>
-        <source>its pixels (%1) are damaged or packed in an unknown way</source>
-        <translation>sus píxeles (%1) están dañados o comprimidos de un modo desconocido</translation>
-    </message>
-    <message>
-        <source>its pixels (%1) cannot be unpacked: %2</source>
-        <translation>no se pueden descomprimir sus píxeles (%1): %2</translation>
-    </message>
-    <message>
-        <source>its pixels (%1) cannot be unpacked: frame %2 is damaged</source>
-        <translation>no se pueden descomprimir sus píxeles (%1): el fotograma %2 está dañado</translation>
-    </message>
-    <message>
-        <source>its pixels cannot be read</source>
-        <translation>no se pueden leer sus píxeles</translation>
-    </message>
-    <message>
         <source>its pixels of %1 bits in %2, up to bit %3, are not supported</source>
         <translation>sus píxeles de %1 bits en %2, hasta el bit %3, no se admiten</translation>
-    </message>
-    <message>
-        <source>its pixels of 32 bits in big-endian order are not supported</source>
-        <translation>sus píxeles de 32 bits en orden big-endian no se admiten</translation>
-    </message>
-    <message>
-        <source>its points and triangles are no lists of threes</source>
-        <translation>sus puntos y triángulos no son listas de tríos</translation>
-    </message>
-    <message>
-        <source>its points have %1 coordinates, not 3</source>
-        <translation>sus puntos tienen %1 coordenadas, no 3</translation>
-    </message>
-    <message>
-        <source>its points have no x, y and z</source>
-        <translation>sus puntos no tienen x, y y z</translation>
-    </message>
-    <message>
-        <source>its position</source>
-        <translation>su posición</translation>
-    </message>
-    <message>
-        <source>its position at rest</source>
-        <translation>su posición en reposo</translation>
-    </message>
-    <message>
-        <source>its segment %1 has no valid value or layer</source>
-        <translation>su segmento %1 no tiene un valor o una capa válidos</translation>
-    </message>
-    <message>
-        <source>its segmentation cannot be read</source>
-        <translation>no se puede leer su segmentación</translation>
     </message>
     <message>
         <source>its sform and qform place the image differently; the sform is used</source>
@@ -4769,16 +3546,8 @@
         <translation>su unidad es el micrómetro; convertido a mm</translation>
     </message>
     <message>
-        <source>its value is not a finite number</source>
-        <translation>su valor no es un número finito</translation>
-    </message>
-    <message>
         <source>its volume can be kept only after it is bound to the present handles</source>
         <translation>su volumen solo se puede mantener después de vincularlo a los tiradores presentes</translation>
-    </message>
-    <message>
-        <source>its volume differs from that of the surface</source>
-        <translation>su volumen difiere del de la superficie</translation>
     </message>
     <message>
         <source>its volume is not locked any more: the surface is open now</source>
@@ -4793,28 +3562,8 @@
         <translation>sus vóxeles están en varios archivos o en otra carpeta (%1)</translation>
     </message>
     <message>
-        <source>its voxels are more than 1000 km away</source>
-        <translation>sus vóxeles están a más de 1000 km</translation>
-    </message>
-    <message>
-        <source>its voxels are no plain numbers (ElementType %1)</source>
-        <translation>sus vóxeles no son números simples (ElementType %1)</translation>
-    </message>
-    <message>
-        <source>its voxels are no plain numbers (NIfTI data type %1)</source>
-        <translation>sus vóxeles no son números simples (tipo de datos NIfTI %1)</translation>
-    </message>
-    <message>
-        <source>its voxels are no plain numbers (type %1)</source>
-        <translation>sus vóxeles no son números simples (tipo %1)</translation>
-    </message>
-    <message>
         <source>its voxels lie elsewhere than those of the other masks</source>
         <translation>sus vóxeles están en otro sitio que los de las otras máscaras</translation>
-    </message>
-    <message>
-        <source>barycentric weights must be at least 0 and sum to 1</source>
-        <translation>los pesos baricéntricos deben ser al menos 0 y sumar 1</translation>
     </message>
     <message>
         <source>keep the largest, as viscera convert IN OUT --keep-largest does</source>
@@ -4901,10 +3650,6 @@
         <translation>haga que el último volumen sea igual al primero</translation>
     </message>
     <message>
-        <source>line %1: %2</source>
-        <translation>línea %1: %2</translation>
-    </message>
-    <message>
         <source>linear</source>
         <translation>lineal</translation>
     </message>
@@ -4915,18 +3660,6 @@
     <message>
         <source>list %1 was converted from %2 to mm</source>
         <translation>la lista %1 se ha convertido de %2 a mm</translation>
-    </message>
-    <message>
-        <source>list %1, point %2</source>
-        <translation>lista %1, punto %2</translation>
-    </message>
-    <message>
-        <source>list %1: its coordinate system %2 is not LPS or RAS</source>
-        <translation>lista %1: su sistema de coordenadas %2 no es LPS ni RAS</translation>
-    </message>
-    <message>
-        <source>list %1: its points are no JSON array</source>
-        <translation>lista %1: sus puntos no son una matriz JSON</translation>
     </message>
     <message>
         <source>load a closed surface</source>
@@ -4949,32 +3682,12 @@
         <translation>hace una superficie cerrada sin intersecciones cerca de esta; los colores se pierden</translation>
     </message>
     <message>
-        <source>markup list %1 is not a JSON object</source>
-        <translation>la lista de marcas %1 no es un objeto JSON</translation>
-    </message>
-    <message>
-        <source>measured motion</source>
-        <translation>movimiento medido</translation>
-    </message>
-    <message>
         <source>measurement</source>
         <translation>medición</translation>
     </message>
     <message>
         <source>measurement %1</source>
         <translation>medición %1</translation>
-    </message>
-    <message>
-        <source>mesh %1 has a primitive without attributes</source>
-        <translation>la malla %1 tiene una primitiva sin atributos</translation>
-    </message>
-    <message>
-        <source>mesh %1 has no primitives</source>
-        <translation>la malla %1 no tiene primitivas</translation>
-    </message>
-    <message>
-        <source>mesh %1 refers to point %2, but there are %3 (counted from 0)</source>
-        <translation>la malla %1 se refiere al punto %2, pero hay %3 (contados desde 0)</translation>
     </message>
     <message>
         <source>metres</source>
@@ -5093,14 +3806,6 @@
         <translation>nanómetros</translation>
     </message>
     <message>
-        <source>no EGL platform works without a window system</source>
-        <translation>ninguna plataforma EGL funciona sin sistema de ventanas</translation>
-    </message>
-    <message>
-        <source>no OpenGL 3.2 context</source>
-        <translation>sin contexto OpenGL 3.2</translation>
-    </message>
-    <message>
         <source>no compensation within %1 mm restores the volume</source>
         <translation>ninguna compensación dentro de %1 mm restablece el volumen</translation>
     </message>
@@ -5121,16 +3826,8 @@
         <translation>ningún movimiento próximo a este mantiene el volumen</translation>
     </message>
     <message>
-        <source>no surface has so many triangles</source>
-        <translation>ninguna superficie tiene tantos triángulos</translation>
-    </message>
-    <message>
         <source>no witness point lies inside</source>
         <translation>ningún punto testigo está dentro</translation>
-    </message>
-    <message>
-        <source>node %1 is in the scene twice</source>
-        <translation>el nodo %1 está dos veces en la escena</translation>
     </message>
     <message>
         <source>node %1 is moved by bones, which are ignored</source>
@@ -5143,10 +3840,6 @@
     <message>
         <source>of an unknown kind</source>
         <translation>de tipo desconocido</translation>
-    </message>
-    <message>
-        <source>one of its points</source>
-        <translation>uno de sus puntos</translation>
     </message>
     <message numerus="yes">
         <source>only %n {handle|handles}</source>
@@ -5200,14 +3893,6 @@
         <translation>salida</translation>
     </message>
     <message>
-        <source>parameter %1</source>
-        <translation>parámetro %1</translation>
-    </message>
-    <message>
-        <source>parameters: %1</source>
-        <translation>parámetros: %1</translation>
-    </message>
-    <message>
         <source>pause</source>
         <translation>pausa</translation>
     </message>
@@ -5226,10 +3911,6 @@
     <message>
         <source>pick the point on the surface again</source>
         <translation>elija de nuevo el punto de la superficie</translation>
-    </message>
-    <message>
-        <source>pictures of different sizes do not fit on one sheet</source>
-        <translation>imágenes de distinto tamaño no caben en una misma hoja</translation>
     </message>
     <message>
         <source>place handles around it</source>
@@ -5256,32 +3937,12 @@
         <translation>colocación de tiradores</translation>
     </message>
     <message>
-        <source>play at least one whole beat</source>
-        <translation>reproduzca al menos un latido completo</translation>
-    </message>
-    <message>
         <source>play at the rate that the times are for</source>
         <translation>reproduzca a la frecuencia para la que valen los tiempos</translation>
     </message>
     <message>
-        <source>point %1 has a coordinate that is not a finite number</source>
-        <translation>el punto %1 tiene una coordenada que no es un número finito</translation>
-    </message>
-    <message>
-        <source>point %1 lies more than 1000 km away: the file is damaged</source>
-        <translation>el punto %1 está a más de 1000 km: el archivo está dañado</translation>
-    </message>
-    <message>
-        <source>point numbers are of a type that is not whole</source>
-        <translation>los números de los puntos son de un tipo que no es entero</translation>
-    </message>
-    <message>
         <source>points that coincide or are almost flat cause this</source>
         <translation>lo causan puntos que coinciden o casi planos</translation>
-    </message>
-    <message>
-        <source>polygon %1 refers to point %2, but there are %3 (counted from 0)</source>
-        <translation>el polígono %1 se refiere al punto %2, pero hay %3 (contados desde 0)</translation>
     </message>
     <message>
         <source>put both files into one folder</source>
@@ -5330,10 +3991,6 @@
     <message>
         <source>reduce the surface first</source>
         <translation>reduzca primero la superficie</translation>
-    </message>
-    <message>
-        <source>reduce the surfaces first</source>
-        <translation>reduzca primero las superficies</translation>
     </message>
     <message>
         <source>reduced ejection</source>
@@ -5388,10 +4045,6 @@
         <translation>restablezca la pose</translation>
     </message>
     <message>
-        <source>restore its definition from the installation</source>
-        <translation>restaure su definición desde la instalación</translation>
-    </message>
-    <message>
         <source>restoring the volume would move a handle by %1 mm</source>
         <translation>restablecer el volumen movería un tirador %1 mm</translation>
     </message>
@@ -5428,16 +4081,8 @@
         <translation>guárdela como un solo archivo</translation>
     </message>
     <message>
-        <source>save it as one volume</source>
-        <translation>guárdela como un solo volumen</translation>
-    </message>
-    <message>
         <source>save it with gzip or raw encoding</source>
         <translation>guárdelo con la codificación gzip o raw</translation>
-    </message>
-    <message>
-        <source>save it with one number a voxel</source>
-        <translation>guárdela con un número por vóxel</translation>
     </message>
     <message>
         <source>save it with one value per voxel</source>
@@ -5504,10 +4149,6 @@
         <translation>las superficies no se pueden escribir como «%1»</translation>
     </message>
     <message>
-        <source>system parameter %1</source>
-        <translation>parámetro %1 del sistema</translation>
-    </message>
-    <message>
         <source>system parameters</source>
         <translation>parámetros del sistema</translation>
     </message>
@@ -5552,174 +4193,24 @@
         <translation>contracción antral terminal</translation>
     </message>
     <message>
-        <source>tetrahedron %1 has a corner that does not exist</source>
-        <translation>el tetraedro %1 tiene un vértice que no existe</translation>
-    </message>
-    <message>
-        <source>tetrahedron %1 is flat or turned around</source>
-        <translation>el tetraedro %1 es plano o está invertido</translation>
-    </message>
-    <message>
-        <source>it has text in place of numbers</source>
-        <translation>tiene texto en lugar de números</translation>
-    </message>
-    <message>
         <source>the Delaunay tetrahedra of %1 points cannot be computed</source>
         <translation>no se pueden calcular los tetraedros de Delaunay de %1 puntos</translation>
-    </message>
-    <message>
-        <source>the JSON chunk</source>
-        <translation>el bloque JSON</translation>
-    </message>
-    <message>
-        <source>the array %1 has %2 values for %3 points</source>
-        <translation>la matriz %1 tiene %2 valores para %3 puntos</translation>
-    </message>
-    <message>
-        <source>the array %1: %2</source>
-        <translation>la matriz %1: %2</translation>
-    </message>
-    <message>
-        <source>the biharmonic energy cannot be factorised</source>
-        <translation>la energía biarmónica no se puede factorizar</translation>
     </message>
     <message>
         <source>the cage</source>
         <translation>la jaula</translation>
     </message>
     <message>
-        <source>the cells&apos; offsets do not fit their points</source>
-        <translation>los comienzos de las celdas no corresponden a sus puntos</translation>
-    </message>
-    <message>
-        <source>the context cannot be used without a surface</source>
-        <translation>el contexto no se puede usar sin superficie</translation>
-    </message>
-    <message>
         <source>the convex hull of %1 points cannot be computed</source>
         <translation>no se puede calcular la envolvente convexa de %1 puntos</translation>
-    </message>
-    <message>
-        <source>the coordinate %1</source>
-        <translation>la coordenada %1</translation>
-    </message>
-    <message>
-        <source>the coordinate system %1 is not LPS or RAS</source>
-        <translation>el sistema de coordenadas %1 no es LPS ni RAS</translation>
     </message>
     <message>
         <source>the coordinates are kept in single precision: they would take %1 MiB otherwise</source>
         <translation>las coordenadas se guardan en precisión simple; si no, ocuparían %1 MiB</translation>
     </message>
     <message>
-        <source>the directions and spacing of its voxels enclose no volume</source>
-        <translation>las direcciones y la separación de sus vóxeles no encierran volumen</translation>
-    </message>
-    <message>
-        <source>the directions, spacing or origin of its voxels are not finite</source>
-        <translation>las direcciones, la separación o el origen de sus vóxeles no son finitos</translation>
-    </message>
-    <message>
-        <source>the driver's OpenGL is older than 3.2</source>
-        <translation>el OpenGL del controlador es anterior a 3.2</translation>
-    </message>
-    <message>
         <source>the file does not state its axes: LPS is assumed</source>
         <translation>el archivo no indica sus ejes: se supone LPS</translation>
-    </message>
-    <message>
-        <source>the file is cut off before its data</source>
-        <translation>el archivo está cortado antes de sus datos</translation>
-    </message>
-    <message>
-        <source>the file is cut off or damaged: a list of %1 %2 should have more values than are left</source>
-        <translation>el archivo está cortado o dañado: una lista de %1 %2 debería tener más valores de los que quedan</translation>
-    </message>
-    <message numerus="yes">
-        <source>the file is cut off, or is not an STL file: its header promises %n {triangle|triangles} (%2 bytes), but it has %3 bytes</source>
-        <translation>
-            <numerusform>el archivo está cortado o no es un archivo STL: su cabecera promete %n triángulo (%2 bytes), pero tiene %3 bytes</numerusform>
-            <numerusform>el archivo está cortado o no es un archivo STL: su cabecera promete %n triángulos (%2 bytes), pero tiene %3 bytes</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>the file is cut off: %1 should have %2 bytes, but only %3 are left</source>
-        <translation>el archivo está cortado: %1 debería tener %2 bytes, pero solo quedan %3</translation>
-    </message>
-    <message numerus="yes">
-        <source>the file is cut off: %2 numbers should follow, but only %n {byte is|bytes are} left</source>
-        <translation>
-            <numerusform>el archivo está cortado: deberían seguir %2 números, pero solo queda %n byte</numerusform>
-            <numerusform>el archivo está cortado: deberían seguir %2 números, pero solo quedan %n bytes</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>the file is cut off: %2 values are promised, there {is|are} only %n {byte|bytes}</source>
-        <translation>
-            <numerusform>el archivo está cortado: se prometen %2 valores, solo hay %n byte</numerusform>
-            <numerusform>el archivo está cortado: se prometen %2 valores, solo hay %n bytes</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>the file is cut off: buffer %1 should have %2 bytes, but has %3</source>
-        <translation>el archivo está cortado: el búfer %1 debería tener %2 bytes, pero tiene %3</translation>
-    </message>
-    <message>
-        <source>the file is cut off: it ends where %1 should stand</source>
-        <translation>el archivo está cortado: termina donde debería estar %1</translation>
-    </message>
-    <message numerus="yes">
-        <source>the file is cut off: it has %n {byte|bytes}, a NIfTI header alone has 348</source>
-        <translation>
-            <numerusform>el archivo está cortado: tiene %n byte, una cabecera NIfTI sola tiene 348</numerusform>
-            <numerusform>el archivo está cortado: tiene %n bytes, una cabecera NIfTI sola tiene 348</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>the file is cut off: it has fewer lines than its header says</source>
-        <translation>el archivo está cortado: tiene menos líneas de las que indica su cabecera</translation>
-    </message>
-    <message>
-        <source>the file is cut off: it should have %1 bytes, but has %2</source>
-        <translation>el archivo está cortado: debería tener %1 bytes, pero tiene %2</translation>
-    </message>
-    <message numerus="yes">
-        <source>the file is cut off: its %n {frame has|frames have} too few pixels</source>
-        <translation>
-            <numerusform>el archivo está cortado: su %n fotograma tiene muy pocos píxeles</numerusform>
-            <numerusform>el archivo está cortado: sus %n fotogramas tienen muy pocos píxeles</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>the file is cut off: its end is missing</source>
-        <translation>el archivo está cortado: falta su final</translation>
-    </message>
-    <message>
-        <source>the file is cut off: its header has no ElementDataFile</source>
-        <translation>el archivo está cortado: su cabecera no tiene ElementDataFile</translation>
-    </message>
-    <message>
-        <source>the file is cut off: its header promises %1 bytes of pixels, %2 are there</source>
-        <translation>el archivo está cortado: su cabecera promete %1 bytes de píxeles, hay %2</translation>
-    </message>
-    <message>
-        <source>the file is cut off: its header promises %1 bytes of voxels, %2 are there</source>
-        <translation>el archivo está cortado: su cabecera promete %1 bytes de vóxeles, hay %2</translation>
-    </message>
-    <message numerus="yes">
-        <source>the file is cut off: its header promises %2 of %3, more than the %n {byte|bytes} that are left can hold</source>
-        <translation>
-            <numerusform>el archivo está cortado: su cabecera promete %2 de %3, más de lo que cabe en el %n byte que queda</numerusform>
-            <numerusform>el archivo está cortado: su cabecera promete %2 de %3, más de lo que cabe en los %n bytes que quedan</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>the file is cut off: its header promises more voxels than there are</source>
-        <translation>el archivo está cortado: su cabecera promete más vóxeles de los que hay</translation>
-    </message>
-    <message>
-        <source>the file is cut off: its packed data end too early</source>
-        <translation>el archivo está cortado: sus datos comprimidos terminan demasiado pronto</translation>
     </message>
     <message>
         <source>the file is empty</source>
@@ -5758,10 +4249,6 @@
         <translation>los %1 sólidos del archivo se han unido en una sola superficie</translation>
     </message>
     <message>
-        <source>the first chunk&apos;s header</source>
-        <translation>la cabecera del primer bloque</translation>
-    </message>
-    <message>
         <source>the first one is 0</source>
         <translation>la primera es 0</translation>
     </message>
@@ -5778,26 +4265,6 @@
         <translation>no se puede escribir en la carpeta de los fotogramas</translation>
     </message>
     <message>
-        <source>the format %1 is not known</source>
-        <translation>el formato %1 no se conoce</translation>
-    </message>
-    <message>
-        <source>the frame rate has to be positive</source>
-        <translation>la frecuencia de fotogramas debe ser positiva</translation>
-    </message>
-    <message>
-        <source>the frames of a movie have to be of one size: this one is %1 x %2, the first was %3 x %4</source>
-        <translation>los fotogramas de una película deben tener un mismo tamaño: este mide %1 x %2, el primero %3 x %4</translation>
-    </message>
-    <message>
-        <source>the handle %1 comes twice</source>
-        <translation>el tirador %1 aparece dos veces</translation>
-    </message>
-    <message>
-        <source>the handle %1 is in two groups</source>
-        <translation>el tirador %1 está en dos grupos</translation>
-    </message>
-    <message>
         <source>the handles enclose nothing: %1</source>
         <translation>los tiradores no encierran nada: %1</translation>
     </message>
@@ -5810,24 +4277,8 @@
         <translation>los tetraedros de los tiradores</translation>
     </message>
     <message>
-        <source>the header</source>
-        <translation>la cabecera</translation>
-    </message>
-    <message>
-        <source>the id %1 comes twice</source>
-        <translation>el identificador %1 aparece dos veces</translation>
-    </message>
-    <message>
-        <source>the label &quot;%1&quot; comes twice</source>
-        <translation>la etiqueta «%1» aparece dos veces</translation>
-    </message>
-    <message>
         <source>the label &quot;%1&quot; is not a landmark of the sequence %2</source>
         <translation>la etiqueta «%1» no es un punto de referencia de la secuencia %2</translation>
-    </message>
-    <message>
-        <source>the label map has no segment number %1</source>
-        <translation>el mapa de etiquetas no tiene el segmento número %1</translation>
     </message>
     <message>
         <source>the landmark &quot;%1&quot; comes twice</source>
@@ -5848,14 +4299,6 @@
     <message>
         <source>the last phase equals the first and is left out: phase %1 would be phase 1 again</source>
         <translation>la última fase es igual a la primera y se omite: la fase %1 sería otra vez la fase 1</translation>
-    </message>
-    <message>
-        <source>the layers</source>
-        <translation>las capas</translation>
-    </message>
-    <message>
-        <source>the limits of time and memory must be above 0</source>
-        <translation>los límites de tiempo y memoria deben ser mayores que 0</translation>
     </message>
     <message>
         <source>the locked volumes cannot be kept</source>
@@ -5898,52 +4341,8 @@
         <translation>los nombres de sus etiquetas son los de %1</translation>
     </message>
     <message>
-        <source>the number of arrays</source>
-        <translation>el número de matrices</translation>
-    </message>
-    <message>
-        <source>the number of cells</source>
-        <translation>el número de celdas</translation>
-    </message>
-    <message>
-        <source>the number of colour channels</source>
-        <translation>el número de canales de color</translation>
-    </message>
-    <message>
-        <source>the number of components</source>
-        <translation>el número de componentes</translation>
-    </message>
-    <message>
-        <source>the number of components is not positive</source>
-        <translation>el número de componentes no es positivo</translation>
-    </message>
-    <message>
-        <source>the number of faces</source>
-        <translation>el número de caras</translation>
-    </message>
-    <message>
-        <source>the number of groups must be at least 1, not %1</source>
-        <translation>el número de grupos debe ser al menos 1, no %1</translation>
-    </message>
-    <message>
-        <source>the number of points</source>
-        <translation>el número de puntos</translation>
-    </message>
-    <message>
-        <source>the number of texture axes</source>
-        <translation>el número de ejes de textura</translation>
-    </message>
-    <message>
-        <source>the number of values</source>
-        <translation>el número de valores</translation>
-    </message>
-    <message>
         <source>the offset of region &apos;%1&apos; is cut to %2 mm, the distance of its nearest handle from a zone</source>
         <translation>el desplazamiento de la región «%1» se recorta a %2 mm, la distancia de su tirador más próximo a una zona</translation>
-    </message>
-    <message>
-        <source>the offsets of its cells (%1) do not fit their points</source>
-        <translation>los comienzos de sus celdas (%1) no corresponden a sus puntos</translation>
     </message>
     <message>
         <source>the organ is %1 times as long as that of an adult; check its unit</source>
@@ -5965,71 +4364,8 @@
         </translation>
     </message>
     <message>
-        <source>the organ that it is a cavity of is not before it</source>
-        <translation>el órgano del que es cavidad no está antes</translation>
-    </message>
-    <message>
-        <source>the outline of %1 vertices cannot follow %2</source>
-        <translation>el contorno de %1 vértices no puede seguir a %2</translation>
-    </message>
-    <message>
-        <source>the overlap of groups must lie between 0 and 1</source>
-        <translation>el solapamiento de los grupos debe estar entre 0 y 1</translation>
-    </message>
-    <message>
-        <source>the packed data are damaged</source>
-        <translation>los datos comprimidos están dañados</translation>
-    </message>
-    <message>
-        <source>It is damaged or no DICOM file: its header violates the DICOM standard</source>
-        <translation>Está dañado o no es un archivo DICOM: su cabecera no cumple el estándar DICOM</translation>
-    </message>
-    <message>
-        <source>its packed data are more than %1 MB unpacked, which no scan of its size is</source>
-        <translation>los datos comprimidos ocupan más de %1 MB al descomprimirlos, cosa que no hace ningún estudio de este tamaño</translation>
-    </message>
-    <message>
-        <source>the packed data are damaged (%1)</source>
-        <translation>los datos comprimidos están dañados (%1)</translation>
-    </message>
-    <message>
-        <source>the packed data are damaged (bzip2 error %1)</source>
-        <translation>los datos comprimidos están dañados (error %1 de bzip2)</translation>
-    </message>
-    <message>
-        <source>the parts of its colour do not lie between 0 and 1</source>
-        <translation>las partes de su color no están entre 0 y 1</translation>
-    </message>
-    <message>
-        <source>the period is not a positive number of seconds</source>
-        <translation>el período no es un número positivo de segundos</translation>
-    </message>
-    <message>
         <source>the picture cannot be written</source>
         <translation>no se puede escribir la imagen</translation>
-    </message>
-    <message>
-        <source>the picture does not exist</source>
-        <translation>la imagen no existe</translation>
-    </message>
-    <message>
-        <source>the picture is not of three channels of 8 bits</source>
-        <translation>la imagen no tiene tres canales de 8 bits</translation>
-    </message>
-    <message>
-        <source>the points to show are %1, the surface has %2</source>
-        <translation>los puntos que mostrar son %1, la superficie tiene %2</translation>
-    </message>
-    <message numerus="yes">
-        <source>the pose has %n {handle|handles}, the organ is bound to %2</source>
-        <translation>
-            <numerusform>la pose tiene %n tirador, el órgano está vinculado a %2</numerusform>
-            <numerusform>la pose tiene %n tiradores, el órgano está vinculado a %2</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>the pose has another number of handles than the document</source>
-        <translation>la pose tiene otro número de tiradores que el documento</translation>
     </message>
     <message>
         <source>the position is not finite</source>
@@ -6040,32 +4376,12 @@
         <translation>la posición del tirador %1 en %2 no es finita</translation>
     </message>
     <message>
-        <source>the positions of its frames are not finite</source>
-        <translation>las posiciones de sus fotogramas no son finitas</translation>
-    </message>
-    <message>
         <source>the program ffmpeg is needed for this kind of movie and is not installed</source>
         <translation>este tipo de película necesita el programa ffmpeg, que no está instalado</translation>
     </message>
     <message>
-        <source>the quality of tetrahedra is a ratio from 1.1 (best) to 10</source>
-        <translation>la calidad de los tetraedros es una razón de 1,1 (mejor) a 10</translation>
-    </message>
-    <message>
-        <source>the reply is cut short</source>
-        <translation>la respuesta está cortada</translation>
-    </message>
-    <message>
-        <source>the reply is damaged</source>
-        <translation>la respuesta está dañada</translation>
-    </message>
-    <message>
         <source>the right ventricle is too small to eject as much as the left one</source>
         <translation>el ventrículo derecho es demasiado pequeño para eyectar tanto como el izquierdo</translation>
-    </message>
-    <message>
-        <source>the sample organ has no surface &quot;%1&quot;</source>
-        <translation>el órgano de muestra no tiene ninguna superficie «%1»</translation>
     </message>
     <message>
         <source>the scan %1 is not there any more (put it beside the session and open that again)</source>
@@ -6078,18 +4394,6 @@
     <message>
         <source>the size is plausible: %1</source>
         <translation>el tamaño es plausible: %1</translation>
-    </message>
-    <message>
-        <source>the size of a colour table</source>
-        <translation>el tamaño de una tabla de colores</translation>
-    </message>
-    <message>
-        <source>the size of the cells</source>
-        <translation>el tamaño de las celdas</translation>
-    </message>
-    <message>
-        <source>the sizes of its voxels are missing, zero or not finite</source>
-        <translation>los tamaños de sus vóxeles faltan, son cero o no son finitos</translation>
     </message>
     <message>
         <source>the solid could not be written</source>
@@ -6136,10 +4440,6 @@
         <translation>la superficie tiene %1 triángulos utilizables, así que no encierra nada</translation>
     </message>
     <message>
-        <source>the surface has no such triangle</source>
-        <translation>la superficie no tiene ese triángulo</translation>
-    </message>
-    <message>
         <source>the surface has no triangles or is flat, so it encloses nothing</source>
         <translation>la superficie no tiene triángulos o es plana, así que no encierra nada</translation>
     </message>
@@ -6179,13 +4479,6 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>the surface is open (%n boundary {edge|edges}), so it has no volume</source>
-        <translation>
-            <numerusform>la superficie está abierta (%n arista de borde), así que no tiene volumen</numerusform>
-            <numerusform>la superficie está abierta (%n aristas de borde), así que no tiene volumen</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>the surface is open (%n boundary {edge|edges}), so it has no volume that could be locked</source>
         <translation>
             <numerusform>la superficie está abierta (%n arista de borde), así que no tiene volumen que bloquear</numerusform>
@@ -6197,28 +4490,12 @@
         <translation>la superficie es demasiado grande para GLB, que termina en 4 GB</translation>
     </message>
     <message>
-        <source>the table of names in it cannot be read</source>
-        <translation>no se puede leer la tabla de nombres que contiene</translation>
-    </message>
-    <message>
-        <source>the tetrahedra do not determine the coordinates</source>
-        <translation>los tetraedros no determinan las coordenadas</translation>
-    </message>
-    <message>
         <source>the triangles beside a hole do not all run the same way round, so it cannot be closed</source>
         <translation>los triángulos junto a un agujero no giran todos en el mismo sentido, así que no se puede cerrar</translation>
     </message>
     <message>
         <source>the triangles face outward</source>
         <translation>los triángulos miran hacia fuera</translation>
-    </message>
-    <message>
-        <source>the values to show are %1, the surface has %2 vertices</source>
-        <translation>los valores que mostrar son %1, la superficie tiene %2 vértices</translation>
-    </message>
-    <message>
-        <source>the values to show are %1, the tissue has %2 points</source>
-        <translation>los valores que mostrar son %1, el tejido tiene %2 puntos</translation>
     </message>
     <message>
         <source>the volume at the end of the cycle differs from the volume at its start</source>
@@ -6229,10 +4506,6 @@
         <translation>el volumen no se puede mantener aquí: %1</translation>
     </message>
     <message>
-        <source>the volumes</source>
-        <translation>los volúmenes</translation>
-    </message>
-    <message>
         <source>the waves are %1 % as deep as in an adult: %2</source>
         <translation>las ondas tienen el %1 % de la profundidad que en un adulto: %2</translation>
     </message>
@@ -6241,71 +4514,16 @@
         <translation>hay %1</translation>
     </message>
     <message>
-        <source>there are no points to group handles around</source>
-        <translation>no hay puntos en torno a los cuales agrupar tiradores</translation>
-    </message>
-    <message>
         <source>there are no tetrahedra in it; the surface may be open</source>
         <translation>no contiene tetraedros; la superficie puede estar abierta</translation>
-    </message>
-    <message numerus="yes">
-        <source>there are values for %n {point|points}, but the surface has %2</source>
-        <translation>
-            <numerusform>hay valores para %n punto, pero la superficie tiene %2</numerusform>
-            <numerusform>hay valores para %n puntos, pero la superficie tiene %2</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>there are: %1</source>
-        <translation>hay: %1</translation>
-    </message>
-    <message>
-        <source>there is a second list of points</source>
-        <translation>hay una segunda lista de puntos</translation>
-    </message>
-    <message>
-        <source>there is no %1 &quot;%2&quot;</source>
-        <translation>«%2» no es un valor de %1</translation>
-    </message>
-    <message>
-        <source>there is no colour map of this name</source>
-        <translation>no hay ninguna escala de colores con ese nombre</translation>
     </message>
     <message>
         <source>there is no coordinate system &quot;%1&quot;</source>
         <translation>no hay ningún sistema de coordenadas «%1»</translation>
     </message>
     <message>
-        <source>there is no handle %1</source>
-        <translation>no hay ningún tirador %1</translation>
-    </message>
-    <message>
         <source>there is no handle at vertex %1</source>
         <translation>no hay ningún tirador en el vértice %1</translation>
-    </message>
-    <message>
-        <source>there is no organ %1</source>
-        <translation>no hay ningún órgano %1</translation>
-    </message>
-    <message>
-        <source>there is no parameter %1</source>
-        <translation>no hay ningún parámetro %1</translation>
-    </message>
-    <message>
-        <source>there is no picture to put on the sheet</source>
-        <translation>no hay ninguna imagen para la hoja</translation>
-    </message>
-    <message>
-        <source>there is no repair &quot;%1&quot;</source>
-        <translation>no hay ninguna reparación «%1»</translation>
-    </message>
-    <message>
-        <source>there is no sequence &quot;%1&quot;</source>
-        <translation>no hay ninguna secuencia «%1»</translation>
-    </message>
-    <message>
-        <source>there is no sequence &quot;%1&quot; for other organs</source>
-        <translation>no hay ninguna secuencia «%1» para otros órganos</translation>
     </message>
     <message>
         <source>there is no such file</source>
@@ -6316,56 +4534,20 @@
         <translation>no existe ese archivo ni esa carpeta</translation>
     </message>
     <message>
-        <source>there is no such slice</source>
-        <translation>ese corte no existe</translation>
-    </message>
-    <message>
         <source>there is no surface to write</source>
         <translation>no hay ninguna superficie que escribir</translation>
-    </message>
-    <message>
-        <source>there is no triangle %1</source>
-        <translation>no hay ningún triángulo %1</translation>
     </message>
     <message>
         <source>there is no triangle to write</source>
         <translation>no hay ningún triángulo que escribir</translation>
     </message>
     <message>
-        <source>there is no view of this name</source>
-        <translation>no hay ninguna vista con ese nombre</translation>
-    </message>
-    <message>
-        <source>there is no way &quot;%1&quot; to make groups</source>
-        <translation>no existe la manera «%1» de formar grupos</translation>
-    </message>
-    <message>
         <source>simplifying the surface</source>
         <translation>simplificación de la superficie</translation>
     </message>
     <message>
-        <source>this EGL knows no desktop OpenGL</source>
-        <translation>este EGL no conoce OpenGL de escritorio</translation>
-    </message>
-    <message>
         <source>this is a fault of the program; please report it</source>
         <translation>es un fallo del programa; por favor, comuníquelo</translation>
-    </message>
-    <message>
-        <source>this is not a PNG picture</source>
-        <translation>esto no es una imagen PNG</translation>
-    </message>
-    <message>
-        <source>this is not a line of a MetaImage header: %1</source>
-        <translation>esto no es una línea de una cabecera MetaImage: %1</translation>
-    </message>
-    <message>
-        <source>this is not a line of an NRRD header: %1</source>
-        <translation>esto no es una línea de una cabecera NRRD: %1</translation>
-    </message>
-    <message>
-        <source>this system has no parameters</source>
-        <translation>este sistema no tiene parámetros</translation>
     </message>
     <message>
         <source>too few landmarks: there is %1 but neither fundus nor pylorus</source>
@@ -6386,10 +4568,6 @@
     <message>
         <source>triangle %1</source>
         <translation>triángulo %1</translation>
-    </message>
-    <message>
-        <source>triangle %1 refers to vertex %2, but there are %3</source>
-        <translation>el triángulo %1 se refiere al vértice %2, pero hay %3</translation>
     </message>
     <message>
         <source>try another resolution</source>
@@ -6424,20 +4602,12 @@
         <translation>dos grupos tienen este nombre</translation>
     </message>
     <message>
-        <source>two handles are at one place</source>
-        <translation>dos tiradores están en el mismo lugar</translation>
-    </message>
-    <message>
         <source>two handles have this label</source>
         <translation>dos tiradores tienen este nombre</translation>
     </message>
     <message>
         <source>unlock it, or let more handles compensate</source>
         <translation>desbloquéelo, o deje compensar a más tiradores</translation>
-    </message>
-    <message>
-        <source>unsaved work</source>
-        <translation>trabajo sin guardar</translation>
     </message>
     <message>
         <source>unsaved work cannot be kept safe: the folder cannot be written to</source>
@@ -6452,32 +4622,12 @@
         <translation>use .ogv, .mp4, .gif o una carpeta para fotogramas PNG</translation>
     </message>
     <message>
-        <source>use a pose of the same handles</source>
-        <translation>use una pose de los mismos tiradores</translation>
-    </message>
-    <message>
-        <source>use anterior, posterior, left, right, superior or inferior</source>
-        <translation>use anterior, posterior, left, right, superior o inferior</translation>
-    </message>
-    <message>
         <source>use images that show all of it in every phase</source>
         <translation>use imágenes que lo muestren entero en todas las fases</translation>
     </message>
     <message>
-        <source>use one of %1</source>
-        <translation>use uno de %1</translation>
-    </message>
-    <message>
         <source>use one of: %1</source>
         <translation>use uno de: %1</translation>
-    </message>
-    <message>
-        <source>use one of: heartbeat, peristalsis, breathing</source>
-        <translation>use una de: heartbeat, peristalsis, breathing</translation>
-    </message>
-    <message>
-        <source>use viridis or diverging</source>
-        <translation>use viridis o diverging</translation>
     </message>
     <message>
         <source>values from the section %1 on were not understood and ignored</source>
@@ -6486,10 +4636,6 @@
     <message>
         <source>vertex %1</source>
         <translation>vértice %1</translation>
-    </message>
-    <message>
-        <source>vertex %1 has a coordinate that is not a finite number</source>
-        <translation>el vértice %1 tiene una coordenada que no es un número finito</translation>
     </message>
     <message>
         <source>volume</source>
@@ -6526,10 +4672,6 @@
     <message>
         <source>wave in the body</source>
         <translation>onda en el cuerpo gástrico</translation>
-    </message>
-    <message>
-        <source>witness point %1 has a coordinate that is not finite</source>
-        <translation>el punto testigo %1 tiene una coordenada que no es finita</translation>
     </message>
     <message>
         <source>witness points</source>
@@ -6573,22 +4715,6 @@
     <message>
         <source>stress profile</source>
         <translation>perfil de estrés</translation>
-    </message>
-    <message>
-        <source>its number is not a whole number from 1</source>
-        <translation>su número no es un entero desde 1</translation>
-    </message>
-    <message>
-        <source>two stress probes have this number</source>
-        <translation>dos sondas de estrés tienen este número</translation>
-    </message>
-    <message>
-        <source>its place at rest</source>
-        <translation>su lugar en reposo</translation>
-    </message>
-    <message>
-        <source>it does not join two stress probes of one organ</source>
-        <translation>no une dos sondas de estrés de un órgano</translation>
     </message>
     <message>
         <source>A profile needs two probes of one organ</source>
@@ -6639,36 +4765,8 @@
         <translation>escritura de la película</translation>
     </message>
     <message>
-        <source>breathing needs at least four handles</source>
-        <translation>la respiración necesita al menos cuatro tiradores</translation>
-    </message>
-    <message>
         <source>the organ has no extent</source>
         <translation>el órgano no tiene extensión</translation>
-    </message>
-    <message>
-        <source>the liver cannot be pressed that far</source>
-        <translation>el hígado no se puede comprimir tanto</translation>
-    </message>
-    <message>
-        <source>use shares between 0 and 0.5</source>
-        <translation>use proporciones entre 0 y 0,5</translation>
-    </message>
-    <message>
-        <source>a ventricle has to hold less at the end of systole than at the end of diastole</source>
-        <translation>un ventrículo debe contener menos al final de la sístole que al final de la diástole</translation>
-    </message>
-    <message>
-        <source>cardiac cycle</source>
-        <translation>ciclo cardíaco</translation>
-    </message>
-    <message>
-        <source>The volume of a cavity is not a number</source>
-        <translation>El volumen de una cavidad no es un número</translation>
-    </message>
-    <message>
-        <source>check the cavities' surfaces</source>
-        <translation>compruebe las superficies de las cavidades</translation>
     </message>
     <message>
         <source>heart with %1 ml left and %2 ml right</source>
@@ -6711,47 +4809,12 @@
         <translation>elimínelo</translation>
     </message>
     <message>
-        <source>the course does not cover a beat</source>
-        <translation>el curso no abarca un latido</translation>
-    </message>
-    <message>
-        <source>valves and volumes of the heartbeat have different times</source>
-        <translation>las válvulas y los volúmenes del latido tienen tiempos distintos</translation>
-    </message>
-    <message>
         <source>calibrating the heartbeat</source>
         <translation>calibración del latido</translation>
-    </message>
-    <message numerus="yes">
-        <source>a curve needs at least %n {key|keys}</source>
-        <translation>
-            <numerusform>una curva necesita al menos %n clave</numerusform>
-            <numerusform>una curva necesita al menos %n claves</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>the key is not a finite number</source>
-        <translation>la clave no es un número finito</translation>
     </message>
     <message>
         <source>curve key %1</source>
         <translation>clave %1 de la curva</translation>
-    </message>
-    <message>
-        <source>the key does not lie after the one before it</source>
-        <translation>la clave no está después de la anterior</translation>
-    </message>
-    <message>
-        <source>sort the keys and remove doubles</source>
-        <translation>ordene las claves y elimine las repetidas</translation>
-    </message>
-    <message>
-        <source>the keys do not fit into one period</source>
-        <translation>las claves no caben en un período</translation>
-    </message>
-    <message>
-        <source>give keys of one period only</source>
-        <translation>indique solo claves de un período</translation>
     </message>
     <message>
         <source>the pylorus does not lie beyond the middle of the body</source>
@@ -6764,14 +4827,6 @@
     <message>
         <source>choose the landmarks from the fundus downwards</source>
         <translation>elija los puntos de referencia del fundus hacia abajo</translation>
-    </message>
-    <message>
-        <source>waves without depth</source>
-        <translation>ondas sin profundidad</translation>
-    </message>
-    <message>
-        <source>give a depth above 0</source>
-        <translation>indique una profundidad mayor que 0</translation>
     </message>
     <message>
         <source>the surface has no inside</source>
@@ -6821,55 +4876,12 @@
         <translation>compruebe los puntos de referencia de la base, el ápex y el ventrículo derecho</translation>
     </message>
     <message>
-        <source>a surface needs three points at least to carry the ring of a valve</source>
-        <translation>una superficie necesita al menos tres puntos para llevar el anillo de una válvula</translation>
-    </message>
-    <message>
-        <source>its time is not a finite number</source>
-        <translation>su tiempo no es un número finito</translation>
-    </message>
-    <message numerus="yes">
-        <source>its pose has %n {handle|handles} instead of %2</source>
-        <translation>
-            <numerusform>su pose tiene %n tirador en lugar de %2</numerusform>
-            <numerusform>su pose tiene %n tiradores en lugar de %2</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>a handle's position is not a finite number</source>
-        <translation>la posición de un tirador no es un número finito</translation>
-    </message>
-    <message>
-        <source>its time, %1, is outside the period of %2</source>
-        <translation>su tiempo, %1, está fuera del período de %2</translation>
-    </message>
-    <message>
         <source>move it, or lengthen the period</source>
         <translation>muévala o alargue el período</translation>
     </message>
     <message>
-        <source>its time, %1, is not after that of the key before it</source>
-        <translation>su tiempo, %1, no es posterior al del fotograma clave anterior</translation>
-    </message>
-    <message>
-        <source>sort the keys by time and leave a millisecond at least between two</source>
-        <translation>ordene los fotogramas clave por tiempo y deje al menos un milisegundo entre dos</translation>
-    </message>
-    <message>
         <source>there is no key</source>
         <translation>no hay ningún fotograma clave</translation>
-    </message>
-    <message>
-        <source>a handle's rest position is not a finite number</source>
-        <translation>la posición en reposo de un tirador no es un número finito</translation>
-    </message>
-    <message>
-        <source>a heart cannot lose that part of its volume in systole</source>
-        <translation>un corazón no puede perder esa parte de su volumen en la sístole</translation>
-    </message>
-    <message>
-        <source>choose 0 to 0.4; people have 0.048 to 0.106</source>
-        <translation>elija de 0 a 0,4; las personas tienen de 0,048 a 0,106</translation>
     </message>
     <message>
         <source>the heart cannot be brought to the volume that it has to hold</source>
@@ -6894,29 +4906,6 @@
     <message>
         <source>check the landmarks</source>
         <translation>compruebe los puntos de referencia</translation>
-    </message>
-    <message>
-        <source>the coordinates of the handles are not a finite square matrix</source>
-        <translation>las coordenadas de los tiradores no son una matriz cuadrada finita</translation>
-    </message>
-    <message>
-        <source>pose compensation</source>
-        <translation>compensación de la pose</translation>
-    </message>
-    <message>
-        <source>the coordinates do not sum to 1</source>
-        <translation>las coordenadas no suman 1</translation>
-    </message>
-    <message numerus="yes">
-        <source>the compensation is for %n {handle|handles}, the organ (%2) has %3</source>
-        <translation>
-            <numerusform>la compensación es para %n tirador, el órgano (%2) tiene %3</numerusform>
-            <numerusform>la compensación es para %n tiradores, el órgano (%2) tiene %3</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>the size of the organ is not a positive number</source>
-        <translation>el tamaño del órgano no es un número positivo</translation>
     </message>
     <message>
         <source>the centreline leaves the stomach %1 mm below the top of the fundus</source>
@@ -6970,10 +4959,6 @@
         <translation>pared libre del ventrículo izquierdo, por fuera</translation>
     </message>
     <message>
-        <source>The surfaces are not those that were measured at rest</source>
-        <translation>Las superficies no son las que se midieron en reposo</translation>
-    </message>
-    <message>
         <source>excursion of the mitral annulus towards the apex</source>
         <translation>excursión del anillo mitral hacia el ápex</translation>
     </message>
@@ -7020,14 +5005,6 @@
     <message>
         <source>the amount in a healthy heart</source>
         <translation>la cantidad en un corazón sano</translation>
-    </message>
-    <message>
-        <source>the circulation has no parameter of that name</source>
-        <translation>la circulación no tiene ningún parámetro con ese nombre</translation>
-    </message>
-    <message>
-        <source>the nearest is %1; docs/circulation.md lists all</source>
-        <translation>el más parecido es %1; docs/circulation.md los enumera todos</translation>
     </message>
     <message>
         <source>%1 is out of its range</source>
@@ -7121,14 +5098,6 @@
         <translation>acerque los parámetros a los de reposo, unos pocos cada vez</translation>
     </message>
     <message>
-        <source>there is no such scenario</source>
-        <translation>no existe ese escenario</translation>
-    </message>
-    <message>
-        <source>choose one of %1</source>
-        <translation>elija uno de %1</translation>
-    </message>
-    <message>
         <source>fitting phase %1</source>
         <translation>ajuste de la fase %1</translation>
     </message>
@@ -7178,24 +5147,12 @@
         </translation>
     </message>
     <message>
-        <source>ask for %1 at least</source>
-        <translation>pida al menos %1</translation>
-    </message>
-    <message>
         <source>ask for fewer</source>
         <translation>pida menos</translation>
     </message>
     <message>
         <source>keeping volumes</source>
         <translation>conservación de los volúmenes</translation>
-    </message>
-    <message>
-        <source>It has no phase</source>
-        <translation>No tiene ninguna fase</translation>
-    </message>
-    <message>
-        <source>name one surface for each phase</source>
-        <translation>indique una superficie para cada fase</translation>
     </message>
     <message>
         <source>Phase %1 has %2 points and the first has %3</source>
@@ -7222,52 +5179,12 @@
         <translation>repare las superficies en el programa que las creó</translation>
     </message>
     <message>
-        <source>There is no surface</source>
-        <translation>No hay ninguna superficie</translation>
-    </message>
-    <message>
-        <source>name one at least</source>
-        <translation>indique al menos una</translation>
-    </message>
-    <message>
         <source>the volume cannot be kept throughout the cycle: %1</source>
         <translation>el volumen no se puede conservar durante todo el ciclo: %1</translation>
     </message>
     <message>
         <source>unlock it, or prescribe a volume nearer to that at rest</source>
         <translation>desbloquéelo o prescriba un volumen más próximo al de reposo</translation>
-    </message>
-    <message>
-        <source>It is not a rate at which the sequence can be played</source>
-        <translation>La secuencia no se puede reproducir a esa frecuencia</translation>
-    </message>
-    <message>
-        <source>rates of the lesson</source>
-        <translation>frecuencias de la lección</translation>
-    </message>
-    <message>
-        <source>from %1 to %2 a minute</source>
-        <translation>de %1 a %2 por minuto</translation>
-    </message>
-    <message>
-        <source>There is no such phase</source>
-        <translation>No existe esa fase</translation>
-    </message>
-    <message>
-        <source>viscera play names the phases of a sequence</source>
-        <translation>viscera play enumera las fases de una secuencia</translation>
-    </message>
-    <message>
-        <source>There is no such organ to hide</source>
-        <translation>No existe ese órgano para ocultar</translation>
-    </message>
-    <message>
-        <source>name one that is shown</source>
-        <translation>indique uno que se muestre</translation>
-    </message>
-    <message>
-        <source>It is not a language of the page</source>
-        <translation>No es un idioma de la página</translation>
     </message>
     <message>
         <source>No organ is shown</source>
@@ -7282,20 +5199,8 @@
         <translation>muestre aquellos de los que trata la lección</translation>
     </message>
     <message>
-        <source>a number does not fit into a lesson: %1</source>
-        <translation>un número no cabe en una lección: %1</translation>
-    </message>
-    <message>
         <source>check the size of the organ, and its motion</source>
         <translation>compruebe el tamaño del órgano y su movimiento</translation>
-    </message>
-    <message>
-        <source>an array of the lesson ends behind its bytes</source>
-        <translation>una matriz de la lección termina tras sus bytes</translation>
-    </message>
-    <message>
-        <source>the arrays of the lesson cannot be unpacked</source>
-        <translation>las matrices de la lección no se pueden descomprimir</translation>
     </message>
     <message>
         <source>system &quot;%1&quot; returned no binding of the right size</source>
@@ -7314,60 +5219,12 @@
         <translation>elija otro sistema</translation>
     </message>
     <message>
-        <source>it is not a Viscera plugin, or it is damaged</source>
-        <translation>no es un complemento de Viscera, o está dañado</translation>
-    </message>
-    <message>
-        <source>it is a plugin for another program (%1)</source>
-        <translation>es un complemento para otro programa (%1)</translation>
-    </message>
-    <message>
         <source>it was made for version %1 of the plugin interface, this program has %2</source>
         <translation>se hizo para la versión %1 de la interfaz de complementos, este programa tiene %2</translation>
     </message>
     <message>
-        <source>its manifest lacks id, name or version</source>
-        <translation>a su manifiesto le falta id, name o version</translation>
-    </message>
-    <message>
-        <source>it cannot be loaded: %1</source>
-        <translation>no se puede cargar: %1</translation>
-    </message>
-    <message>
-        <source>it failed while loading: %1</source>
-        <translation>falló al cargarse: %1</translation>
-    </message>
-    <message>
-        <source>it failed while loading</source>
-        <translation>falló al cargarse</translation>
-    </message>
-    <message>
         <source>plugin %1: %2</source>
         <translation>complemento %1: %2</translation>
-    </message>
-    <message>
-        <source>The coordinate system has a parameter without a name</source>
-        <translation>El sistema de coordenadas tiene un parámetro sin nombre</translation>
-    </message>
-    <message>
-        <source>The coordinate system offers the parameter &quot;%1&quot; twice</source>
-        <translation>El sistema de coordenadas ofrece dos veces el parámetro «%1»</translation>
-    </message>
-    <message>
-        <source>The standard value of the parameter &quot;%1&quot; is out of its own range</source>
-        <translation>El valor estándar del parámetro «%1» está fuera de su intervalo</translation>
-    </message>
-    <message>
-        <source>There is no coordinate system to add</source>
-        <translation>No hay ningún sistema de coordenadas que añadir</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; cannot be the id of a coordinate system</source>
-        <translation>«%1» no puede ser el identificador de un sistema de coordenadas</translation>
-    </message>
-    <message>
-        <source>use small letters, digits and single dashes, as in &quot;s-celestial&quot;</source>
-        <translation>use minúsculas, cifras y guiones sueltos, como en «s-celestial»</translation>
     </message>
     <message>
         <source>There is already a coordinate system &quot;%1&quot; (%2)</source>
@@ -7384,14 +5241,6 @@
     <message>
         <source>none is loaded</source>
         <translation>no hay ninguno cargado</translation>
-    </message>
-    <message>
-        <source>There is no such slice</source>
-        <translation>No existe ese corte</translation>
-    </message>
-    <message>
-        <source>take axial, coronal or sagittal</source>
-        <translation>use axial, coronal o sagittal</translation>
     </message>
     <message>
         <source>none: the organs are as in their files</source>
@@ -7838,14 +5687,6 @@
         <translation>los órganos y los tiradores están completos; guarde de nuevo la sesión</translation>
     </message>
     <message>
-        <source>There is no such normal range</source>
-        <translation>No existe ese intervalo normal</translation>
-    </message>
-    <message>
-        <source>viscera reference names them all</source>
-        <translation>viscera reference los enumera todos</translation>
-    </message>
-    <message>
         <source>women</source>
         <translation>mujeres</translation>
     </message>
@@ -8070,10 +5911,6 @@
         <translation>no hay tiradores que guardar</translation>
     </message>
     <message>
-        <source>A report cannot be written as this kind of file</source>
-        <translation>Un informe no se puede escribir en este tipo de archivo</translation>
-    </message>
-    <message>
         <source>There is no scan to export</source>
         <translation>No hay ningún estudio que exportar</translation>
     </message>
@@ -8098,24 +5935,56 @@
         <translation>hasta %1</translation>
     </message>
     <message>
-        <source>there is no sample organ &quot;%1&quot;</source>
-        <translation>no existe el órgano de muestra «%1»</translation>
-    </message>
-    <message>
-        <source>there is no resolution &quot;%1&quot;</source>
-        <translation>no existe la resolución «%1»</translation>
-    </message>
-    <message>
-        <source>use low, medium or high</source>
-        <translation>use low, medium o high</translation>
-    </message>
-    <message>
         <source>the sample organs cannot be listed: %1</source>
         <translation>no se pueden enumerar los órganos de muestra: %1</translation>
     </message>
     <message>
         <source>set VISCERA_SAMPLE_ORGANS to the folder of the definitions</source>
         <translation>ponga en VISCERA_SAMPLE_ORGANS la carpeta de las definiciones</translation>
+    </message>
+    <message>
+        <source>The file cannot be read: %1</source>
+        <translation>No se puede leer el archivo: %1</translation>
+    </message>
+    <message>
+        <source>%1, ...</source>
+        <translation>%1, ...</translation>
+    </message>
+    <message>
+        <source>%1 = %2 mm</source>
+        <translation>%1 = %2 mm</translation>
+    </message>
+    <message>
+        <source>%1 - %2</source>
+        <translation>%1 - %2</translation>
+    </message>
+    <message>
+        <source>its segment %1 has no valid value or layer</source>
+        <translation>su segmento %1 no tiene un valor o una capa válidos</translation>
+    </message>
+    <message>
+        <source>the table of names in it cannot be read</source>
+        <translation>no se puede leer la tabla de nombres que contiene</translation>
+    </message>
+    <message>
+        <source>its voxels are no plain numbers (%1)</source>
+        <translation>sus vóxeles no son números simples (%1)</translation>
+    </message>
+    <message>
+        <source>%1. %2.</source>
+        <translation>%1. %2.</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>%1 x %2 x %3 mm</source>
+        <translation>%1 x %2 x %3 mm</translation>
     </message>
 </context>
 </TS>

@@ -12,46 +12,6 @@
         <translation>«&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; has no planar form</source>
-        <translation>«&#xa0;%1&#xa0;» n’a pas de forme plane</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is %2 instead of &quot;%3&quot;</source>
-        <translation>«&#xa0;%1&#xa0;» est %2 au lieu de «&#xa0;%3&#xa0;»</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is missing</source>
-        <translation>«&#xa0;%1&#xa0;» manque</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is neither true nor false</source>
-        <translation>«&#xa0;%1&#xa0;» n’est ni vrai ni faux</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is not a landmark of the sequence %2</source>
-        <translation>«&#xa0;%1&#xa0;» n’est pas un repère de la séquence %2</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is not a list</source>
-        <translation>«&#xa0;%1&#xa0;» n’est pas une liste</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is not a text</source>
-        <translation>«&#xa0;%1&#xa0;» n’est pas un texte</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is not a whole number from 0 on</source>
-        <translation>«&#xa0;%1&#xa0;» n’est pas un nombre entier à partir de 0</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; needs all points at once, which planar coordinates do not support</source>
-        <translation>«&#xa0;%1&#xa0;» demande tous les points à la fois, ce que les coordonnées planes ne permettent pas</translation>
-    </message>
-    <message>
-        <source>&quot;version&quot; is not a positive whole number</source>
-        <translation>«&#xa0;version&#xa0;» n’est pas un entier positif</translation>
-    </message>
-    <message>
         <source>%1 and %2 are at one place: %3 from each other</source>
         <translation>%1 et %2 sont au même endroit&#xa0;: à %3 l’un de l’autre</translation>
     </message>
@@ -64,16 +24,8 @@
         <translation>%1 à %2 % du cycle&#xa0;: %3</translation>
     </message>
     <message>
-        <source>%1 cells were announced, but there are %2</source>
-        <translation>%1 cellules étaient annoncées, mais il y en a %2</translation>
-    </message>
-    <message>
         <source>%1 gives another surface than the one that was saved</source>
         <translation>%1 donne une autre surface que celle qui a été enregistrée</translation>
-    </message>
-    <message>
-        <source>%1 has a coordinate that is not a finite number</source>
-        <translation>%1 a une coordonnée qui n’est pas un nombre fini</translation>
     </message>
     <message>
         <source>%1 has changed since the session was saved</source>
@@ -82,10 +34,6 @@
     <message>
         <source>%1 has no place (%2) and was left out</source>
         <translation>%1 n’a pas de position (%2) et est omis</translation>
-    </message>
-    <message>
-        <source>%1 has no position of three numbers</source>
-        <translation>%1 n’a pas de position de trois nombres</translation>
     </message>
     <message>
         <source>%1 has no volume in %2</source>
@@ -100,76 +48,8 @@
         <translation>%1 a dans la %2 d’autres triangles que dans la première&#xa0;: les surfaces sont ajustées par leurs distances, qui ne voient pas le mouvement le long de la paroi</translation>
     </message>
     <message>
-        <source>%1 is %2, more than the %3 bytes that are left can hold</source>
-        <translation>%1 vaut %2, plus que ne peuvent contenir les %3 octets qui restent</translation>
-    </message>
-    <message>
-        <source>%1 is %2, which is no whole number from 0 on</source>
-        <translation>%1 est %2, qui n’est pas un nombre entier à partir de 0</translation>
-    </message>
-    <message>
-        <source>%1 is farther away than a thousand kilometres</source>
-        <translation>%1 est à plus de mille kilomètres</translation>
-    </message>
-    <message>
-        <source>%1 is negative</source>
-        <translation>%1 a une valeur négative</translation>
-    </message>
-    <message>
-        <source>%1 is not a JSON object</source>
-        <translation>%1 n’est pas un objet JSON</translation>
-    </message>
-    <message>
-        <source>%1 is not a finite number</source>
-        <translation>%1 n’est pas un nombre fini</translation>
-    </message>
-    <message>
-        <source>%1 is not a number of elements</source>
-        <translation>%1 n’est pas un nombre d’éléments</translation>
-    </message>
-    <message>
-        <source>%1 is not a section of a legacy VTK surface</source>
-        <translation>%1 n’est pas une section d’une ancienne surface VTK</translation>
-    </message>
-    <message>
-        <source>%1 is not a statement of an OBJ file</source>
-        <translation>%1 n’est pas une instruction d’un fichier OBJ</translation>
-    </message>
-    <message>
-        <source>%1 is not a type of a PLY file</source>
-        <translation>%1 n’est pas un type d’un fichier PLY</translation>
-    </message>
-    <message>
-        <source>%1 is not a type of numbers</source>
-        <translation>%1 n’est pas un type de nombres</translation>
-    </message>
-    <message>
-        <source>%1 is not a value for parameter %2</source>
-        <translation>%1 n’est pas une valeur du paramètre %2</translation>
-    </message>
-    <message>
-        <source>%1 is not a word of a PLY header</source>
-        <translation>%1 n’est pas un mot d’un en-tête PLY</translation>
-    </message>
-    <message>
-        <source>%1 is not a word of an STL file</source>
-        <translation>%1 n’est pas un mot d’un fichier STL</translation>
-    </message>
-    <message>
-        <source>%1 is out of range for parameter %2</source>
-        <translation>%1 est hors limites pour le paramètre %2</translation>
-    </message>
-    <message>
-        <source>%1 is too far away</source>
-        <translation>%1 est trop loin</translation>
-    </message>
-    <message>
         <source>%1 ml cannot be reached</source>
         <translation>%1 ml ne peuvent pas être atteints</translation>
-    </message>
-    <message>
-        <source>%1 need tetrahedra, which cannot be made here</source>
-        <translation>%1&#xa0;: il faut des tétraèdres, qui ne peuvent pas être faits ici</translation>
     </message>
     <message>
         <source>%1 of %2 vertices have no coordinates</source>
@@ -196,14 +76,6 @@
         <translation>%1 / %2</translation>
     </message>
     <message>
-        <source>%1 rows</source>
-        <translation>%1 lignes</translation>
-    </message>
-    <message>
-        <source>expected %2, found %1</source>
-        <translation>attendu&#xa0;: %2&#x202f;; trouvé&#xa0;: %1</translation>
-    </message>
-    <message>
         <source>%1 touches the edge of the image in %2 and not in others, so that its volumes would be cut off</source>
         <translation>%1 touche le bord de l’image dans la %2 et non dans d’autres, de sorte que ses volumes seraient tronqués</translation>
     </message>
@@ -214,10 +86,6 @@
     <message>
         <source>%1 touches the edge of the image in every phase: what lies beyond is not in its volume</source>
         <translation>%1 touche le bord de l’image dans chaque phase&#xa0;: ce qui est au-delà n’est pas dans son volume</translation>
-    </message>
-    <message>
-        <source>%1 voxels</source>
-        <translation>%1 voxels</translation>
     </message>
     <message>
         <source>%1, %2</source>
@@ -233,10 +101,6 @@
     <message>
         <source>%1, changed</source>
         <translation>%1, modifié</translation>
-    </message>
-    <message>
-        <source>%1, handle &quot;%2&quot;</source>
-        <translation>%1, poignée «&#xa0;%2&#xa0;»</translation>
     </message>
     <message>
         <source>%1, handle %2</source>
@@ -447,13 +311,6 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n {point of the surface is|points of the surface are} missing</source>
-        <translation>
-            <numerusform>il manque %n point de la surface</numerusform>
-            <numerusform>il manque %n points de la surface</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>%n {point that repeats|points that repeat} another merged</source>
         <translation>
             <numerusform>%n point qui en répète un autre fusionné</numerusform>
@@ -546,36 +403,12 @@
         <translation>19 adultes sur 20 ont de %1 à %2 ml</translation>
     </message>
     <message>
-        <source>A cavity must follow the organ that contains it</source>
-        <translation>Une cavité doit suivre l’organe qui la contient</translation>
-    </message>
-    <message>
-        <source>A group refers to a handle that does not exist</source>
-        <translation>Un groupe renvoie à une poignée qui n’existe pas</translation>
-    </message>
-    <message>
         <source>A healthy adult lying down.</source>
         <translation>Un adulte sain couché.</translation>
     </message>
     <message>
-        <source>A place in the cycle lies between 0 and 1</source>
-        <translation>Un point du cycle est compris entre 0 et 1</translation>
-    </message>
-    <message>
         <source>A quarter of the stressed blood volume is lost; no reflex answers, so that pressures fall more than in life.</source>
         <translation>Un quart du volume sanguin contraint est perdu&#x202f;; aucun réflexe ne répond, si bien que les pressions baissent plus qu’en réalité.</translation>
-    </message>
-    <message>
-        <source>A rectangle lies in an axial, coronal or sagittal slice</source>
-        <translation>Un rectangle se trouve dans une coupe axiale, coronale ou sagittale</translation>
-    </message>
-    <message>
-        <source>A row has four numbers</source>
-        <translation>Une ligne a quatre nombres</translation>
-    </message>
-    <message>
-        <source>A scan has three axes</source>
-        <translation>Un examen a trois axes</translation>
     </message>
     <message>
         <source>A session cannot be opened beside another</source>
@@ -606,10 +439,6 @@
         <translation>Un fil dans l’espace des vecteurs équilibrés&#x202f;; pour beaucoup de points il n’a pas de réponse</translation>
     </message>
     <message>
-        <source>ASCII or BINARY</source>
-        <translation>ASCII ou BINARY</translation>
-    </message>
-    <message>
         <source>Add %1</source>
         <translation>Ajouter %1</translation>
     </message>
@@ -627,10 +456,6 @@
     <message>
         <source>Add enclosing handles</source>
         <translation>Ajouter des poignées englobantes</translation>
-    </message>
-    <message>
-        <source>Add group</source>
-        <translation>Ajouter un groupe</translation>
     </message>
     <message>
         <source>Add group %1</source>
@@ -656,16 +481,8 @@
         <translation>Postcharge&#xa0;: résistance systémique</translation>
     </message>
     <message>
-        <source>An angle needs three points, any other measurement two</source>
-        <translation>Un angle demande trois points, toute autre mesure deux</translation>
-    </message>
-    <message>
         <source>An ejection fraction of %1 is out of range</source>
         <translation>Une fraction d’éjection de %1 est hors limites</translation>
-    </message>
-    <message>
-        <source>An organ needs a surface</source>
-        <translation>Un organe a besoin d’une surface</translation>
     </message>
     <message>
         <source>An organ needs at least four handles around it: add %1 more</source>
@@ -1070,10 +887,6 @@
         <translation>Système digestif</translation>
     </message>
     <message>
-        <source>Displacement_mm</source>
-        <translation>Displacement_mm</translation>
-    </message>
-    <message>
         <source>Distance from a zone within which its super-region still counts: smoothness against locality</source>
         <translation>Distance à une zone jusqu’à laquelle sa super-région compte encore&#xa0;: régularité contre localité</translation>
     </message>
@@ -1329,20 +1142,8 @@
         <translation>Erreur interne&#xa0;: %1</translation>
     </message>
     <message>
-        <source>It announces %1 points, but holds %2 coordinates</source>
-        <translation>Il annonce %1 points, mais contient %2 coordonnées</translation>
-    </message>
-    <message>
-        <source>It announces cells of the kind %1, but has none</source>
-        <translation>Il annonce des cellules du genre %1, mais n’en a pas</translation>
-    </message>
-    <message>
         <source>It cannot be opened: %1</source>
         <translation>Impossible de l’ouvrir&#xa0;: %1</translation>
-    </message>
-    <message>
-        <source>It cannot be packed: zlib does not start</source>
-        <translation>Impossible de compresser&#xa0;: zlib ne démarre pas</translation>
     </message>
     <message>
         <source>It cannot be read</source>
@@ -1351,14 +1152,6 @@
     <message>
         <source>It cannot be read to its end</source>
         <translation>Il ne peut pas être lu jusqu’à la fin</translation>
-    </message>
-    <message>
-        <source>It cannot be unpacked: bzip2 does not start</source>
-        <translation>Impossible de décompresser&#xa0;: bzip2 ne démarre pas</translation>
-    </message>
-    <message>
-        <source>It cannot be unpacked: zlib does not start</source>
-        <translation>Impossible de décompresser&#xa0;: zlib ne démarre pas</translation>
     </message>
     <message>
         <source>It cannot be written: %1</source>
@@ -1376,32 +1169,8 @@
         </translation>
     </message>
     <message>
-        <source>It does not begin with &quot;# vtk DataFile&quot;: it is not a legacy VTK file</source>
-        <translation>Il ne commence pas par «&#xa0;# vtk DataFile&#xa0;»&#xa0;: ce n’est pas un ancien fichier VTK</translation>
-    </message>
-    <message>
-        <source>It does not begin with &quot;OFF&quot;: it is not an OFF file</source>
-        <translation>Il ne commence pas par «&#xa0;OFF&#xa0;»&#xa0;: ce n’est pas un fichier OFF</translation>
-    </message>
-    <message>
-        <source>It does not begin with &quot;ply&quot;: it is not a PLY file</source>
-        <translation>Il ne commence pas par «&#xa0;ply&#xa0;»&#xa0;: ce n’est pas un fichier PLY</translation>
-    </message>
-    <message>
-        <source>It does not describe a lesson: &quot;%1&quot; is missing</source>
-        <translation>Il ne décrit pas une leçon&#xa0;: «&#xa0;%1&#xa0;» manque</translation>
-    </message>
-    <message>
-        <source>It does not describe a lesson: a text, a number or a list stands where something else belongs</source>
-        <translation>Il ne décrit pas une leçon&#xa0;: un texte, un nombre ou une liste est à la place d’autre chose</translation>
-    </message>
-    <message>
-        <source>It does not fit into memory</source>
-        <translation>Il ne tient pas en mémoire</translation>
-    </message>
-    <message>
-        <source>It does not say how far its slices are from each other</source>
-        <translation>La distance entre ses coupes n’est pas indiquée</translation>
+        <source>it does not fit into memory</source>
+        <translation>il ne tient pas en mémoire</translation>
     </message>
     <message>
         <source>The duration of one cycle is unknown</source>
@@ -1419,34 +1188,8 @@
         <translation>L’unité de ses temps n’est pas indiquée&#x202f;; ils sont pris en millisecondes</translation>
     </message>
     <message>
-        <source>It has %1 colour values for %2 points</source>
-        <translation>Il a %1 valeurs de couleur pour %2 points</translation>
-    </message>
-    <message>
         <source>It has %1 labels; a mask in a folder has one</source>
         <translation>Il a %1 étiquettes&#x202f;; un masque d’un dossier en a une</translation>
-    </message>
-    <message>
-        <source>It has %1 moved points for %2 vertices</source>
-        <translation>Il y a %1 points déplacés pour %2 sommets</translation>
-    </message>
-    <message>
-        <source>It has %1 volumes; a label map has one</source>
-        <translation>Il a %1 volumes&#x202f;; une carte d’étiquettes en a un</translation>
-    </message>
-    <message numerus="yes">
-        <source>It has %n {axis|axes} in space; an image of an organ has three</source>
-        <translation>
-            <numerusform>Elle a %n axe dans l’espace&#x202f;; l’image d’un organe en a trois</numerusform>
-            <numerusform>Elle a %n axes dans l’espace&#x202f;; l’image d’un organe en a trois</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>It has %n {handle|handles} in place of %2</source>
-        <translation>
-            <numerusform>Elle a %n poignée au lieu de %2</numerusform>
-            <numerusform>Elle a %n poignées au lieu de %2</numerusform>
-        </translation>
     </message>
     <message numerus="yes">
         <source>It has %n {handle|handles}; a region needs at least 4</source>
@@ -1481,10 +1224,6 @@
         <translation>Elle a une étiquette au-dessus de 2147483647</translation>
     </message>
     <message>
-        <source>It has cells without the array %1</source>
-        <translation>Il a des cellules sans le tableau %1</translation>
-    </message>
-    <message>
         <source>It has more than %1 files</source>
         <translation>Il a plus de %1 fichiers</translation>
     </message>
@@ -1493,44 +1232,16 @@
         <translation>Elle a plus de 32767 voxels le long d’un côté, ce que NIfTI ne permet pas</translation>
     </message>
     <message>
-        <source>It has no &quot;%1&quot;</source>
-        <translation>«&#xa0;%1&#xa0;» manque</translation>
-    </message>
-    <message>
         <source>It has no DICOM files with images</source>
         <translation>Il n’a pas de fichiers DICOM avec des images</translation>
-    </message>
-    <message>
-        <source>It has no frames</source>
-        <translation>Il n’a pas d’images</translation>
-    </message>
-    <message>
-        <source>It has no label %1</source>
-        <translation>Il n’y a pas d’étiquette %1</translation>
     </message>
     <message>
         <source>It has no labelled voxel: all are 0</source>
         <translation>Aucun voxel n’est étiqueté&#xa0;: tous valent 0</translation>
     </message>
     <message>
-        <source>It has no number of columns</source>
-        <translation>Le nombre de colonnes manque</translation>
-    </message>
-    <message>
-        <source>It has no number of rows</source>
-        <translation>Le nombre de lignes manque</translation>
-    </message>
-    <message>
         <source>It has no phase %1; it has %2</source>
         <translation>Il n’y a pas de phase %1&#x202f;; il y en a %2</translation>
-    </message>
-    <message>
-        <source>It has no series %1</source>
-        <translation>Il n’y a pas de série %1</translation>
-    </message>
-    <message>
-        <source>It has no series %1; it is one scan</source>
-        <translation>Il n’y a pas de série %1&#x202f;; c’est un seul examen</translation>
     </message>
     <message>
         <source>It has no slices of a scan</source>
@@ -1547,10 +1258,6 @@
     <message>
         <source>It has no triangles</source>
         <translation>Elle n’a pas de triangles</translation>
-    </message>
-    <message>
-        <source>It has no uncompressed pixels</source>
-        <translation>Il n’a pas de pixels non compressés</translation>
     </message>
     <message>
         <source>It does not have three dimensions</source>
@@ -1573,10 +1280,6 @@
         <translation>Elle a plusieurs valeurs par voxel (%1)</translation>
     </message>
     <message>
-        <source>It has to be a text</source>
-        <translation>Ce doit être un texte</translation>
-    </message>
-    <message>
         <source>It has to be positive</source>
         <translation>La valeur doit être positive</translation>
     </message>
@@ -1589,24 +1292,12 @@
         <translation>Il contient un jeu de données VTK de type %1, non une surface (POLYDATA)</translation>
     </message>
     <message>
-        <source>It holds a piece without points</source>
-        <translation>Il contient un morceau sans points</translation>
-    </message>
-    <message>
-        <source>It holds a surface in a space of more than three dimensions</source>
-        <translation>Il contient une surface dans un espace de plus de trois dimensions</translation>
-    </message>
-    <message>
         <source>It holds an image, not labels: it has more than %1 different values</source>
         <translation>Il contient une image, non des étiquettes&#xa0;: il a plus de %1 valeurs différentes</translation>
     </message>
     <message>
         <source>It holds an image, not labels: one of its values is %1</source>
         <translation>Il contient une image, non des étiquettes&#xa0;: l’une de ses valeurs est %1</translation>
-    </message>
-    <message>
-        <source>It holds less than %1</source>
-        <translation>Il contient moins que %1</translation>
     </message>
     <message>
         <source>It holds more than %1 masks</source>
@@ -1617,24 +1308,12 @@
         <translation>Il ne contient ni surfaces ni cartes d’étiquettes</translation>
     </message>
     <message>
-        <source>It holds no &quot;markups&quot;: it is no 3D Slicer markups file</source>
-        <translation>Il ne contient pas «&#xa0;markups&#xa0;»&#xa0;: ce n’est pas un fichier de markups de 3D Slicer</translation>
-    </message>
-    <message>
         <source>It holds no PolyData</source>
         <translation>Il ne contient pas de PolyData</translation>
     </message>
     <message>
         <source>It holds no label map</source>
         <translation>Il ne contient pas de carte d’étiquettes</translation>
-    </message>
-    <message>
-        <source>It holds no points</source>
-        <translation>Il ne contient pas de points</translation>
-    </message>
-    <message>
-        <source>It holds no triangle that has three different corners</source>
-        <translation>Il ne contient aucun triangle à trois sommets distincts</translation>
     </message>
     <message>
         <source>It holds no triangles</source>
@@ -1681,22 +1360,6 @@
         <translation>C’est un examen, pas un organe</translation>
     </message>
     <message>
-        <source>It is damaged or no DICOM file</source>
-        <translation>Il est endommagé ou n’est pas un fichier DICOM</translation>
-    </message>
-    <message>
-        <source>It is damaged or no DICOM file: %1</source>
-        <translation>Il est endommagé ou n’est pas un fichier DICOM&#xa0;: %1</translation>
-    </message>
-    <message>
-        <source>It is damaged: it does not hold %1</source>
-        <translation>Il est endommagé&#xa0;: il ne contient pas %1</translation>
-    </message>
-    <message>
-        <source>It is damaged: its SHA-256 is not %1</source>
-        <translation>Il est endommagé&#xa0;: son SHA-256 n’est pas %1</translation>
-    </message>
-    <message>
         <source>It is glTF version %1, but only 2 can be read</source>
         <translation>C’est du glTF version %1, mais seule la 2 peut être lue</translation>
     </message>
@@ -1705,20 +1368,8 @@
         <translation>Il est nommé %1 mais semble être %2</translation>
     </message>
     <message>
-        <source>It is neither &quot;embedded&quot; nor &quot;linked&quot;</source>
-        <translation>Ce n’est ni «&#xa0;embedded&#xa0;» ni «&#xa0;linked&#xa0;»</translation>
-    </message>
-    <message>
-        <source>It is nested too deeply</source>
-        <translation>L’imbrication est trop profonde</translation>
-    </message>
-    <message>
         <source>It is no %1: its &quot;format&quot; is not &quot;%2&quot;</source>
         <translation>Ce n’est pas un fichier de type %1&#xa0;: son «&#xa0;format&#xa0;» n’est pas «&#xa0;%2&#xa0;»</translation>
-    </message>
-    <message>
-        <source>It is not a NIfTI image: it has no NIfTI header</source>
-        <translation>Ce n’est pas une image NIfTI&#xa0;: il n’y a pas d’en-tête NIfTI</translation>
     </message>
     <message>
         <source>It is not a file with several phases</source>
@@ -1729,16 +1380,8 @@
         <translation>Ce n’est pas un fichier lisible</translation>
     </message>
     <message>
-        <source>It is not a finite number</source>
-        <translation>Ce n’est pas un nombre fini</translation>
-    </message>
-    <message>
         <source>It is not a handle file</source>
         <translation>Ce n’est pas un fichier de poignées</translation>
-    </message>
-    <message>
-        <source>It is not a list of three numbers</source>
-        <translation>Ce n’est pas une liste de trois nombres</translation>
     </message>
     <message>
         <source>It is not a regular file</source>
@@ -1757,44 +1400,8 @@
         <translation>Ce n’est pas une coupe d’un examen&#xa0;: %1</translation>
     </message>
     <message>
-        <source>It is not a text</source>
-        <translation>Ce n’est pas un texte</translation>
-    </message>
-    <message>
-        <source>It is not a triangle of three handles</source>
-        <translation>Ce n’est pas un triangle de trois poignées</translation>
-    </message>
-    <message>
-        <source>It is not a whole number from 0 to 2^53</source>
-        <translation>Ce n’est pas un entier de 0 à 2^53</translation>
-    </message>
-    <message>
-        <source>It is not an object</source>
-        <translation>Ce n’est pas un objet</translation>
-    </message>
-    <message>
-        <source>It is not base64</source>
-        <translation>Ce n’est pas du base64</translation>
-    </message>
-    <message>
-        <source>It is not complete JSON: %1</source>
-        <translation>Ce n’est pas du JSON complet&#xa0;: %1</translation>
-    </message>
-    <message>
-        <source>It is not complete JSON: the mistake is in line %1</source>
-        <translation>Ce n’est pas du JSON complet&#xa0;: l’erreur est à la ligne %1</translation>
-    </message>
-    <message>
-        <source>It is not complete XML: %1</source>
-        <translation>Ce n’est pas du XML complet&#xa0;: %1</translation>
-    </message>
-    <message>
         <source>It is not convex at its triangle %1</source>
         <translation>Elle n’est pas convexe à son triangle %1</translation>
-    </message>
-    <message>
-        <source>It is not finite</source>
-        <translation>Elle n’est pas finie</translation>
     </message>
     <message>
         <source>It is of version %1; this program reads up to %2</source>
@@ -1805,17 +1412,6 @@
         <translation>Elle est trop grande&#xa0;: %1 points</translation>
     </message>
     <message>
-        <source>It is too long</source>
-        <translation>Il est trop long</translation>
-    </message>
-    <message numerus="yes">
-        <source>It is too short for an STL file: %n {byte|bytes}</source>
-        <translation>
-            <numerusform>Il est trop court pour un fichier STL&#xa0;: %n octet</numerusform>
-            <numerusform>Il est trop court pour un fichier STL&#xa0;: %n octets</numerusform>
-        </translation>
-    </message>
-    <message>
         <source>The displacement field would have more than 20 million points</source>
         <translation>Le champ de déplacements aurait plus de 20 millions de points</translation>
     </message>
@@ -1824,36 +1420,12 @@
         <translation>Il mélange surfaces et cartes d’étiquettes</translation>
     </message>
     <message>
-        <source>It names the handle %1, which is not among &quot;handles&quot;</source>
-        <translation>Il nomme la poignée %1, qui n’est pas parmi «&#xa0;handles&#xa0;»</translation>
-    </message>
-    <message>
         <source>It needs the glTF extension %1, which Viscera does not know</source>
         <translation>Il demande l’extension glTF %1, que Viscera ne connaît pas</translation>
     </message>
     <message>
-        <source>It refers to handle %1, but there are %2</source>
-        <translation>Il renvoie à la poignée %1, mais il y en a %2</translation>
-    </message>
-    <message>
-        <source>It refers to number %1 of &quot;%2&quot;, but there are %3 (counted from 0)</source>
-        <translation>Il renvoie au numéro %1 de «&#xa0;%2&#xa0;», mais il y en a %3 (comptés à partir de 0)</translation>
-    </message>
-    <message>
         <source>It seems to be in RAS where %1 is in LPS, or the other way round: it lies on the opposite side of the patient's middle</source>
         <translation>Il semble être en RAS alors que %1 est en LPS, ou l’inverse&#xa0;: il est de l’autre côté du milieu du patient</translation>
-    </message>
-    <message>
-        <source>With its instances expanded, it has too many points</source>
-        <translation>Avec toutes ses instances, il a trop de points</translation>
-    </message>
-    <message>
-        <source>With its instances expanded, it has too many triangles</source>
-        <translation>Avec toutes ses instances, il a trop de triangles</translation>
-    </message>
-    <message>
-        <source>Its axes lie in one plane</source>
-        <translation>Ses axes sont dans un même plan</translation>
     </message>
     <message>
         <source>Its grid is sheared: its axes are not at right angles</source>
@@ -1878,10 +1450,6 @@
     <message>
         <source>LA cavity</source>
         <translation>Cavité AG</translation>
-    </message>
-    <message>
-        <source>LPS</source>
-        <translation>LPS</translation>
     </message>
     <message>
         <source>LV cavity</source>
@@ -1922,10 +1490,6 @@
     <message>
         <source>Lateral border</source>
         <translation>Bord latéral</translation>
-    </message>
-    <message>
-        <source>Leak below its</source>
-        <translation>Fuite sous sa</translation>
     </message>
     <message>
         <source>Left anterior descending artery</source>
@@ -2157,18 +1721,6 @@
         <translation>Aucune cavité n’est un ventricule d’après son nom</translation>
     </message>
     <message>
-        <source>No channel to another program</source>
-        <translation>Pas de canal vers un autre programme</translation>
-    </message>
-    <message>
-        <source>No file for a program&apos;s messages</source>
-        <translation>Pas de fichier pour les messages d’un programme</translation>
-    </message>
-    <message>
-        <source>No scan has %1 voxels along an axis</source>
-        <translation>Aucun examen n’a %1 voxels le long d’un axe</translation>
-    </message>
-    <message>
         <source>No surface is chosen</source>
         <translation>Aucune surface n’est choisie</translation>
     </message>
@@ -2326,10 +1878,6 @@
     <message>
         <source>RA cavity</source>
         <translation>Cavité AD</translation>
-    </message>
-    <message>
-        <source>RAS</source>
-        <translation>RAS</translation>
     </message>
     <message>
         <source>RV cavity</source>
@@ -2548,10 +2096,6 @@
         <translation>Contrainte rotationnelle</translation>
     </message>
     <message>
-        <source>RotationalStress_deg</source>
-        <translation>RotationalStress_deg</translation>
-    </message>
-    <message>
         <source>S-Celestial</source>
         <translation>S-Celestial</translation>
     </message>
@@ -2658,24 +2202,12 @@
         <translation>Contrainte aux points témoins</translation>
     </message>
     <message>
-        <source>StretchMax</source>
-        <translation>StretchMax</translation>
-    </message>
-    <message>
-        <source>StretchMin</source>
-        <translation>StretchMin</translation>
-    </message>
-    <message>
         <source>Stroke volume</source>
         <translation>Volume d’éjection systolique</translation>
     </message>
     <message>
         <source>Superior vena cava</source>
         <translation>Veine cave supérieure</translation>
-    </message>
-    <message>
-        <source>Surfaces are cut by at most 8 planes at once, not by %1</source>
-        <translation>Les surfaces sont coupées par 8 plans au plus à la fois, et non par %1</translation>
     </message>
     <message>
         <source>System used inside each region</source>
@@ -2750,10 +2282,6 @@
         <translation>La valve aortique s’ouvre à 0,8 cm2&#xa0;: la pression du ventricule hypertrophié dépasse de loin celle de l’aorte.</translation>
     </message>
     <message>
-        <source>The cage refers to a handle that does not exist</source>
-        <translation>La cage renvoie à une poignée qui n’existe pas</translation>
-    </message>
-    <message>
         <source>The cavity %1 is not inside the outer surface %2: %3 % of it lie outside</source>
         <translation>La cavité %1 n’est pas dans la surface externe %2&#xa0;: %3 % sont à l’extérieur</translation>
     </message>
@@ -2768,10 +2296,6 @@
     <message>
         <source>The grid of %1 is another one than that of the first phase</source>
         <translation>La grille de la %1 n’est pas celle de la première phase</translation>
-    </message>
-    <message>
-        <source>The heart rate has to be a positive number of beats a minute</source>
-        <translation>La fréquence cardiaque doit être un nombre positif de battements par minute</translation>
     </message>
     <message>
         <source>The label &quot;%1&quot; is missing in %2</source>
@@ -2826,10 +2350,6 @@
         <translation>Les points de l’espace à n dimensions que le fil relie</translation>
     </message>
     <message>
-        <source>The pose has %1 handles, the document %2</source>
-        <translation>La pose a %1 poignées, le document %2</translation>
-    </message>
-    <message>
         <source>The pose has a position that is not a finite number, or too far away</source>
         <translation>La pose a une position qui n’est pas un nombre fini, ou trop éloignée</translation>
     </message>
@@ -2840,10 +2360,6 @@
     <message>
         <source>The program ffmpeg could not write the movie: %1</source>
         <translation>Le programme ffmpeg n’a pas pu écrire le film&#xa0;: %1</translation>
-    </message>
-    <message>
-        <source>The rate is out of range</source>
-        <translation>La fréquence est hors limites</translation>
     </message>
     <message>
         <source>The sequence moves %1 handles, but there are %2</source>
@@ -2880,16 +2396,8 @@
         <translation>L’espacement est inégal entre la coupe %1 (%2) et la suivante, distantes de %3 mm au lieu de %4 mm (%5 %)</translation>
     </message>
     <message>
-        <source>The speed is out of range</source>
-        <translation>La vitesse est hors limites</translation>
-    </message>
-    <message>
         <source>The surface has no triangle</source>
         <translation>La surface n’a aucun triangle</translation>
-    </message>
-    <message>
-        <source>The surface was repaired before it was filled.</source>
-        <translation>La surface a été réparée avant d’être remplie.</translation>
     </message>
     <message>
         <source>The surface was repaired before it was filled. %1. Details smaller than %2 mm are lost.</source>
@@ -2916,20 +2424,8 @@
         <translation>Le volume de %1 saute de %2 à %3 ml entre la %4 et la %5</translation>
     </message>
     <message>
-        <source>The width has to be positive</source>
-        <translation>La largeur doit être positive</translation>
-    </message>
-    <message>
-        <source>The witness points lie on a regular grid inside the surface.</source>
-        <translation>Les points témoins sont sur une grille régulière dans la surface.</translation>
-    </message>
-    <message>
         <source>The witness points lie on a regular grid inside the surface. %1.</source>
         <translation>Les points témoins sont sur une grille régulière à l’intérieur de la surface. %1.</translation>
-    </message>
-    <message>
-        <source>There are %1 positions for %2 handles</source>
-        <translation>Il y a %1 positions pour %2 poignées</translation>
     </message>
     <message>
         <source>There are %1 witness points; %2 do not fit this shape or the limits of time and memory.</source>
@@ -2942,14 +2438,6 @@
     <message>
         <source>There are no handles whose pose could be recorded</source>
         <translation>Il n’y a pas de poignées dont la pose puisse être enregistrée</translation>
-    </message>
-    <message>
-        <source>The list of vertices to enclose is empty or names vertices that the organ does not have</source>
-        <translation>La liste des sommets à entourer est vide ou nomme des sommets que l’organe n’a pas</translation>
-    </message>
-    <message>
-        <source>There are no volumes to compute an ejection fraction from</source>
-        <translation>Il n’y a pas de volumes pour calculer une fraction d’éjection</translation>
     </message>
     <message>
         <source>There is no %1</source>
@@ -2972,18 +2460,6 @@
         <translation>Il n’y a pas d’examen à fermer</translation>
     </message>
     <message>
-        <source>There is no sequence that could move these handles</source>
-        <translation>Il n’y a pas de séquence qui puisse déplacer ces poignées</translation>
-    </message>
-    <message>
-        <source>There is no sequence whose rate could be set</source>
-        <translation>Il n’y a pas de séquence dont on puisse régler la fréquence</translation>
-    </message>
-    <message>
-        <source>There is no series</source>
-        <translation>Il n’y a pas de série</translation>
-    </message>
-    <message>
         <source>There is no stress map yet</source>
         <translation>Il n’y a pas encore de carte de contrainte</translation>
     </message>
@@ -3000,16 +2476,8 @@
         <translation>Cet organe n’existe plus</translation>
     </message>
     <message>
-        <source>There is no such point</source>
-        <translation>Ce point n’existe pas</translation>
-    </message>
-    <message>
         <source>There is no surface &quot;%1&quot;</source>
         <translation>Il n’y a pas de surface «&#xa0;%1&#xa0;»</translation>
-    </message>
-    <message>
-        <source>There is no type of samples &quot;%1&quot;</source>
-        <translation>Il n’y a pas de type d’échantillons «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>There is no volume in it</source>
@@ -3071,16 +2539,12 @@
         <translation>Deux fichiers de poignées ne peuvent pas être ouverts à la fois</translation>
     </message>
     <message>
-        <source>Two handles are at one place</source>
-        <translation>Deux poignées sont au même endroit</translation>
+        <source>two handles are at one place</source>
+        <translation>deux poignées sont au même endroit</translation>
     </message>
     <message>
         <source>Uncinate process</source>
         <translation>Processus unciné</translation>
-    </message>
-    <message>
-        <source>Unlock</source>
-        <translation>Déverrouiller</translation>
     </message>
     <message>
         <source>Unlock volume</source>
@@ -3130,16 +2594,8 @@
         <translation>Viscera ne lit pas de fichiers de surface qui se terminent par «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
-        <source>Viscera:</source>
-        <translation>Viscera&#xa0;:</translation>
-    </message>
-    <message>
         <source>Volume ratio</source>
         <translation>Rapport de volume</translation>
-    </message>
-    <message>
-        <source>VolumeRatio</source>
-        <translation>VolumeRatio</translation>
     </message>
     <message>
         <source>Voronoi regions triangulation</source>
@@ -3250,92 +2706,8 @@
         <translation>un tampon est à %1, mais seuls les fichiers placés à côté sont lus</translation>
     </message>
     <message>
-        <source>a buffer within the file is not valid base64</source>
-        <translation>un tampon dans le fichier n’est pas du base64 valide</translation>
-    </message>
-    <message>
         <source>a cage is a coarse surface: take one of at most %1 vertices</source>
         <translation>une cage est une surface grossière&#xa0;: prenez-en une de %1 sommets au plus</translation>
-    </message>
-    <message>
-        <source>a cell refers to point %1, but there are %2 (counted from 0)</source>
-        <translation>une cellule renvoie au point %1, mais il y en a %2 (comptés à partir de 0)</translation>
-    </message>
-    <message>
-        <source>a chunk</source>
-        <translation>un bloc</translation>
-    </message>
-    <message>
-        <source>a chunk&apos;s header</source>
-        <translation>l’en-tête d’un bloc</translation>
-    </message>
-    <message>
-        <source>a coarse surface needs at least four vertices</source>
-        <translation>une surface grossière demande au moins quatre sommets</translation>
-    </message>
-    <message>
-        <source>a column</source>
-        <translation>une colonne</translation>
-    </message>
-    <message>
-        <source>a convex hull needs at least 4 points, there are %1</source>
-        <translation>une enveloppe convexe demande au moins 4 points, il y en a %1</translation>
-    </message>
-    <message>
-        <source>a coordinate</source>
-        <translation>une coordonnée</translation>
-    </message>
-    <message>
-        <source>a curve needs one number for each time</source>
-        <translation>une courbe demande un nombre pour chaque instant</translation>
-    </message>
-    <message>
-        <source>a curve needs one y for each x</source>
-        <translation>une courbe demande un y pour chaque x</translation>
-    </message>
-    <message>
-        <source>a displacement</source>
-        <translation>un déplacement</translation>
-    </message>
-    <message>
-        <source>a distance grid of this spacing is too large</source>
-        <translation>une grille de distances de ce pas est trop grande</translation>
-    </message>
-    <message>
-        <source>a face</source>
-        <translation>une face</translation>
-    </message>
-    <message>
-        <source>a face has fewer corners than it claims</source>
-        <translation>une face a moins de sommets qu’elle ne l’indique</translation>
-    </message>
-    <message>
-        <source>a face has fewer than three corners</source>
-        <translation>une face a moins de trois sommets</translation>
-    </message>
-    <message>
-        <source>a face refers to point %1, but there are only %2 before it</source>
-        <translation>une face renvoie au point %1, mais il n’y en a que %2 avant elle</translation>
-    </message>
-    <message>
-        <source>a face&apos;s number of corners</source>
-        <translation>le nombre de sommets d’une face</translation>
-    </message>
-    <message>
-        <source>a frame has no orientation</source>
-        <translation>une image n’a pas d’orientation</translation>
-    </message>
-    <message>
-        <source>a frame has no position</source>
-        <translation>une image n’a pas de position</translation>
-    </message>
-    <message>
-        <source>a frame has no segment</source>
-        <translation>une image n’a pas de segment</translation>
-    </message>
-    <message>
-        <source>a frame has no spacing</source>
-        <translation>une image n’a pas d’espacement</translation>
     </message>
     <message>
         <source>a gallbladder</source>
@@ -3350,10 +2722,6 @@
         <translation>un fichier compressé avec gzip</translation>
     </message>
     <message>
-        <source>a handle of a keyframe</source>
-        <translation>une poignée d’une clé</translation>
-    </message>
-    <message>
         <source>a heart</source>
         <translation>un cœur</translation>
     </message>
@@ -3364,10 +2732,6 @@
     <message>
         <source>a legacy VTK file</source>
         <translation>un ancien fichier VTK</translation>
-    </message>
-    <message>
-        <source>a list of triangles ends within one</source>
-        <translation>une liste de triangles se termine au milieu de l’un d’eux</translation>
     </message>
     <message>
         <source>a liver</source>
@@ -3382,84 +2746,16 @@
         <translation>un myocarde</translation>
     </message>
     <message>
-        <source>a node&apos;s &quot;%1&quot; does not have %2 numbers</source>
-        <translation>«&#xa0;%1&#xa0;» d’un nœud n’a pas %2 nombres</translation>
-    </message>
-    <message>
-        <source>a node&apos;s &quot;%1&quot; holds something that is not a number</source>
-        <translation>«&#xa0;%1&#xa0;» d’un nœud contient quelque chose qui n’est pas un nombre</translation>
-    </message>
-    <message>
-        <source>a node&apos;s children are not numbers</source>
-        <translation>les enfants d’un nœud ne sont pas des nombres</translation>
-    </message>
-    <message>
-        <source>a number</source>
-        <translation>un nombre</translation>
-    </message>
-    <message>
         <source>a pancreas</source>
         <translation>un pancréas</translation>
-    </message>
-    <message>
-        <source>a rectangle or sphere must not refer to an organ</source>
-        <translation>un rectangle ou une sphère ne doit pas se rapporter à un organe</translation>
-    </message>
-    <message>
-        <source>a phase lacks a surface</source>
-        <translation>il manque une surface à une phase</translation>
     </message>
     <message>
         <source>a picture</source>
         <translation>une image</translation>
     </message>
     <message>
-        <source>a point</source>
-        <translation>un point</translation>
-    </message>
-    <message>
-        <source>a point has fewer than three coordinates</source>
-        <translation>un point a moins de trois coordonnées</translation>
-    </message>
-    <message>
-        <source>a point of its surface</source>
-        <translation>un point de sa surface</translation>
-    </message>
-    <message>
         <source>a point of the centreline lies %1 outside the organ</source>
         <translation>un point de la ligne centrale est à %1 hors de l’organe</translation>
-    </message>
-    <message>
-        <source>a point of the divided cage is not on the cage</source>
-        <translation>un point de la cage divisée n’est pas sur la cage</translation>
-    </message>
-    <message>
-        <source>a point&apos;s number</source>
-        <translation>le numéro d’un point</translation>
-    </message>
-    <message>
-        <source>a polygon refers to point %1, but there are %2 (counted from 0)</source>
-        <translation>un polygone renvoie au point %1, mais il y en a %2 (comptés à partir de 0)</translation>
-    </message>
-    <message>
-        <source>a pose of %1 handles does not fit witness points of %2</source>
-        <translation>une pose de %1 poignées ne convient pas à des points témoins de %2</translation>
-    </message>
-    <message>
-        <source>a property stands before the first element</source>
-        <translation>une propriété se trouve avant le premier élément</translation>
-    </message>
-    <message>
-        <source>a keyframe</source>
-        <translation>une clé</translation>
-    </message>
-    <message>
-        <source>a remark on it is not UTF-8</source>
-        <translation>une remarque à son sujet n’est pas en UTF-8</translation>
-    </message>
-    <message>
-        <source>a row</source>
-        <translation>une ligne</translation>
     </message>
     <message>
         <source>a scan</source>
@@ -3480,62 +2776,6 @@
     <message>
         <source>a surface of %1 vertices and %2 triangles is too small for handles</source>
         <translation>une surface de %1 sommets et %2 triangles est trop petite pour des poignées</translation>
-    </message>
-    <message>
-        <source>a surface without triangles has no inside</source>
-        <translation>une surface sans triangles n’a pas d’intérieur</translation>
-    </message>
-    <message>
-        <source>a tetrahedron has a corner that does not exist</source>
-        <translation>un tétraèdre a un sommet qui n’existe pas</translation>
-    </message>
-    <message>
-        <source>a tetrahedron has a corner that is none of the %1 points</source>
-        <translation>un tétraèdre a un sommet qui n’est aucun des %1 points</translation>
-    </message>
-    <message>
-        <source>a triangle has a handle at two corners</source>
-        <translation>un triangle a une poignée à deux sommets</translation>
-    </message>
-    <message>
-        <source>a triangle refers to a handle that does not exist</source>
-        <translation>un triangle renvoie à une poignée qui n’existe pas</translation>
-    </message>
-    <message>
-        <source>a triangle refers to a point that does not exist</source>
-        <translation>un triangle renvoie à un point qui n’existe pas</translation>
-    </message>
-    <message>
-        <source>a value</source>
-        <translation>une valeur</translation>
-    </message>
-    <message>
-        <source>a voxel</source>
-        <translation>un voxel</translation>
-    </message>
-    <message>
-        <source>accessor %1 has an unknown type</source>
-        <translation>l’accesseur %1 a un type inconnu</translation>
-    </message>
-    <message>
-        <source>accessor %1 is sparse, which Viscera does not read</source>
-        <translation>l’accesseur %1 est creux, ce que Viscera ne lit pas</translation>
-    </message>
-    <message>
-        <source>accessor %1 lies behind the end of its buffer: the file is cut off or damaged</source>
-        <translation>l’accesseur %1 est au-delà de la fin de son tampon&#xa0;: le fichier est tronqué ou endommagé</translation>
-    </message>
-    <message>
-        <source>accessor %1 refers to buffer %2, but there are %3</source>
-        <translation>l’accesseur %1 renvoie au tampon %2, mais il y en a %3</translation>
-    </message>
-    <message>
-        <source>accessor %1 should have %2 elements, more than its buffer holds</source>
-        <translation>l’accesseur %1 devrait avoir %2 éléments, plus que n’en contient son tampon</translation>
-    </message>
-    <message>
-        <source>accessor %1 should hold point numbers</source>
-        <translation>l’accesseur %1 devrait contenir des numéros de points</translation>
     </message>
     <message>
         <source>add a group that encloses them, or put handles around them into a group</source>
@@ -3606,14 +2846,6 @@
         <translation>une surface STL</translation>
     </message>
     <message>
-        <source>an angle has three points, any other measurement two</source>
-        <translation>un angle a trois points, toute autre mesure deux</translation>
-    </message>
-    <message>
-        <source>an array&apos;s name</source>
-        <translation>le nom d’un tableau</translation>
-    </message>
-    <message>
         <source>an error without a message</source>
         <translation>une erreur sans message</translation>
     </message>
@@ -3658,10 +2890,6 @@
         <translation>systole atriale</translation>
     </message>
     <message>
-        <source>bind by way of the deformation module, or choose another system</source>
-        <translation>liez au moyen du module deformation, ou choisissez un autre système</translation>
-    </message>
-    <message>
         <source>bind it first</source>
         <translation>liez-le d’abord</translation>
     </message>
@@ -3672,14 +2900,6 @@
     <message>
         <source>bounded biharmonic weights</source>
         <translation>poids biharmoniques bornés</translation>
-    </message>
-    <message>
-        <source>buffer %1 has no data</source>
-        <translation>le tampon %1 n’a pas de données</translation>
-    </message>
-    <message>
-        <source>buffer %1 is not a JSON object</source>
-        <translation>le tampon %1 n’est pas un objet JSON</translation>
     </message>
     <message>
         <source>by its name it belongs on the patient's left, but it lies on the right (x = %1 mm): %2</source>
@@ -3698,20 +2918,12 @@
         <translation>ne peut pas être ouvert&#xa0;: %1</translation>
     </message>
     <message>
-        <source>cannot draw without a display: %1</source>
-        <translation>impossible de dessiner sans écran&#xa0;: %1</translation>
-    </message>
-    <message>
         <source>cannot place %1 witness points</source>
         <translation>impossible de placer %1 points témoins</translation>
     </message>
     <message>
         <source>cardiac output</source>
         <translation>débit cardiaque</translation>
-    </message>
-    <message>
-        <source>cell %1 claims %2 points, but %3 numbers are left</source>
-        <translation>la cellule %1 demande %2 points, mais il reste %3 nombres</translation>
     </message>
     <message>
         <source>centimetres</source>
@@ -3758,16 +2970,8 @@
         <translation>vérifiez le disque ou la connexion</translation>
     </message>
     <message>
-        <source>check the name</source>
-        <translation>vérifiez le nom</translation>
-    </message>
-    <message>
         <source>check the name and the folder</source>
         <translation>vérifiez le nom et le dossier</translation>
-    </message>
-    <message>
-        <source>check the path</source>
-        <translation>vérifiez le chemin</translation>
     </message>
     <message>
         <source>check the space left on the disk</source>
@@ -3790,16 +2994,8 @@
         <translation>vérifiez si l’une d’elles est mal étiquetée, ou omettez-la</translation>
     </message>
     <message>
-        <source>child process</source>
-        <translation>programme auxiliaire</translation>
-    </message>
-    <message>
         <source>choose %1 to %2</source>
         <translation>choisissez de %1 à %2</translation>
-    </message>
-    <message>
-        <source>choose %1 to %2 a minute</source>
-        <translation>choisissez de %1 à %2 par minute</translation>
     </message>
     <message>
         <source>choose a closed surface</source>
@@ -3822,10 +3018,6 @@
         <translation>choisissez un dossier qui existe, où l’on peut écrire et qui a de la place</translation>
     </message>
     <message>
-        <source>choose a larger spacing</source>
-        <translation>choisissez un pas plus grand</translation>
-    </message>
-    <message>
         <source>choose a name that ends in .glb</source>
         <translation>choisissez un nom qui finit par .glb</translation>
     </message>
@@ -3838,20 +3030,8 @@
         <translation>choisissez un nom qui finit par .vtu</translation>
     </message>
     <message>
-        <source>choose a sequence first</source>
-        <translation>choisissez d’abord une séquence</translation>
-    </message>
-    <message>
-        <source>choose a sequence, and use its handles</source>
-        <translation>choisissez une séquence et utilisez ses poignées</translation>
-    </message>
-    <message>
         <source>choose a surface that has some</source>
         <translation>choisissez une surface qui en a</translation>
-    </message>
-    <message>
-        <source>choose a volume nearer to the present one, or let more handles compensate</source>
-        <translation>choisissez un volume plus proche de l’actuel, ou laissez compenser plus de poignées</translation>
     </message>
     <message>
         <source>choose another one</source>
@@ -3870,16 +3050,8 @@
         <translation>choisissez-le sur l’organe&#x202f;; vérifiez aussi les axes (RAS ou LPS)</translation>
     </message>
     <message>
-        <source>choose more than 0 and up to 10 times</source>
-        <translation>choisissez plus de 0 et jusqu’à 10 fois</translation>
-    </message>
-    <message>
         <source>choose one of them</source>
         <translation>choisissez l’un d’eux</translation>
-    </message>
-    <message>
-        <source>choose organ, axis or cluster</source>
-        <translation>choisissez organ, axis ou cluster</translation>
     </message>
     <message>
         <source>choose the two ends of the organ</source>
@@ -3888,10 +3060,6 @@
     <message>
         <source>choose two ends of one surface</source>
         <translation>choisissez deux extrémités d’une même surface</translation>
-    </message>
-    <message>
-        <source>circulation that was kept</source>
-        <translation>circulation gardée</translation>
     </message>
     <message>
         <source>close its holes first</source>
@@ -3904,10 +3072,6 @@
     <message>
         <source>close other programs, or use fewer handles or smaller organs</source>
         <translation>fermez d’autres programmes, ou utilisez moins de poignées ou des organes plus petits</translation>
-    </message>
-    <message>
-        <source>compare it with the example in docs/lessons.md</source>
-        <translation>comparez-le avec l’exemple de docs/lessons.md</translation>
     </message>
     <message>
         <source>compensating handles</source>
@@ -3932,14 +3096,6 @@
     <message>
         <source>crop the image to the organs</source>
         <translation>recadrez l’image sur les organes</translation>
-    </message>
-    <message>
-        <source>crop the images to the organ</source>
-        <translation>recadrez les images sur l’organe</translation>
-    </message>
-    <message>
-        <source>crop the scan to the organs</source>
-        <translation>recadrez l’examen sur les organes</translation>
     </message>
     <message>
         <source>deeper ones would push folds of the surface into one another</source>
@@ -3972,14 +3128,6 @@
     <message>
         <source>distance</source>
         <translation>distance</translation>
-    </message>
-    <message>
-        <source>does not fit into memory</source>
-        <translation>ne tient pas en mémoire</translation>
-    </message>
-    <message>
-        <source>does not lie between 0 and 1</source>
-        <translation>n’est pas entre 0 et 1</translation>
     </message>
     <message>
         <source>does not say how large its pixels are</source>
@@ -4028,10 +3176,6 @@
     <message>
         <source>export all surfaces of a patient in the same way (viscera convert --space LPS)</source>
         <translation>exportez toutes les surfaces d’un patient de la même façon (viscera convert --space LPS)</translation>
-    </message>
-    <message>
-        <source>export it as a surface</source>
-        <translation>exportez-le comme surface</translation>
     </message>
     <message>
         <source>export it as a surface of triangles</source>
@@ -4094,40 +3238,12 @@
         <translation>replié là où c’est hachuré</translation>
     </message>
     <message>
-        <source>frame %1 has no orientation</source>
-        <translation>l’image %1 n’a pas d’orientation</translation>
-    </message>
-    <message>
-        <source>frame %1 has no pixels</source>
-        <translation>l’image %1 n’a pas de pixels</translation>
-    </message>
-    <message>
-        <source>frame %1 has no position</source>
-        <translation>l’image %1 n’a pas de position</translation>
-    </message>
-    <message>
-        <source>frame %1 has no segment</source>
-        <translation>l’image %1 n’a pas de segment</translation>
-    </message>
-    <message>
-        <source>frame %1 has no spacing</source>
-        <translation>l’image %1 n’a pas d’espacement</translation>
-    </message>
-    <message>
         <source>fundus</source>
         <translation>fundus</translation>
     </message>
     <message>
         <source>fundus, centreline from the fundus down, body in between, pylorus</source>
         <translation>fundus, ligne centrale à partir du fundus, corps entre les deux, pylore</translation>
-    </message>
-    <message>
-        <source>give a number from %1 to %2</source>
-        <translation>donnez un nombre de %1 à %2</translation>
-    </message>
-    <message>
-        <source>give a whole number from %1 to %2</source>
-        <translation>donnez un nombre entier de %1 à %2</translation>
     </message>
     <message>
         <source>give apex and base too</source>
@@ -4164,10 +3280,6 @@
     <message>
         <source>give one for each phase</source>
         <translation>donnez-en un pour chaque phase</translation>
-    </message>
-    <message>
-        <source>give one of: %1</source>
-        <translation>donnez l’un de&#xa0;: %1</translation>
     </message>
     <message>
         <source>give points of the centreline yourself</source>
@@ -4281,10 +3393,6 @@
         <translation>installez ffmpeg, ou écrivez un .ogv</translation>
     </message>
     <message>
-        <source>install libegl1 and libgl1-mesa-dri, or run under a display</source>
-        <translation>installez libegl1 et libgl1-mesa-dri, ou lancez-le avec un écran</translation>
-    </message>
-    <message>
         <source>is a colour image</source>
         <translation>est une image en couleurs</translation>
     </message>
@@ -4327,42 +3435,6 @@
         <translation>relaxation isovolumique</translation>
     </message>
     <message>
-        <source>it begins behind the end of the data: the file is cut off</source>
-        <translation>il commence au-delà de la fin des données&#xa0;: le fichier est tronqué</translation>
-    </message>
-    <message>
-        <source>it cannot be decompressed: the file is damaged</source>
-        <translation>il ne peut pas être décompressé&#xa0;: le fichier est endommagé</translation>
-    </message>
-    <message>
-        <source>it claims %1 blocks, more than there are: the file is cut off or damaged</source>
-        <translation>il demande %1 blocs, plus qu’il n’y en a&#xa0;: le fichier est tronqué ou endommagé</translation>
-    </message>
-    <message>
-        <source>it claims %1 bytes in %2: the file is damaged</source>
-        <translation>il demande %1 octets dans %2&#xa0;: le fichier est endommagé</translation>
-    </message>
-    <message>
-        <source>it claims a block larger than the file: the file is cut off or damaged</source>
-        <translation>il demande un bloc plus grand que le fichier&#xa0;: le fichier est tronqué ou endommagé</translation>
-    </message>
-    <message>
-        <source>it contains %1, which is no number</source>
-        <translation>il contient %1, qui n’est pas un nombre</translation>
-    </message>
-    <message>
-        <source>it contains %1, which is no whole number</source>
-        <translation>il contient %1, qui n’est pas un nombre entier</translation>
-    </message>
-    <message>
-        <source>it crashed</source>
-        <translation>il a planté</translation>
-    </message>
-    <message>
-        <source>it does not hold a whole number of values</source>
-        <translation>il ne contient pas un nombre entier de valeurs</translation>
-    </message>
-    <message>
         <source>it does not lie within the period</source>
         <translation>elle n’est pas dans la période</translation>
     </message>
@@ -4383,119 +3455,28 @@
         <translation>il ne suit aucune poignée, rien ne peut donc changer son volume</translation>
     </message>
     <message>
-        <source>it stopped without a result</source>
-        <translation>il s’est arrêté sans résultat</translation>
-    </message>
-    <message>
-        <source>it has %1</source>
-        <translation>il y a %1</translation>
-    </message>
-    <message>
         <source>it has %1 triangles</source>
         <translation>elle a %1 triangles</translation>
-    </message>
-    <message numerus="yes">
-        <source>it has %n {segment|segments}</source>
-        <translation>
-            <numerusform>elle a %n segment</numerusform>
-            <numerusform>elle a %n segments</numerusform>
-        </translation>
     </message>
     <message>
         <source>it has no name</source>
         <translation>il n’a pas de nom</translation>
     </message>
     <message>
-        <source>it has no organ for each surface, or no phases</source>
-        <translation>il n’a pas d’organe pour chaque surface, ou pas de phases</translation>
-    </message>
-    <message>
-        <source>it has the unknown format %1</source>
-        <translation>il a le format inconnu %1</translation>
-    </message>
-    <message>
-        <source>it has the unknown type %1</source>
-        <translation>il a le type inconnu %1</translation>
-    </message>
-    <message>
-        <source>it is compressed by %1, which Viscera does not know</source>
-        <translation>il est compressé par %1, que Viscera ne connaît pas</translation>
-    </message>
-    <message>
         <source>it is not a millisecond at least behind the key before it</source>
         <translation>elle n’est pas au moins une milliseconde après la clé précédente</translation>
-    </message>
-    <message>
-        <source>it is not a record of a measured motion</source>
-        <translation>ce n’est pas l’enregistrement d’un mouvement mesuré</translation>
-    </message>
-    <message>
-        <source>it is not valid base64: the file is damaged</source>
-        <translation>ce n’est pas du base64 valide&#xa0;: le fichier est endommagé</translation>
     </message>
     <message>
         <source>it may be mirrored</source>
         <translation>il est peut-être en miroir</translation>
     </message>
     <message>
-        <source>it should have %1 bytes, more than there are: the file is cut off or damaged</source>
-        <translation>il devrait avoir %1 octets, plus qu’il n’y en a&#xa0;: le fichier est tronqué ou endommagé</translation>
-    </message>
-    <message>
-        <source>it should have %1 more bytes, but %2 are left: the file is cut off or damaged</source>
-        <translation>il devrait avoir encore %1 octets, mais il en reste %2&#xa0;: le fichier est tronqué ou endommagé</translation>
-    </message>
-    <message>
-        <source>it should hold whole numbers</source>
-        <translation>il devrait contenir des nombres entiers</translation>
-    </message>
-    <message>
-        <source>its JPEG stream is damaged: it has no frame header</source>
-        <translation>son flux JPEG est endommagé&#xa0;: il n’a pas d’en-tête de trame</translation>
-    </message>
-    <message>
-        <source>its JSON has no &quot;asset&quot;: it is not a glTF file</source>
-        <translation>son JSON n’a pas de «&#xa0;asset&#xa0;»&#xa0;: ce n’est pas un fichier glTF</translation>
-    </message>
-    <message>
-        <source>its JSON is not an object: it is not a glTF file</source>
-        <translation>son JSON n’est pas un objet&#xa0;: ce n’est pas un fichier glTF</translation>
-    </message>
-    <message>
-        <source>its XML is nested too deeply</source>
-        <translation>son XML est imbriqué trop profondément</translation>
-    </message>
-    <message>
-        <source>its XML is not complete</source>
-        <translation>son XML n’est pas complet</translation>
-    </message>
-    <message>
         <source>its axes %1 are unknown; LPS is assumed</source>
         <translation>ses axes %1 sont inconnus&#x202f;; LPS est supposé</translation>
     </message>
     <message>
-        <source>its buffer %1 cannot be read: %2</source>
-        <translation>son tampon %1 ne peut pas être lu&#xa0;: %2</translation>
-    </message>
-    <message>
-        <source>its colour does not lie between 0 and 1</source>
-        <translation>sa couleur n’est pas entre 0 et 1</translation>
-    </message>
-    <message>
-        <source>its colours do not fit its points</source>
-        <translation>ses couleurs ne correspondent pas à ses points</translation>
-    </message>
-    <message>
-        <source>its description is not UTF-8</source>
-        <translation>sa description n’est pas en UTF-8</translation>
-    </message>
-    <message>
         <source>its encoding %1 is not supported</source>
         <translation>son encodage %1 n’est pas pris en charge</translation>
-    </message>
-    <message>
-        <source>its faces have no vertex_indices</source>
-        <translation>ses faces n’ont pas de vertex_indices</translation>
     </message>
     <message>
         <source>its file %1 is not there any more (put it beside the session and open that again)</source>
@@ -4506,220 +3487,16 @@
         <translation>son fichier a été trouvé sous %1</translation>
     </message>
     <message>
-        <source>its first chunk is not JSON: the file is damaged</source>
-        <translation>son premier bloc n’est pas du JSON&#xa0;: le fichier est endommagé</translation>
-    </message>
-    <message>
-        <source>its frames are too far from each other: %1 mm</source>
-        <translation>ses images sont trop loin les unes des autres&#xa0;: %1 mm</translation>
-    </message>
-    <message>
-        <source>its frames belong to a segment %1, which it does not have</source>
-        <translation>ses images appartiennent à un segment %1, qui n’existe pas</translation>
-    </message>
-    <message>
         <source>its frames lie in different directions</source>
         <translation>ses images sont dans des directions différentes</translation>
-    </message>
-    <message>
-        <source>its handles are not handles of the rig, each once and in their order</source>
-        <translation>ses poignées ne sont pas celles de l’ensemble, chacune une fois et dans l’ordre</translation>
-    </message>
-    <message>
-        <source>its header does not say its format</source>
-        <translation>son en-tête n’indique pas son format</translation>
-    </message>
-    <message>
-        <source>its header is cut off or damaged: it has no %1</source>
-        <translation>son en-tête est tronqué ou endommagé&#xa0;: %1 manque</translation>
-    </message>
-    <message>
-        <source>its header is damaged: %1 has not %2 numbers</source>
-        <translation>son en-tête est endommagé&#xa0;: %1 n’a pas %2 nombres</translation>
-    </message>
-    <message>
-        <source>its header is damaged: %1 is not a number for %2</source>
-        <translation>son en-tête est endommagé&#xa0;: %1 n’est pas un nombre pour %2</translation>
-    </message>
-    <message>
-        <source>its header is damaged: %1 is not a number of %2</source>
-        <translation>son en-tête est endommagé&#xa0;: %1 n’est pas un nombre de %2</translation>
-    </message>
-    <message>
-        <source>its header is damaged: %1 is not a size of an axis</source>
-        <translation>son en-tête est endommagé&#xa0;: %1 n’est pas la taille d’un axe</translation>
-    </message>
-    <message>
-        <source>its header is damaged: %1 is not a vector</source>
-        <translation>son en-tête est endommagé&#xa0;: %1 n’est pas un vecteur</translation>
-    </message>
-    <message>
-        <source>its header is damaged: %1 is not an origin</source>
-        <translation>son en-tête est endommagé&#xa0;: %1 n’est pas une origine</translation>
-    </message>
-    <message>
-        <source>its header is damaged: DimSize has not three numbers</source>
-        <translation>son en-tête est endommagé&#xa0;: DimSize n’a pas trois nombres</translation>
-    </message>
-    <message>
-        <source>its header is damaged: HeaderSize is not a number of bytes</source>
-        <translation>son en-tête est endommagé&#xa0;: HeaderSize n’est pas un nombre d’octets</translation>
-    </message>
-    <message>
-        <source>its header is damaged: a vector in it has not three numbers</source>
-        <translation>son en-tête est endommagé&#xa0;: un vecteur n’a pas trois nombres</translation>
-    </message>
-    <message>
-        <source>its header is damaged: an image has 2 to 7 dimensions, not %1</source>
-        <translation>son en-tête est endommagé&#xa0;: une image a de 2 à 7 dimensions, non %1</translation>
-    </message>
-    <message>
-        <source>its header is damaged: it describes %1 of %2 frames</source>
-        <translation>son en-tête est endommagé&#xa0;: il décrit %1 images sur %2</translation>
-    </message>
-    <message>
-        <source>its header is damaged: it has %1 frames</source>
-        <translation>son en-tête est endommagé&#xa0;: il a %1 images</translation>
-    </message>
-    <message numerus="yes">
-        <source>its header is damaged: it has %n {direction|directions} for %2 axes</source>
-        <translation>
-            <numerusform>son en-tête est endommagé&#xa0;: il a %n direction pour %2 axes</numerusform>
-            <numerusform>son en-tête est endommagé&#xa0;: il a %n directions pour %2 axes</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>its header is damaged: it has %n {size|sizes} for %2 dimensions</source>
-        <translation>
-            <numerusform>son en-tête est endommagé&#xa0;: il a %n taille pour %2 dimensions</numerusform>
-            <numerusform>son en-tête est endommagé&#xa0;: il a %n tailles pour %2 dimensions</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>its header is damaged: it promises %1 bytes of pixels in a file of %2 bytes</source>
-        <translation>son en-tête est endommagé&#xa0;: il promet %1 octets de pixels dans un fichier de %2 octets</translation>
-    </message>
-    <message numerus="yes">
-        <source>its header is damaged: its packed pixels have %n {part|parts} for %2 frames</source>
-        <translation>
-            <numerusform>son en-tête est endommagé&#xa0;: ses pixels compressés ont %n partie pour %2 images</numerusform>
-            <numerusform>son en-tête est endommagé&#xa0;: ses pixels compressés ont %n parties pour %2 images</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>its header is damaged: its packed pixels have no parts</source>
-        <translation>son en-tête est endommagé&#xa0;: ses pixels compressés n’ont pas de parties</translation>
-    </message>
-    <message>
-        <source>its header is damaged: its packed pixels have not one part a frame</source>
-        <translation>son en-tête est endommagé&#xa0;: ses pixels compressés n’ont pas une partie par image</translation>
-    </message>
-    <message>
-        <source>its header is damaged: its rescale slope is 0</source>
-        <translation>son en-tête est endommagé&#xa0;: la pente de remise à l’échelle (Rescale Slope) est 0</translation>
-    </message>
-    <message>
-        <source>its header is damaged: its size along %1 is %2</source>
-        <translation>son en-tête est endommagé&#xa0;: sa taille selon %1 est %2</translation>
-    </message>
-    <message>
-        <source>its header is damaged: the directions of its rows and columns are not square</source>
-        <translation>son en-tête est endommagé&#xa0;: les directions de ses lignes et colonnes ne sont pas perpendiculaires</translation>
-    </message>
-    <message>
-        <source>its header is damaged: the voxels cannot begin at byte %1</source>
-        <translation>son en-tête est endommagé&#xa0;: les voxels ne peuvent pas commencer à l’octet %1</translation>
-    </message>
-    <message numerus="yes">
-        <source>its header promises %n {triangle|triangles}, but there is room for %2: the file is damaged</source>
-        <translation>
-            <numerusform>son en-tête promet %n triangle, mais il y a de la place pour %2&#xa0;: le fichier est endommagé</numerusform>
-            <numerusform>son en-tête promet %n triangles, mais il y a de la place pour %2&#xa0;: le fichier est endommagé</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>another item has the same id</source>
-        <translation>un autre élément a le même identifiant</translation>
-    </message>
-    <message>
-        <source>its id is not a whole number from 1 to 2^52</source>
-        <translation>son identifiant n’est pas un entier de 1 à 2^52</translation>
     </message>
     <message>
         <source>its labels are those of a heart: muscle and chambers are its outer surface, each chamber is a cavity</source>
         <translation>ses étiquettes sont celles d’un cœur&#xa0;: le muscle et les cavités cardiaques forment sa surface externe, chacune de celles-ci est une cavité</translation>
     </message>
     <message>
-        <source>its layers lie between the axes of space</source>
-        <translation>ses couches se trouvent entre les axes de l’espace</translation>
-    </message>
-    <message>
-        <source>its name is not UTF-8</source>
-        <translation>son nom n’est pas en UTF-8</translation>
-    </message>
-    <message>
-        <source>its opacity does not lie between 0 and 1</source>
-        <translation>son opacité n’est pas entre 0 et 1</translation>
-    </message>
-    <message>
-        <source>its packed pixels cannot be read</source>
-        <translation>ses pixels compressés ne peuvent pas être lus</translation>
-    </message>
-    <message>
-        <source>its parent is not an organ before it</source>
-        <translation>son organe parent n’est pas avant lui</translation>
-    </message>
-    <message>
-        <source>its pixels (%1) are damaged or packed in an unknown way</source>
-        <translation>ses pixels (%1) sont endommagés ou compressés d’une façon inconnue</translation>
-    </message>
-    <message>
-        <source>its pixels (%1) cannot be unpacked: %2</source>
-        <translation>ses pixels (%1) ne peuvent pas être décompressés&#xa0;: %2</translation>
-    </message>
-    <message>
-        <source>its pixels (%1) cannot be unpacked: frame %2 is damaged</source>
-        <translation>ses pixels (%1) ne peuvent pas être décompressés&#xa0;: l’image %2 est endommagée</translation>
-    </message>
-    <message>
-        <source>its pixels cannot be read</source>
-        <translation>ses pixels ne peuvent pas être lus</translation>
-    </message>
-    <message>
         <source>its pixels of %1 bits in %2, up to bit %3, are not supported</source>
         <translation>ses pixels de %1 bits sur %2, jusqu’au bit %3, ne sont pas pris en charge</translation>
-    </message>
-    <message>
-        <source>its pixels of 32 bits in big-endian order are not supported</source>
-        <translation>ses pixels de 32 bits en ordre gros-boutiste ne sont pas pris en charge</translation>
-    </message>
-    <message>
-        <source>its points and triangles are no lists of threes</source>
-        <translation>ses points et triangles ne sont pas des listes de triplets</translation>
-    </message>
-    <message>
-        <source>its points have %1 coordinates, not 3</source>
-        <translation>ses points ont %1 coordonnées, non 3</translation>
-    </message>
-    <message>
-        <source>its points have no x, y and z</source>
-        <translation>ses points n’ont pas de x, y et z</translation>
-    </message>
-    <message>
-        <source>its position</source>
-        <translation>sa position</translation>
-    </message>
-    <message>
-        <source>its position at rest</source>
-        <translation>sa position au repos</translation>
-    </message>
-    <message>
-        <source>its segment %1 has no valid value or layer</source>
-        <translation>son segment %1 n’a pas de valeur ou de couche valable</translation>
-    </message>
-    <message>
-        <source>its segmentation cannot be read</source>
-        <translation>sa segmentation ne peut pas être lue</translation>
     </message>
     <message>
         <source>its sform and qform place the image differently; the sform is used</source>
@@ -4769,16 +3546,8 @@
         <translation>son unité est le micromètre&#x202f;; converti en mm</translation>
     </message>
     <message>
-        <source>its value is not a finite number</source>
-        <translation>sa valeur n’est pas un nombre fini</translation>
-    </message>
-    <message>
         <source>its volume can be kept only after it is bound to the present handles</source>
         <translation>son volume ne peut être gardé qu’après sa liaison aux poignées présentes</translation>
-    </message>
-    <message>
-        <source>its volume differs from that of the surface</source>
-        <translation>son volume diffère de celui de la surface</translation>
     </message>
     <message>
         <source>its volume is not locked any more: the surface is open now</source>
@@ -4793,28 +3562,8 @@
         <translation>ses voxels sont dans plusieurs fichiers ou dans un autre dossier (%1)</translation>
     </message>
     <message>
-        <source>its voxels are more than 1000 km away</source>
-        <translation>ses voxels sont à plus de 1000 km</translation>
-    </message>
-    <message>
-        <source>its voxels are no plain numbers (ElementType %1)</source>
-        <translation>ses voxels ne sont pas de simples nombres (ElementType %1)</translation>
-    </message>
-    <message>
-        <source>its voxels are no plain numbers (NIfTI data type %1)</source>
-        <translation>ses voxels ne sont pas de simples nombres (type de données NIfTI %1)</translation>
-    </message>
-    <message>
-        <source>its voxels are no plain numbers (type %1)</source>
-        <translation>ses voxels ne sont pas de simples nombres (type %1)</translation>
-    </message>
-    <message>
         <source>its voxels lie elsewhere than those of the other masks</source>
         <translation>ses voxels sont ailleurs que ceux des autres masques</translation>
-    </message>
-    <message>
-        <source>barycentric weights must be at least 0 and sum to 1</source>
-        <translation>les poids barycentriques doivent être d’au moins 0 et de somme 1</translation>
     </message>
     <message>
         <source>keep the largest, as viscera convert IN OUT --keep-largest does</source>
@@ -4901,10 +3650,6 @@
         <translation>donnez au dernier volume la valeur du premier</translation>
     </message>
     <message>
-        <source>line %1: %2</source>
-        <translation>ligne %1&#xa0;: %2</translation>
-    </message>
-    <message>
         <source>linear</source>
         <translation>linéaire</translation>
     </message>
@@ -4915,18 +3660,6 @@
     <message>
         <source>list %1 was converted from %2 to mm</source>
         <translation>la liste %1 a été convertie de %2 en mm</translation>
-    </message>
-    <message>
-        <source>list %1, point %2</source>
-        <translation>liste %1, point %2</translation>
-    </message>
-    <message>
-        <source>list %1: its coordinate system %2 is not LPS or RAS</source>
-        <translation>liste %1&#xa0;: son système de coordonnées %2 n’est ni LPS ni RAS</translation>
-    </message>
-    <message>
-        <source>list %1: its points are no JSON array</source>
-        <translation>liste %1&#xa0;: ses points ne sont pas un tableau JSON</translation>
     </message>
     <message>
         <source>load a closed surface</source>
@@ -4949,32 +3682,12 @@
         <translation>fait une surface fermée sans intersections près de celle-ci&#x202f;; les couleurs sont perdues</translation>
     </message>
     <message>
-        <source>markup list %1 is not a JSON object</source>
-        <translation>la liste de markups %1 n’est pas un objet JSON</translation>
-    </message>
-    <message>
-        <source>measured motion</source>
-        <translation>mouvement mesuré</translation>
-    </message>
-    <message>
         <source>measurement</source>
         <translation>mesure</translation>
     </message>
     <message>
         <source>measurement %1</source>
         <translation>mesure %1</translation>
-    </message>
-    <message>
-        <source>mesh %1 has a primitive without attributes</source>
-        <translation>le maillage %1 a une primitive sans attributs</translation>
-    </message>
-    <message>
-        <source>mesh %1 has no primitives</source>
-        <translation>le maillage %1 n’a pas de primitives</translation>
-    </message>
-    <message>
-        <source>mesh %1 refers to point %2, but there are %3 (counted from 0)</source>
-        <translation>le maillage %1 renvoie au point %2, mais il y en a %3 (comptés à partir de 0)</translation>
     </message>
     <message>
         <source>metres</source>
@@ -5093,14 +3806,6 @@
         <translation>nanomètres</translation>
     </message>
     <message>
-        <source>no EGL platform works without a window system</source>
-        <translation>aucune plateforme EGL ne fonctionne sans système de fenêtres</translation>
-    </message>
-    <message>
-        <source>no OpenGL 3.2 context</source>
-        <translation>pas de contexte OpenGL 3.2</translation>
-    </message>
-    <message>
         <source>no compensation within %1 mm restores the volume</source>
         <translation>aucune compensation en deçà de %1 mm ne rétablit le volume</translation>
     </message>
@@ -5121,16 +3826,8 @@
         <translation>aucun mouvement proche de celui-ci ne garde le volume</translation>
     </message>
     <message>
-        <source>no surface has so many triangles</source>
-        <translation>aucune surface n’a autant de triangles</translation>
-    </message>
-    <message>
         <source>no witness point lies inside</source>
         <translation>aucun point témoin n’est à l’intérieur</translation>
-    </message>
-    <message>
-        <source>node %1 is in the scene twice</source>
-        <translation>le nœud %1 est deux fois dans la scène</translation>
     </message>
     <message>
         <source>node %1 is moved by bones, which are ignored</source>
@@ -5143,10 +3840,6 @@
     <message>
         <source>of an unknown kind</source>
         <translation>de type inconnu</translation>
-    </message>
-    <message>
-        <source>one of its points</source>
-        <translation>un de ses points</translation>
     </message>
     <message numerus="yes">
         <source>only %n {handle|handles}</source>
@@ -5200,14 +3893,6 @@
         <translation>sortie</translation>
     </message>
     <message>
-        <source>parameter %1</source>
-        <translation>paramètre %1</translation>
-    </message>
-    <message>
-        <source>parameters: %1</source>
-        <translation>paramètres&#xa0;: %1</translation>
-    </message>
-    <message>
         <source>pause</source>
         <translation>pause</translation>
     </message>
@@ -5226,10 +3911,6 @@
     <message>
         <source>pick the point on the surface again</source>
         <translation>choisissez de nouveau le point sur la surface</translation>
-    </message>
-    <message>
-        <source>pictures of different sizes do not fit on one sheet</source>
-        <translation>des images de tailles différentes ne vont pas sur une même planche</translation>
     </message>
     <message>
         <source>place handles around it</source>
@@ -5256,32 +3937,12 @@
         <translation>placement des poignées</translation>
     </message>
     <message>
-        <source>play at least one whole beat</source>
-        <translation>lisez au moins un battement entier</translation>
-    </message>
-    <message>
         <source>play at the rate that the times are for</source>
         <translation>lisez à la fréquence pour laquelle les instants sont donnés</translation>
     </message>
     <message>
-        <source>point %1 has a coordinate that is not a finite number</source>
-        <translation>le point %1 a une coordonnée qui n’est pas un nombre fini</translation>
-    </message>
-    <message>
-        <source>point %1 lies more than 1000 km away: the file is damaged</source>
-        <translation>le point %1 est à plus de 1000 km&#xa0;: le fichier est endommagé</translation>
-    </message>
-    <message>
-        <source>point numbers are of a type that is not whole</source>
-        <translation>les numéros des points sont d’un type qui n’est pas entier</translation>
-    </message>
-    <message>
         <source>points that coincide or are almost flat cause this</source>
         <translation>des points confondus ou presque plans en sont la cause</translation>
-    </message>
-    <message>
-        <source>polygon %1 refers to point %2, but there are %3 (counted from 0)</source>
-        <translation>le polygone %1 renvoie au point %2, mais il y en a %3 (comptés à partir de 0)</translation>
     </message>
     <message>
         <source>put both files into one folder</source>
@@ -5330,10 +3991,6 @@
     <message>
         <source>reduce the surface first</source>
         <translation>réduisez d’abord la surface</translation>
-    </message>
-    <message>
-        <source>reduce the surfaces first</source>
-        <translation>réduisez d’abord les surfaces</translation>
     </message>
     <message>
         <source>reduced ejection</source>
@@ -5388,10 +4045,6 @@
         <translation>réinitialisez la pose</translation>
     </message>
     <message>
-        <source>restore its definition from the installation</source>
-        <translation>restaurez sa définition depuis l’installation</translation>
-    </message>
-    <message>
         <source>restoring the volume would move a handle by %1 mm</source>
         <translation>rétablir le volume déplacerait une poignée de %1 mm</translation>
     </message>
@@ -5428,16 +4081,8 @@
         <translation>enregistrez-la en un seul fichier</translation>
     </message>
     <message>
-        <source>save it as one volume</source>
-        <translation>enregistrez-la comme un seul volume</translation>
-    </message>
-    <message>
         <source>save it with gzip or raw encoding</source>
         <translation>enregistrez-le avec l’encodage gzip ou raw</translation>
-    </message>
-    <message>
-        <source>save it with one number a voxel</source>
-        <translation>enregistrez-la avec un nombre par voxel</translation>
     </message>
     <message>
         <source>save it with one value per voxel</source>
@@ -5504,10 +4149,6 @@
         <translation>les surfaces ne peuvent pas être écrites en «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
-        <source>system parameter %1</source>
-        <translation>paramètre %1 du système</translation>
-    </message>
-    <message>
         <source>system parameters</source>
         <translation>paramètres du système</translation>
     </message>
@@ -5552,174 +4193,24 @@
         <translation>contraction antrale terminale</translation>
     </message>
     <message>
-        <source>tetrahedron %1 has a corner that does not exist</source>
-        <translation>le tétraèdre %1 a un sommet qui n’existe pas</translation>
-    </message>
-    <message>
-        <source>tetrahedron %1 is flat or turned around</source>
-        <translation>le tétraèdre %1 est plat ou retourné</translation>
-    </message>
-    <message>
-        <source>it has text in place of numbers</source>
-        <translation>il contient du texte à la place de nombres</translation>
-    </message>
-    <message>
         <source>the Delaunay tetrahedra of %1 points cannot be computed</source>
         <translation>les tétraèdres de Delaunay de %1 points ne peuvent pas être calculés</translation>
-    </message>
-    <message>
-        <source>the JSON chunk</source>
-        <translation>le bloc JSON</translation>
-    </message>
-    <message>
-        <source>the array %1 has %2 values for %3 points</source>
-        <translation>le tableau %1 a %2 valeurs pour %3 points</translation>
-    </message>
-    <message>
-        <source>the array %1: %2</source>
-        <translation>le tableau %1&#xa0;: %2</translation>
-    </message>
-    <message>
-        <source>the biharmonic energy cannot be factorised</source>
-        <translation>l’énergie biharmonique ne peut pas être factorisée</translation>
     </message>
     <message>
         <source>the cage</source>
         <translation>la cage</translation>
     </message>
     <message>
-        <source>the cells&apos; offsets do not fit their points</source>
-        <translation>les débuts des cellules ne correspondent pas à leurs points</translation>
-    </message>
-    <message>
-        <source>the context cannot be used without a surface</source>
-        <translation>le contexte ne peut pas être utilisé sans surface</translation>
-    </message>
-    <message>
         <source>the convex hull of %1 points cannot be computed</source>
         <translation>l’enveloppe convexe de %1 points ne peut pas être calculée</translation>
-    </message>
-    <message>
-        <source>the coordinate %1</source>
-        <translation>la coordonnée %1</translation>
-    </message>
-    <message>
-        <source>the coordinate system %1 is not LPS or RAS</source>
-        <translation>le système de coordonnées %1 n’est ni LPS ni RAS</translation>
     </message>
     <message>
         <source>the coordinates are kept in single precision: they would take %1 MiB otherwise</source>
         <translation>les coordonnées sont gardées en simple précision&#x202f;; sinon, elles prendraient %1 Mio</translation>
     </message>
     <message>
-        <source>the directions and spacing of its voxels enclose no volume</source>
-        <translation>les directions et l’espacement de ses voxels n’enferment aucun volume</translation>
-    </message>
-    <message>
-        <source>the directions, spacing or origin of its voxels are not finite</source>
-        <translation>les directions, l’espacement ou l’origine de ses voxels ne sont pas finis</translation>
-    </message>
-    <message>
-        <source>the driver's OpenGL is older than 3.2</source>
-        <translation>l’OpenGL du pilote est antérieur à 3.2</translation>
-    </message>
-    <message>
         <source>the file does not state its axes: LPS is assumed</source>
         <translation>le fichier n’indique pas ses axes&#xa0;: LPS est supposé</translation>
-    </message>
-    <message>
-        <source>the file is cut off before its data</source>
-        <translation>le fichier est tronqué avant ses données</translation>
-    </message>
-    <message>
-        <source>the file is cut off or damaged: a list of %1 %2 should have more values than are left</source>
-        <translation>le fichier est tronqué ou endommagé&#xa0;: une liste de %1 %2 devrait avoir plus de valeurs qu’il n’en reste</translation>
-    </message>
-    <message numerus="yes">
-        <source>the file is cut off, or is not an STL file: its header promises %n {triangle|triangles} (%2 bytes), but it has %3 bytes</source>
-        <translation>
-            <numerusform>le fichier est tronqué, ou n’est pas un fichier STL&#xa0;: son en-tête promet %n triangle (%2 octets), mais il a %3 octets</numerusform>
-            <numerusform>le fichier est tronqué, ou n’est pas un fichier STL&#xa0;: son en-tête promet %n triangles (%2 octets), mais il a %3 octets</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>the file is cut off: %1 should have %2 bytes, but only %3 are left</source>
-        <translation>le fichier est tronqué&#xa0;: %1 devrait avoir %2 octets, mais il n’en reste que %3</translation>
-    </message>
-    <message numerus="yes">
-        <source>the file is cut off: %2 numbers should follow, but only %n {byte is|bytes are} left</source>
-        <translation>
-            <numerusform>le fichier est tronqué&#xa0;: %2 nombres devraient suivre, mais il ne reste que %n octet</numerusform>
-            <numerusform>le fichier est tronqué&#xa0;: %2 nombres devraient suivre, mais il ne reste que %n octets</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>the file is cut off: %2 values are promised, there {is|are} only %n {byte|bytes}</source>
-        <translation>
-            <numerusform>le fichier est tronqué&#xa0;: %2 valeurs sont promises, il n’y a que %n octet</numerusform>
-            <numerusform>le fichier est tronqué&#xa0;: %2 valeurs sont promises, il n’y a que %n octets</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>the file is cut off: buffer %1 should have %2 bytes, but has %3</source>
-        <translation>le fichier est tronqué&#xa0;: le tampon %1 devrait avoir %2 octets, mais il en a %3</translation>
-    </message>
-    <message>
-        <source>the file is cut off: it ends where %1 should stand</source>
-        <translation>le fichier est tronqué&#xa0;: il se termine là où devrait être %1</translation>
-    </message>
-    <message numerus="yes">
-        <source>the file is cut off: it has %n {byte|bytes}, a NIfTI header alone has 348</source>
-        <translation>
-            <numerusform>le fichier est tronqué&#xa0;: il a %n octet, un en-tête NIfTI seul en a 348</numerusform>
-            <numerusform>le fichier est tronqué&#xa0;: il a %n octets, un en-tête NIfTI seul en a 348</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>the file is cut off: it has fewer lines than its header says</source>
-        <translation>le fichier est tronqué&#xa0;: il a moins de lignes que ne l’indique son en-tête</translation>
-    </message>
-    <message>
-        <source>the file is cut off: it should have %1 bytes, but has %2</source>
-        <translation>le fichier est tronqué&#xa0;: il devrait avoir %1 octets, mais il en a %2</translation>
-    </message>
-    <message numerus="yes">
-        <source>the file is cut off: its %n {frame has|frames have} too few pixels</source>
-        <translation>
-            <numerusform>le fichier est tronqué&#xa0;: sa %n image a trop peu de pixels</numerusform>
-            <numerusform>le fichier est tronqué&#xa0;: ses %n images ont trop peu de pixels</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>the file is cut off: its end is missing</source>
-        <translation>le fichier est tronqué&#xa0;: sa fin manque</translation>
-    </message>
-    <message>
-        <source>the file is cut off: its header has no ElementDataFile</source>
-        <translation>le fichier est tronqué&#xa0;: son en-tête n’a pas d’ElementDataFile</translation>
-    </message>
-    <message>
-        <source>the file is cut off: its header promises %1 bytes of pixels, %2 are there</source>
-        <translation>le fichier est tronqué&#xa0;: son en-tête promet %1 octets de pixels, il y en a %2</translation>
-    </message>
-    <message>
-        <source>the file is cut off: its header promises %1 bytes of voxels, %2 are there</source>
-        <translation>le fichier est tronqué&#xa0;: son en-tête promet %1 octets de voxels, il y en a %2</translation>
-    </message>
-    <message numerus="yes">
-        <source>the file is cut off: its header promises %2 of %3, more than the %n {byte|bytes} that are left can hold</source>
-        <translation>
-            <numerusform>le fichier est tronqué&#xa0;: son en-tête promet %2 de %3, plus que ne peut contenir le %n octet qui reste</numerusform>
-            <numerusform>le fichier est tronqué&#xa0;: son en-tête promet %2 de %3, plus que ne peuvent contenir les %n octets qui restent</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>the file is cut off: its header promises more voxels than there are</source>
-        <translation>le fichier est tronqué&#xa0;: son en-tête promet plus de voxels qu’il n’y en a</translation>
-    </message>
-    <message>
-        <source>the file is cut off: its packed data end too early</source>
-        <translation>le fichier est tronqué&#xa0;: ses données compressées s’arrêtent trop tôt</translation>
     </message>
     <message>
         <source>the file is empty</source>
@@ -5758,10 +4249,6 @@
         <translation>les %1 solides du fichier ont été réunis en une seule surface</translation>
     </message>
     <message>
-        <source>the first chunk&apos;s header</source>
-        <translation>l’en-tête du premier bloc</translation>
-    </message>
-    <message>
         <source>the first one is 0</source>
         <translation>la première est 0</translation>
     </message>
@@ -5778,26 +4265,6 @@
         <translation>impossible d’écrire dans le dossier des images</translation>
     </message>
     <message>
-        <source>the format %1 is not known</source>
-        <translation>le format %1 n’est pas connu</translation>
-    </message>
-    <message>
-        <source>the frame rate has to be positive</source>
-        <translation>la fréquence d’images doit être positive</translation>
-    </message>
-    <message>
-        <source>the frames of a movie have to be of one size: this one is %1 x %2, the first was %3 x %4</source>
-        <translation>les images d’un film doivent avoir une même taille&#xa0;: celle-ci fait %1 x %2, la première %3 x %4</translation>
-    </message>
-    <message>
-        <source>the handle %1 comes twice</source>
-        <translation>la poignée %1 apparaît deux fois</translation>
-    </message>
-    <message>
-        <source>the handle %1 is in two groups</source>
-        <translation>la poignée %1 est dans deux groupes</translation>
-    </message>
-    <message>
         <source>the handles enclose nothing: %1</source>
         <translation>les poignées n’entourent rien&#xa0;: %1</translation>
     </message>
@@ -5810,24 +4277,8 @@
         <translation>les tétraèdres des poignées</translation>
     </message>
     <message>
-        <source>the header</source>
-        <translation>l’en-tête</translation>
-    </message>
-    <message>
-        <source>the id %1 comes twice</source>
-        <translation>l’identifiant %1 apparaît deux fois</translation>
-    </message>
-    <message>
-        <source>the label &quot;%1&quot; comes twice</source>
-        <translation>l’étiquette «&#xa0;%1&#xa0;» apparaît deux fois</translation>
-    </message>
-    <message>
         <source>the label &quot;%1&quot; is not a landmark of the sequence %2</source>
         <translation>l’étiquette «&#xa0;%1&#xa0;» n’est pas un repère de la séquence %2</translation>
-    </message>
-    <message>
-        <source>the label map has no segment number %1</source>
-        <translation>la carte d’étiquettes n’a pas de segment numéro %1</translation>
     </message>
     <message>
         <source>the landmark &quot;%1&quot; comes twice</source>
@@ -5848,14 +4299,6 @@
     <message>
         <source>the last phase equals the first and is left out: phase %1 would be phase 1 again</source>
         <translation>la dernière phase est égale à la première et est omise&#xa0;: la phase %1 serait à nouveau la phase 1</translation>
-    </message>
-    <message>
-        <source>the layers</source>
-        <translation>les couches</translation>
-    </message>
-    <message>
-        <source>the limits of time and memory must be above 0</source>
-        <translation>les limites de temps et de mémoire doivent être supérieures à 0</translation>
     </message>
     <message>
         <source>the locked volumes cannot be kept</source>
@@ -5898,52 +4341,8 @@
         <translation>les noms de ses étiquettes sont ceux de %1</translation>
     </message>
     <message>
-        <source>the number of arrays</source>
-        <translation>le nombre de tableaux</translation>
-    </message>
-    <message>
-        <source>the number of cells</source>
-        <translation>le nombre de cellules</translation>
-    </message>
-    <message>
-        <source>the number of colour channels</source>
-        <translation>le nombre de canaux de couleur</translation>
-    </message>
-    <message>
-        <source>the number of components</source>
-        <translation>le nombre de composantes</translation>
-    </message>
-    <message>
-        <source>the number of components is not positive</source>
-        <translation>le nombre de composantes n’est pas positif</translation>
-    </message>
-    <message>
-        <source>the number of faces</source>
-        <translation>le nombre de faces</translation>
-    </message>
-    <message>
-        <source>the number of groups must be at least 1, not %1</source>
-        <translation>le nombre de groupes doit être d’au moins 1, non %1</translation>
-    </message>
-    <message>
-        <source>the number of points</source>
-        <translation>le nombre de points</translation>
-    </message>
-    <message>
-        <source>the number of texture axes</source>
-        <translation>le nombre d’axes de texture</translation>
-    </message>
-    <message>
-        <source>the number of values</source>
-        <translation>le nombre de valeurs</translation>
-    </message>
-    <message>
         <source>the offset of region &apos;%1&apos; is cut to %2 mm, the distance of its nearest handle from a zone</source>
         <translation>le décalage de la région «&#xa0;%1&#xa0;» est réduit à %2 mm, la distance de sa poignée la plus proche d’une zone</translation>
-    </message>
-    <message>
-        <source>the offsets of its cells (%1) do not fit their points</source>
-        <translation>les débuts de ses cellules (%1) ne correspondent pas à leurs points</translation>
     </message>
     <message>
         <source>the organ is %1 times as long as that of an adult; check its unit</source>
@@ -5965,71 +4364,8 @@
         </translation>
     </message>
     <message>
-        <source>the organ that it is a cavity of is not before it</source>
-        <translation>l’organe dont il est une cavité n’est pas avant lui</translation>
-    </message>
-    <message>
-        <source>the outline of %1 vertices cannot follow %2</source>
-        <translation>le contour de %1 sommets ne peut pas en suivre %2</translation>
-    </message>
-    <message>
-        <source>the overlap of groups must lie between 0 and 1</source>
-        <translation>le recouvrement des groupes doit être compris entre 0 et 1</translation>
-    </message>
-    <message>
-        <source>the packed data are damaged</source>
-        <translation>les données compressées sont endommagées</translation>
-    </message>
-    <message>
-        <source>It is damaged or no DICOM file: its header violates the DICOM standard</source>
-        <translation>Il est endommagé ou n’est pas un fichier DICOM&#xa0;: son en-tête n’est pas conforme à la norme DICOM</translation>
-    </message>
-    <message>
-        <source>its packed data are more than %1 MB unpacked, which no scan of its size is</source>
-        <translation>les données compressées dépassent %1 Mo une fois décompressées, ce qu’aucun examen de cette taille ne fait</translation>
-    </message>
-    <message>
-        <source>the packed data are damaged (%1)</source>
-        <translation>les données compressées sont endommagées (%1)</translation>
-    </message>
-    <message>
-        <source>the packed data are damaged (bzip2 error %1)</source>
-        <translation>les données compressées sont endommagées (erreur bzip2 %1)</translation>
-    </message>
-    <message>
-        <source>the parts of its colour do not lie between 0 and 1</source>
-        <translation>les parts de sa couleur ne sont pas entre 0 et 1</translation>
-    </message>
-    <message>
-        <source>the period is not a positive number of seconds</source>
-        <translation>la période n’est pas un nombre positif de secondes</translation>
-    </message>
-    <message>
         <source>the picture cannot be written</source>
         <translation>l’image ne peut pas être écrite</translation>
-    </message>
-    <message>
-        <source>the picture does not exist</source>
-        <translation>l’image n’existe pas</translation>
-    </message>
-    <message>
-        <source>the picture is not of three channels of 8 bits</source>
-        <translation>l’image n’a pas trois canaux de 8 bits</translation>
-    </message>
-    <message>
-        <source>the points to show are %1, the surface has %2</source>
-        <translation>les points à montrer sont %1, la surface en a %2</translation>
-    </message>
-    <message numerus="yes">
-        <source>the pose has %n {handle|handles}, the organ is bound to %2</source>
-        <translation>
-            <numerusform>la pose a %n poignée, l’organe est lié à %2</numerusform>
-            <numerusform>la pose a %n poignées, l’organe est lié à %2</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>the pose has another number of handles than the document</source>
-        <translation>la pose n’a pas le même nombre de poignées que le document</translation>
     </message>
     <message>
         <source>the position is not finite</source>
@@ -6040,32 +4376,12 @@
         <translation>la position de la poignée %1 dans %2 n’est pas finie</translation>
     </message>
     <message>
-        <source>the positions of its frames are not finite</source>
-        <translation>les positions de ses images ne sont pas finies</translation>
-    </message>
-    <message>
         <source>the program ffmpeg is needed for this kind of movie and is not installed</source>
         <translation>ce type de film demande le programme ffmpeg, qui n’est pas installé</translation>
     </message>
     <message>
-        <source>the quality of tetrahedra is a ratio from 1.1 (best) to 10</source>
-        <translation>la qualité des tétraèdres est un rapport de 1,1 (meilleur) à 10</translation>
-    </message>
-    <message>
-        <source>the reply is cut short</source>
-        <translation>la réponse est tronquée</translation>
-    </message>
-    <message>
-        <source>the reply is damaged</source>
-        <translation>la réponse est endommagée</translation>
-    </message>
-    <message>
         <source>the right ventricle is too small to eject as much as the left one</source>
         <translation>le ventricule droit est trop petit pour éjecter autant que le gauche</translation>
-    </message>
-    <message>
-        <source>the sample organ has no surface &quot;%1&quot;</source>
-        <translation>l’organe type n’a pas de surface «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>the scan %1 is not there any more (put it beside the session and open that again)</source>
@@ -6078,18 +4394,6 @@
     <message>
         <source>the size is plausible: %1</source>
         <translation>la taille est plausible&#xa0;: %1</translation>
-    </message>
-    <message>
-        <source>the size of a colour table</source>
-        <translation>la taille d’une table de couleurs</translation>
-    </message>
-    <message>
-        <source>the size of the cells</source>
-        <translation>la taille des cellules</translation>
-    </message>
-    <message>
-        <source>the sizes of its voxels are missing, zero or not finite</source>
-        <translation>les tailles de ses voxels manquent, sont nulles ou non finies</translation>
     </message>
     <message>
         <source>the solid could not be written</source>
@@ -6136,10 +4440,6 @@
         <translation>la surface a %1 triangles utilisables, elle n’enferme donc rien</translation>
     </message>
     <message>
-        <source>the surface has no such triangle</source>
-        <translation>la surface n’a pas ce triangle</translation>
-    </message>
-    <message>
         <source>the surface has no triangles or is flat, so it encloses nothing</source>
         <translation>la surface n’a pas de triangles ou est plate, elle n’entoure donc rien</translation>
     </message>
@@ -6179,13 +4479,6 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>the surface is open (%n boundary {edge|edges}), so it has no volume</source>
-        <translation>
-            <numerusform>la surface est ouverte (%n arête de bord), elle n’a donc pas de volume</numerusform>
-            <numerusform>la surface est ouverte (%n arêtes de bord), elle n’a donc pas de volume</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>the surface is open (%n boundary {edge|edges}), so it has no volume that could be locked</source>
         <translation>
             <numerusform>la surface est ouverte (%n arête de bord), elle n’a donc pas de volume à verrouiller</numerusform>
@@ -6197,28 +4490,12 @@
         <translation>la surface est trop grande pour GLB, qui s’arrête à 4 Go</translation>
     </message>
     <message>
-        <source>the table of names in it cannot be read</source>
-        <translation>la table de noms qu’il contient ne peut pas être lue</translation>
-    </message>
-    <message>
-        <source>the tetrahedra do not determine the coordinates</source>
-        <translation>les tétraèdres ne déterminent pas les coordonnées</translation>
-    </message>
-    <message>
         <source>the triangles beside a hole do not all run the same way round, so it cannot be closed</source>
         <translation>les triangles autour d’un trou ne tournent pas tous dans le même sens, il ne peut donc pas être fermé</translation>
     </message>
     <message>
         <source>the triangles face outward</source>
         <translation>les triangles sont tournés vers l’extérieur</translation>
-    </message>
-    <message>
-        <source>the values to show are %1, the surface has %2 vertices</source>
-        <translation>les valeurs à montrer sont %1, la surface a %2 sommets</translation>
-    </message>
-    <message>
-        <source>the values to show are %1, the tissue has %2 points</source>
-        <translation>les valeurs à montrer sont %1, le tissu a %2 points</translation>
     </message>
     <message>
         <source>the volume at the end of the cycle differs from the volume at its start</source>
@@ -6229,10 +4506,6 @@
         <translation>le volume ne peut pas être gardé ici&#xa0;: %1</translation>
     </message>
     <message>
-        <source>the volumes</source>
-        <translation>les volumes</translation>
-    </message>
-    <message>
         <source>the waves are %1 % as deep as in an adult: %2</source>
         <translation>les ondes ont %1 % de la profondeur de celles d’un adulte&#xa0;: %2</translation>
     </message>
@@ -6241,71 +4514,16 @@
         <translation>il y en a %1</translation>
     </message>
     <message>
-        <source>there are no points to group handles around</source>
-        <translation>il n’y a pas de points autour desquels grouper des poignées</translation>
-    </message>
-    <message>
         <source>there are no tetrahedra in it; the surface may be open</source>
         <translation>elle ne contient pas de tétraèdres&#x202f;; la surface est peut-être ouverte</translation>
-    </message>
-    <message numerus="yes">
-        <source>there are values for %n {point|points}, but the surface has %2</source>
-        <translation>
-            <numerusform>il y a des valeurs pour %n point, mais la surface en a %2</numerusform>
-            <numerusform>il y a des valeurs pour %n points, mais la surface en a %2</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>there are: %1</source>
-        <translation>il y a&#xa0;: %1</translation>
-    </message>
-    <message>
-        <source>there is a second list of points</source>
-        <translation>il y a une seconde liste de points</translation>
-    </message>
-    <message>
-        <source>there is no %1 &quot;%2&quot;</source>
-        <translation>«&#xa0;%2&#xa0;» n’est pas une valeur de %1</translation>
-    </message>
-    <message>
-        <source>there is no colour map of this name</source>
-        <translation>il n’y a pas d’échelle de couleurs de ce nom</translation>
     </message>
     <message>
         <source>there is no coordinate system &quot;%1&quot;</source>
         <translation>il n’y a pas de système de coordonnées «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
-        <source>there is no handle %1</source>
-        <translation>il n’y a pas de poignée %1</translation>
-    </message>
-    <message>
         <source>there is no handle at vertex %1</source>
         <translation>il n’y a pas de poignée au sommet %1</translation>
-    </message>
-    <message>
-        <source>there is no organ %1</source>
-        <translation>il n’y a pas d’organe %1</translation>
-    </message>
-    <message>
-        <source>there is no parameter %1</source>
-        <translation>il n’y a pas de paramètre %1</translation>
-    </message>
-    <message>
-        <source>there is no picture to put on the sheet</source>
-        <translation>il n’y a pas d’image à mettre sur la planche</translation>
-    </message>
-    <message>
-        <source>there is no repair &quot;%1&quot;</source>
-        <translation>il n’y a pas de réparation «&#xa0;%1&#xa0;»</translation>
-    </message>
-    <message>
-        <source>there is no sequence &quot;%1&quot;</source>
-        <translation>il n’y a pas de séquence «&#xa0;%1&#xa0;»</translation>
-    </message>
-    <message>
-        <source>there is no sequence &quot;%1&quot; for other organs</source>
-        <translation>il n’y a pas de séquence «&#xa0;%1&#xa0;» pour d’autres organes</translation>
     </message>
     <message>
         <source>there is no such file</source>
@@ -6316,56 +4534,20 @@
         <translation>ce fichier ou dossier n’existe pas</translation>
     </message>
     <message>
-        <source>there is no such slice</source>
-        <translation>cette coupe n’existe pas</translation>
-    </message>
-    <message>
         <source>there is no surface to write</source>
         <translation>il n’y a pas de surface à écrire</translation>
-    </message>
-    <message>
-        <source>there is no triangle %1</source>
-        <translation>il n’y a pas de triangle %1</translation>
     </message>
     <message>
         <source>there is no triangle to write</source>
         <translation>il n’y a pas de triangle à écrire</translation>
     </message>
     <message>
-        <source>there is no view of this name</source>
-        <translation>il n’y a pas de vue de ce nom</translation>
-    </message>
-    <message>
-        <source>there is no way &quot;%1&quot; to make groups</source>
-        <translation>il n’y a pas de façon «&#xa0;%1&#xa0;» de former des groupes</translation>
-    </message>
-    <message>
         <source>simplifying the surface</source>
         <translation>simplification de la surface</translation>
     </message>
     <message>
-        <source>this EGL knows no desktop OpenGL</source>
-        <translation>cet EGL ne connaît pas OpenGL de bureau</translation>
-    </message>
-    <message>
         <source>this is a fault of the program; please report it</source>
         <translation>c’est une faute du programme&#x202f;; merci de la signaler</translation>
-    </message>
-    <message>
-        <source>this is not a PNG picture</source>
-        <translation>ce n’est pas une image PNG</translation>
-    </message>
-    <message>
-        <source>this is not a line of a MetaImage header: %1</source>
-        <translation>ce n’est pas une ligne d’un en-tête MetaImage&#xa0;: %1</translation>
-    </message>
-    <message>
-        <source>this is not a line of an NRRD header: %1</source>
-        <translation>ce n’est pas une ligne d’un en-tête NRRD&#xa0;: %1</translation>
-    </message>
-    <message>
-        <source>this system has no parameters</source>
-        <translation>ce système n’a pas de paramètres</translation>
     </message>
     <message>
         <source>too few landmarks: there is %1 but neither fundus nor pylorus</source>
@@ -6386,10 +4568,6 @@
     <message>
         <source>triangle %1</source>
         <translation>triangle %1</translation>
-    </message>
-    <message>
-        <source>triangle %1 refers to vertex %2, but there are %3</source>
-        <translation>le triangle %1 renvoie au sommet %2, mais il y en a %3</translation>
     </message>
     <message>
         <source>try another resolution</source>
@@ -6424,20 +4602,12 @@
         <translation>deux groupes ont ce nom</translation>
     </message>
     <message>
-        <source>two handles are at one place</source>
-        <translation>deux poignées sont au même endroit</translation>
-    </message>
-    <message>
         <source>two handles have this label</source>
         <translation>deux poignées portent ce nom</translation>
     </message>
     <message>
         <source>unlock it, or let more handles compensate</source>
         <translation>déverrouillez-le, ou laissez compenser plus de poignées</translation>
-    </message>
-    <message>
-        <source>unsaved work</source>
-        <translation>travail non enregistré</translation>
     </message>
     <message>
         <source>unsaved work cannot be kept safe: the folder cannot be written to</source>
@@ -6452,32 +4622,12 @@
         <translation>utilisez .ogv, .mp4, .gif, ou un dossier pour des images PNG</translation>
     </message>
     <message>
-        <source>use a pose of the same handles</source>
-        <translation>prenez une pose des mêmes poignées</translation>
-    </message>
-    <message>
-        <source>use anterior, posterior, left, right, superior or inferior</source>
-        <translation>utilisez anterior, posterior, left, right, superior ou inferior</translation>
-    </message>
-    <message>
         <source>use images that show all of it in every phase</source>
         <translation>utilisez des images qui le montrent en entier dans chaque phase</translation>
     </message>
     <message>
-        <source>use one of %1</source>
-        <translation>utilisez l’un de %1</translation>
-    </message>
-    <message>
         <source>use one of: %1</source>
         <translation>utilisez l’un de&#xa0;: %1</translation>
-    </message>
-    <message>
-        <source>use one of: heartbeat, peristalsis, breathing</source>
-        <translation>utilisez l’une de&#xa0;: heartbeat, peristalsis, breathing</translation>
-    </message>
-    <message>
-        <source>use viridis or diverging</source>
-        <translation>utilisez viridis ou diverging</translation>
     </message>
     <message>
         <source>values from the section %1 on were not understood and ignored</source>
@@ -6486,10 +4636,6 @@
     <message>
         <source>vertex %1</source>
         <translation>sommet %1</translation>
-    </message>
-    <message>
-        <source>vertex %1 has a coordinate that is not a finite number</source>
-        <translation>le sommet %1 a une coordonnée qui n’est pas un nombre fini</translation>
     </message>
     <message>
         <source>volume</source>
@@ -6526,10 +4672,6 @@
     <message>
         <source>wave in the body</source>
         <translation>onde dans le corps gastrique</translation>
-    </message>
-    <message>
-        <source>witness point %1 has a coordinate that is not finite</source>
-        <translation>le point témoin %1 a une coordonnée qui n’est pas finie</translation>
     </message>
     <message>
         <source>witness points</source>
@@ -6573,22 +4715,6 @@
     <message>
         <source>stress profile</source>
         <translation>profil de contrainte</translation>
-    </message>
-    <message>
-        <source>its number is not a whole number from 1</source>
-        <translation>son numéro n’est pas un entier à partir de 1</translation>
-    </message>
-    <message>
-        <source>two stress probes have this number</source>
-        <translation>deux sondes de contrainte ont ce numéro</translation>
-    </message>
-    <message>
-        <source>its place at rest</source>
-        <translation>son lieu au repos</translation>
-    </message>
-    <message>
-        <source>it does not join two stress probes of one organ</source>
-        <translation>elle ne relie pas deux sondes de contrainte d’un organe</translation>
     </message>
     <message>
         <source>A profile needs two probes of one organ</source>
@@ -6639,36 +4765,8 @@
         <translation>écriture du film</translation>
     </message>
     <message>
-        <source>breathing needs at least four handles</source>
-        <translation>la respiration demande au moins quatre poignées</translation>
-    </message>
-    <message>
         <source>the organ has no extent</source>
         <translation>l’organe n’a pas d’étendue</translation>
-    </message>
-    <message>
-        <source>the liver cannot be pressed that far</source>
-        <translation>le foie ne peut pas être autant comprimé</translation>
-    </message>
-    <message>
-        <source>use shares between 0 and 0.5</source>
-        <translation>utilisez des proportions entre 0 et 0,5</translation>
-    </message>
-    <message>
-        <source>a ventricle has to hold less at the end of systole than at the end of diastole</source>
-        <translation>un ventricule doit contenir moins en fin de systole qu’en fin de diastole</translation>
-    </message>
-    <message>
-        <source>cardiac cycle</source>
-        <translation>cycle cardiaque</translation>
-    </message>
-    <message>
-        <source>The volume of a cavity is not a number</source>
-        <translation>Le volume d’une cavité n’est pas un nombre</translation>
-    </message>
-    <message>
-        <source>check the cavities' surfaces</source>
-        <translation>vérifiez les surfaces des cavités</translation>
     </message>
     <message>
         <source>heart with %1 ml left and %2 ml right</source>
@@ -6711,47 +4809,12 @@
         <translation>supprimez-le</translation>
     </message>
     <message>
-        <source>the course does not cover a beat</source>
-        <translation>le cours ne couvre pas un battement</translation>
-    </message>
-    <message>
-        <source>valves and volumes of the heartbeat have different times</source>
-        <translation>les valves et les volumes du battement ont des temps différents</translation>
-    </message>
-    <message>
         <source>calibrating the heartbeat</source>
         <translation>calibrage du battement</translation>
-    </message>
-    <message numerus="yes">
-        <source>a curve needs at least %n {key|keys}</source>
-        <translation>
-            <numerusform>une courbe demande au moins %n clé</numerusform>
-            <numerusform>une courbe demande au moins %n clés</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>the key is not a finite number</source>
-        <translation>la clé n’est pas un nombre fini</translation>
     </message>
     <message>
         <source>curve key %1</source>
         <translation>clé %1 de la courbe</translation>
-    </message>
-    <message>
-        <source>the key does not lie after the one before it</source>
-        <translation>la clé ne vient pas après la précédente</translation>
-    </message>
-    <message>
-        <source>sort the keys and remove doubles</source>
-        <translation>triez les clés et supprimez les doubles</translation>
-    </message>
-    <message>
-        <source>the keys do not fit into one period</source>
-        <translation>les clés ne tiennent pas dans une période</translation>
-    </message>
-    <message>
-        <source>give keys of one period only</source>
-        <translation>donnez seulement les clés d’une période</translation>
     </message>
     <message>
         <source>the pylorus does not lie beyond the middle of the body</source>
@@ -6764,14 +4827,6 @@
     <message>
         <source>choose the landmarks from the fundus downwards</source>
         <translation>choisissez les repères du fundus vers le bas</translation>
-    </message>
-    <message>
-        <source>waves without depth</source>
-        <translation>ondes sans profondeur</translation>
-    </message>
-    <message>
-        <source>give a depth above 0</source>
-        <translation>donnez une profondeur supérieure à 0</translation>
     </message>
     <message>
         <source>the surface has no inside</source>
@@ -6821,55 +4876,12 @@
         <translation>vérifiez les repères de la base, de l’apex et du ventricule droit</translation>
     </message>
     <message>
-        <source>a surface needs three points at least to carry the ring of a valve</source>
-        <translation>une surface demande au moins trois points pour porter l’anneau d’une valve</translation>
-    </message>
-    <message>
-        <source>its time is not a finite number</source>
-        <translation>son temps n’est pas un nombre fini</translation>
-    </message>
-    <message numerus="yes">
-        <source>its pose has %n {handle|handles} instead of %2</source>
-        <translation>
-            <numerusform>sa pose a %n poignée au lieu de %2</numerusform>
-            <numerusform>sa pose a %n poignées au lieu de %2</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>a handle's position is not a finite number</source>
-        <translation>la position d’une poignée n’est pas un nombre fini</translation>
-    </message>
-    <message>
-        <source>its time, %1, is outside the period of %2</source>
-        <translation>son temps, %1, est hors de la période de %2</translation>
-    </message>
-    <message>
         <source>move it, or lengthen the period</source>
         <translation>déplacez-la ou allongez la période</translation>
     </message>
     <message>
-        <source>its time, %1, is not after that of the key before it</source>
-        <translation>son temps, %1, ne vient pas après celui de la clé précédente</translation>
-    </message>
-    <message>
-        <source>sort the keys by time and leave a millisecond at least between two</source>
-        <translation>triez les clés par temps et laissez au moins une milliseconde entre deux</translation>
-    </message>
-    <message>
         <source>there is no key</source>
         <translation>il n’y a pas de clé</translation>
-    </message>
-    <message>
-        <source>a handle's rest position is not a finite number</source>
-        <translation>la position au repos d’une poignée n’est pas un nombre fini</translation>
-    </message>
-    <message>
-        <source>a heart cannot lose that part of its volume in systole</source>
-        <translation>un cœur ne peut pas perdre cette part de son volume en systole</translation>
-    </message>
-    <message>
-        <source>choose 0 to 0.4; people have 0.048 to 0.106</source>
-        <translation>choisissez de 0 à 0,4&#x202f;; les personnes ont de 0,048 à 0,106</translation>
     </message>
     <message>
         <source>the heart cannot be brought to the volume that it has to hold</source>
@@ -6894,29 +4906,6 @@
     <message>
         <source>check the landmarks</source>
         <translation>vérifiez les repères</translation>
-    </message>
-    <message>
-        <source>the coordinates of the handles are not a finite square matrix</source>
-        <translation>les coordonnées des poignées ne sont pas une matrice carrée finie</translation>
-    </message>
-    <message>
-        <source>pose compensation</source>
-        <translation>compensation de la pose</translation>
-    </message>
-    <message>
-        <source>the coordinates do not sum to 1</source>
-        <translation>la somme des coordonnées n’est pas 1</translation>
-    </message>
-    <message numerus="yes">
-        <source>the compensation is for %n {handle|handles}, the organ (%2) has %3</source>
-        <translation>
-            <numerusform>la compensation est pour %n poignée, l’organe (%2) en a %3</numerusform>
-            <numerusform>la compensation est pour %n poignées, l’organe (%2) en a %3</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>the size of the organ is not a positive number</source>
-        <translation>la taille de l’organe n’est pas un nombre positif</translation>
     </message>
     <message>
         <source>the centreline leaves the stomach %1 mm below the top of the fundus</source>
@@ -6970,10 +4959,6 @@
         <translation>paroi libre du ventricule gauche, à l’extérieur</translation>
     </message>
     <message>
-        <source>The surfaces are not those that were measured at rest</source>
-        <translation>Les surfaces ne sont pas celles mesurées au repos</translation>
-    </message>
-    <message>
         <source>excursion of the mitral annulus towards the apex</source>
         <translation>excursion de l’anneau mitral vers l’apex</translation>
     </message>
@@ -7020,14 +5005,6 @@
     <message>
         <source>the amount in a healthy heart</source>
         <translation>la quantité dans un cœur sain</translation>
-    </message>
-    <message>
-        <source>the circulation has no parameter of that name</source>
-        <translation>la circulation n’a pas de paramètre de ce nom</translation>
-    </message>
-    <message>
-        <source>the nearest is %1; docs/circulation.md lists all</source>
-        <translation>le plus proche est %1&#x202f;; docs/circulation.md les donne tous</translation>
     </message>
     <message>
         <source>%1 is out of its range</source>
@@ -7121,14 +5098,6 @@
         <translation>rapprochez les paramètres de ceux au repos, quelques-uns à la fois</translation>
     </message>
     <message>
-        <source>there is no such scenario</source>
-        <translation>ce scénario n’existe pas</translation>
-    </message>
-    <message>
-        <source>choose one of %1</source>
-        <translation>choisissez parmi %1</translation>
-    </message>
-    <message>
         <source>fitting phase %1</source>
         <translation>ajustement de la phase %1</translation>
     </message>
@@ -7178,24 +5147,12 @@
         </translation>
     </message>
     <message>
-        <source>ask for %1 at least</source>
-        <translation>demandez-en au moins %1</translation>
-    </message>
-    <message>
         <source>ask for fewer</source>
         <translation>demandez-en moins</translation>
     </message>
     <message>
         <source>keeping volumes</source>
         <translation>maintien des volumes</translation>
-    </message>
-    <message>
-        <source>It has no phase</source>
-        <translation>Elle n’a pas de phase</translation>
-    </message>
-    <message>
-        <source>name one surface for each phase</source>
-        <translation>indiquez une surface pour chaque phase</translation>
     </message>
     <message>
         <source>Phase %1 has %2 points and the first has %3</source>
@@ -7222,52 +5179,12 @@
         <translation>réparez les surfaces dans le programme qui les a faites</translation>
     </message>
     <message>
-        <source>There is no surface</source>
-        <translation>Il n’y a pas de surface</translation>
-    </message>
-    <message>
-        <source>name one at least</source>
-        <translation>indiquez-en au moins une</translation>
-    </message>
-    <message>
         <source>the volume cannot be kept throughout the cycle: %1</source>
         <translation>le volume ne peut pas être maintenu pendant tout le cycle&#xa0;: %1</translation>
     </message>
     <message>
         <source>unlock it, or prescribe a volume nearer to that at rest</source>
         <translation>déverrouillez-le ou imposez un volume plus proche de celui au repos</translation>
-    </message>
-    <message>
-        <source>It is not a rate at which the sequence can be played</source>
-        <translation>La séquence ne peut pas être lue à cette fréquence</translation>
-    </message>
-    <message>
-        <source>rates of the lesson</source>
-        <translation>fréquences de la leçon</translation>
-    </message>
-    <message>
-        <source>from %1 to %2 a minute</source>
-        <translation>de %1 à %2 par minute</translation>
-    </message>
-    <message>
-        <source>There is no such phase</source>
-        <translation>Cette phase n’existe pas</translation>
-    </message>
-    <message>
-        <source>viscera play names the phases of a sequence</source>
-        <translation>viscera play donne les phases d’une séquence</translation>
-    </message>
-    <message>
-        <source>There is no such organ to hide</source>
-        <translation>Cet organe à masquer n’existe pas</translation>
-    </message>
-    <message>
-        <source>name one that is shown</source>
-        <translation>indiquez-en un qui est affiché</translation>
-    </message>
-    <message>
-        <source>It is not a language of the page</source>
-        <translation>Ce n’est pas une langue de la page</translation>
     </message>
     <message>
         <source>No organ is shown</source>
@@ -7282,20 +5199,8 @@
         <translation>affichez ceux dont parle la leçon</translation>
     </message>
     <message>
-        <source>a number does not fit into a lesson: %1</source>
-        <translation>un nombre ne tient pas dans une leçon&#xa0;: %1</translation>
-    </message>
-    <message>
         <source>check the size of the organ, and its motion</source>
         <translation>vérifiez la taille de l’organe et son mouvement</translation>
-    </message>
-    <message>
-        <source>an array of the lesson ends behind its bytes</source>
-        <translation>un tableau de la leçon finit après ses octets</translation>
-    </message>
-    <message>
-        <source>the arrays of the lesson cannot be unpacked</source>
-        <translation>les tableaux de la leçon ne peuvent pas être décompressés</translation>
     </message>
     <message>
         <source>system &quot;%1&quot; returned no binding of the right size</source>
@@ -7314,60 +5219,12 @@
         <translation>choisissez un autre système</translation>
     </message>
     <message>
-        <source>it is not a Viscera plugin, or it is damaged</source>
-        <translation>ce n’est pas un plugin de Viscera, ou il est endommagé</translation>
-    </message>
-    <message>
-        <source>it is a plugin for another program (%1)</source>
-        <translation>c’est un plugin pour un autre programme (%1)</translation>
-    </message>
-    <message>
         <source>it was made for version %1 of the plugin interface, this program has %2</source>
         <translation>il a été fait pour la version %1 de l’interface des plugins, ce programme a la %2</translation>
     </message>
     <message>
-        <source>its manifest lacks id, name or version</source>
-        <translation>il manque id, name ou version à son manifeste</translation>
-    </message>
-    <message>
-        <source>it cannot be loaded: %1</source>
-        <translation>il ne peut pas être chargé&#xa0;: %1</translation>
-    </message>
-    <message>
-        <source>it failed while loading: %1</source>
-        <translation>il a échoué au chargement&#xa0;: %1</translation>
-    </message>
-    <message>
-        <source>it failed while loading</source>
-        <translation>il a échoué au chargement</translation>
-    </message>
-    <message>
         <source>plugin %1: %2</source>
         <translation>plugin %1&#xa0;: %2</translation>
-    </message>
-    <message>
-        <source>The coordinate system has a parameter without a name</source>
-        <translation>Le système de coordonnées a un paramètre sans nom</translation>
-    </message>
-    <message>
-        <source>The coordinate system offers the parameter &quot;%1&quot; twice</source>
-        <translation>Le système de coordonnées propose deux fois le paramètre «&#xa0;%1&#xa0;»</translation>
-    </message>
-    <message>
-        <source>The standard value of the parameter &quot;%1&quot; is out of its own range</source>
-        <translation>La valeur standard du paramètre «&#xa0;%1&#xa0;» est hors de ses limites</translation>
-    </message>
-    <message>
-        <source>There is no coordinate system to add</source>
-        <translation>Il n’y a pas de système de coordonnées à ajouter</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; cannot be the id of a coordinate system</source>
-        <translation>«&#xa0;%1&#xa0;» ne peut pas être l’identifiant d’un système de coordonnées</translation>
-    </message>
-    <message>
-        <source>use small letters, digits and single dashes, as in &quot;s-celestial&quot;</source>
-        <translation>utilisez des minuscules, des chiffres et des tirets simples, comme dans «&#xa0;s-celestial&#xa0;»</translation>
     </message>
     <message>
         <source>There is already a coordinate system &quot;%1&quot; (%2)</source>
@@ -7384,14 +5241,6 @@
     <message>
         <source>none is loaded</source>
         <translation>aucun n’est chargé</translation>
-    </message>
-    <message>
-        <source>There is no such slice</source>
-        <translation>Cette coupe n’existe pas</translation>
-    </message>
-    <message>
-        <source>take axial, coronal or sagittal</source>
-        <translation>prenez axial, coronal ou sagittal</translation>
     </message>
     <message>
         <source>none: the organs are as in their files</source>
@@ -7838,14 +5687,6 @@
         <translation>les organes et les poignées sont complets&#x202f;; enregistrez de nouveau la session</translation>
     </message>
     <message>
-        <source>There is no such normal range</source>
-        <translation>Cet intervalle normal n’existe pas</translation>
-    </message>
-    <message>
-        <source>viscera reference names them all</source>
-        <translation>viscera reference les donne tous</translation>
-    </message>
-    <message>
         <source>women</source>
         <translation>femmes</translation>
     </message>
@@ -8070,10 +5911,6 @@
         <translation>il n’y a pas de poignées à enregistrer</translation>
     </message>
     <message>
-        <source>A report cannot be written as this kind of file</source>
-        <translation>Un rapport ne peut pas être écrit dans ce type de fichier</translation>
-    </message>
-    <message>
         <source>There is no scan to export</source>
         <translation>Il n’y a pas d’examen à exporter</translation>
     </message>
@@ -8098,24 +5935,56 @@
         <translation>jusqu’à %1</translation>
     </message>
     <message>
-        <source>there is no sample organ &quot;%1&quot;</source>
-        <translation>l’organe type «&#xa0;%1&#xa0;» n’existe pas</translation>
-    </message>
-    <message>
-        <source>there is no resolution &quot;%1&quot;</source>
-        <translation>la résolution «&#xa0;%1&#xa0;» n’existe pas</translation>
-    </message>
-    <message>
-        <source>use low, medium or high</source>
-        <translation>utilisez low, medium ou high</translation>
-    </message>
-    <message>
         <source>the sample organs cannot be listed: %1</source>
         <translation>les organes types ne peuvent pas être listés&#xa0;: %1</translation>
     </message>
     <message>
         <source>set VISCERA_SAMPLE_ORGANS to the folder of the definitions</source>
         <translation>mettez dans VISCERA_SAMPLE_ORGANS le dossier des définitions</translation>
+    </message>
+    <message>
+        <source>The file cannot be read: %1</source>
+        <translation>Le fichier ne peut pas être lu&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>%1, ...</source>
+        <translation>%1, ...</translation>
+    </message>
+    <message>
+        <source>%1 = %2 mm</source>
+        <translation>%1 = %2 mm</translation>
+    </message>
+    <message>
+        <source>%1 - %2</source>
+        <translation>%1 - %2</translation>
+    </message>
+    <message>
+        <source>its segment %1 has no valid value or layer</source>
+        <translation>son segment %1 n’a pas de valeur ou de couche valable</translation>
+    </message>
+    <message>
+        <source>the table of names in it cannot be read</source>
+        <translation>la table de noms qu’il contient ne peut pas être lue</translation>
+    </message>
+    <message>
+        <source>its voxels are no plain numbers (%1)</source>
+        <translation>ses voxels ne sont pas de simples nombres (%1)</translation>
+    </message>
+    <message>
+        <source>%1. %2.</source>
+        <translation>%1. %2.</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>%1 x %2 x %3 mm</source>
+        <translation>%1 x %2 x %3 mm</translation>
     </message>
 </context>
 </TS>

@@ -20,10 +20,6 @@
         <translation>Valors</translation>
     </message>
     <message>
-        <source>Measurements</source>
-        <translation>Mesures</translation>
-    </message>
-    <message>
         <source>Slides</source>
         <translation>Diapositives</translation>
     </message>
@@ -70,10 +66,6 @@
     <message>
         <source>Names of the parts (N)</source>
         <translation>Noms de les parts (N)</translation>
-    </message>
-    <message>
-        <source>Handles</source>
-        <translation>Tiradors</translation>
     </message>
     <message>
         <source>Handles to drag (H)</source>
@@ -140,10 +132,6 @@
         <translation>%1: fracció d’ejecció</translation>
     </message>
     <message>
-        <source>Stroke volume</source>
-        <translation>Volum sistòlic</translation>
-    </message>
-    <message>
         <source>Cardiac output</source>
         <translation>Cabal cardíac</translation>
     </message>
@@ -182,10 +170,6 @@
     <message>
         <source>%1 s, %2</source>
         <translation>%1 s, %2</translation>
-    </message>
-    <message>
-        <source>Rate</source>
-        <translation>Freqüència</translation>
     </message>
     <message>
         <source>%1 a minute</source>
@@ -280,18 +264,6 @@ N: noms, H: tiradors, X: paret, R: restableix, T: clar o fosc, Inici: principi</
         <translation>Aquesta lliçó necessita un navegador de 2023 o posterior, amb JavaScript i WebGL 2.</translation>
     </message>
     <message>
-        <source>Organ</source>
-        <translation>Òrgan</translation>
-    </message>
-    <message>
-        <source>Left ventricle</source>
-        <translation>Ventricle esquerre</translation>
-    </message>
-    <message>
-        <source>Right ventricle</source>
-        <translation>Ventricle dret</translation>
-    </message>
-    <message>
         <source>Title</source>
         <translation>Títol</translation>
     </message>
@@ -324,24 +296,8 @@ N: noms, H: tiradors, X: paret, R: restableix, T: clar o fosc, Inici: principi</
         <translation>Tirador</translation>
     </message>
     <message>
-        <source>end-diastolic volume</source>
-        <translation>volum telediastòlic</translation>
-    </message>
-    <message>
-        <source>end-systolic volume</source>
-        <translation>volum telesistòlic</translation>
-    </message>
-    <message>
-        <source>ejection fraction</source>
-        <translation>fracció d’ejecció</translation>
-    </message>
-    <message>
         <source>volume after a meal</source>
         <translation>volum després d’un àpat</translation>
-    </message>
-    <message>
-        <source>volume</source>
-        <translation>volum</translation>
     </message>
     <message>
         <source>en</source>
@@ -353,42 +309,6 @@ N: noms, H: tiradors, X: paret, R: restableix, T: clar o fosc, Inici: principi</
         <translation>Per a la docència. No és un producte sanitari.</translation>
     </message>
     <message>
-        <source>Heart</source>
-        <translation>Cor</translation>
-    </message>
-    <message>
-        <source>Stomach</source>
-        <translation>Estómac</translation>
-    </message>
-    <message>
-        <source>Liver</source>
-        <translation>Fetge</translation>
-    </message>
-    <message>
-        <source>Spleen</source>
-        <translation>Melsa</translation>
-    </message>
-    <message>
-        <source>Kidney</source>
-        <translation>Ronyó</translation>
-    </message>
-    <message>
-        <source>Left kidney</source>
-        <translation>Ronyó esquerre</translation>
-    </message>
-    <message>
-        <source>Right kidney</source>
-        <translation>Ronyó dret</translation>
-    </message>
-    <message>
-        <source>Gallbladder</source>
-        <translation>Vesícula biliar</translation>
-    </message>
-    <message>
-        <source>Pancreas</source>
-        <translation>Pàncrees</translation>
-    </message>
-    <message>
         <source>Heartbeat</source>
         <translation>Batec del cor</translation>
     </message>
@@ -397,44 +317,8 @@ N: noms, H: tiradors, X: paret, R: restableix, T: clar o fosc, Inici: principi</
         <translation>Peristalsi gàstrica</translation>
     </message>
     <message>
-        <source>Breathing</source>
-        <translation>Respiració</translation>
-    </message>
-    <message>
-        <source>Recorded</source>
-        <translation>Enregistrada</translation>
-    </message>
-    <message>
-        <source>Measured</source>
-        <translation>Mesurada</translation>
-    </message>
-    <message>
-        <source>Atrial systole</source>
-        <translation>Sístole auricular</translation>
-    </message>
-    <message>
-        <source>Isovolumic contraction</source>
-        <translation>Contracció isovolumètrica</translation>
-    </message>
-    <message>
-        <source>Ejection</source>
-        <translation>Ejecció</translation>
-    </message>
-    <message>
-        <source>Isovolumic relaxation</source>
-        <translation>Relaxació isovolumètrica</translation>
-    </message>
-    <message>
-        <source>Filling</source>
-        <translation>Ompliment</translation>
-    </message>
-    <message>
         <source>Wave in the body</source>
         <translation>Ona al cos gàstric</translation>
-    </message>
-    <message>
-        <source>Wave in the antrum</source>
-        <translation>Ona a l’antre</translation>
     </message>
     <message>
         <source>Terminal antral contraction</source>
@@ -443,18 +327,6 @@ N: noms, H: tiradors, X: paret, R: restableix, T: clar o fosc, Inici: principi</
     <message>
         <source>Wave fades at the pylorus</source>
         <translation>L’ona s’apaga al pílor</translation>
-    </message>
-    <message>
-        <source>Inspiration</source>
-        <translation>Inspiració</translation>
-    </message>
-    <message>
-        <source>Expiration</source>
-        <translation>Espiració</translation>
-    </message>
-    <message>
-        <source>Pause</source>
-        <translation>Pausa</translation>
     </message>
     <message>
         <source>Back to the original shape (R)</source>
@@ -6338,10 +6210,6 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
 </context>
 <context>
     <name>viscera::app::Workspace</name>
-    <message>
-        <source>. %1.</source>
-        <translation>. %1.</translation>
-    </message>
     <message>
         <source>Open folder</source>
         <translation>Obre la carpeta</translation>

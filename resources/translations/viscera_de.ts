@@ -20,10 +20,6 @@
         <translation>Zahlen</translation>
     </message>
     <message>
-        <source>Measurements</source>
-        <translation>Messungen</translation>
-    </message>
-    <message>
         <source>Slides</source>
         <translation>Folien</translation>
     </message>
@@ -70,10 +66,6 @@
     <message>
         <source>Names of the parts (N)</source>
         <translation>Namen der Teile (N)</translation>
-    </message>
-    <message>
-        <source>Handles</source>
-        <translation>Griffe</translation>
     </message>
     <message>
         <source>Handles to drag (H)</source>
@@ -140,10 +132,6 @@
         <translation>%1: Ejektions­fraktion</translation>
     </message>
     <message>
-        <source>Stroke volume</source>
-        <translation>Schlagvolumen</translation>
-    </message>
-    <message>
         <source>Cardiac output</source>
         <translation>Herzminuten­volumen</translation>
     </message>
@@ -182,10 +170,6 @@
     <message>
         <source>%1 s, %2</source>
         <translation>%1 s, %2</translation>
-    </message>
-    <message>
-        <source>Rate</source>
-        <translation>Frequenz</translation>
     </message>
     <message>
         <source>%1 a minute</source>
@@ -280,18 +264,6 @@ N: Namen, H: Griffe, X: Wand, R: zurück, T: hell oder dunkel, Pos1: Anfang</tra
         <translation>Diese Lektion braucht einen Browser von 2023 oder später, mit JavaScript und WebGL 2.</translation>
     </message>
     <message>
-        <source>Organ</source>
-        <translation>Organ</translation>
-    </message>
-    <message>
-        <source>Left ventricle</source>
-        <translation>Linker Ventrikel</translation>
-    </message>
-    <message>
-        <source>Right ventricle</source>
-        <translation>Rechter Ventrikel</translation>
-    </message>
-    <message>
         <source>Title</source>
         <translation>Titel</translation>
     </message>
@@ -324,24 +296,8 @@ N: Namen, H: Griffe, X: Wand, R: zurück, T: hell oder dunkel, Pos1: Anfang</tra
         <translation>Griff</translation>
     </message>
     <message>
-        <source>end-diastolic volume</source>
-        <translation>enddiastolisches Volumen</translation>
-    </message>
-    <message>
-        <source>end-systolic volume</source>
-        <translation>endsystolisches Volumen</translation>
-    </message>
-    <message>
-        <source>ejection fraction</source>
-        <translation>Ejektionsfraktion</translation>
-    </message>
-    <message>
         <source>volume after a meal</source>
         <translation>Volumen nach einer Mahlzeit</translation>
-    </message>
-    <message>
-        <source>volume</source>
-        <translation>Volumen</translation>
     </message>
     <message>
         <source>en</source>
@@ -353,42 +309,6 @@ N: Namen, H: Griffe, X: Wand, R: zurück, T: hell oder dunkel, Pos1: Anfang</tra
         <translation>Für den Unterricht. Kein Medizinprodukt.</translation>
     </message>
     <message>
-        <source>Heart</source>
-        <translation>Herz</translation>
-    </message>
-    <message>
-        <source>Stomach</source>
-        <translation>Magen</translation>
-    </message>
-    <message>
-        <source>Liver</source>
-        <translation>Leber</translation>
-    </message>
-    <message>
-        <source>Spleen</source>
-        <translation>Milz</translation>
-    </message>
-    <message>
-        <source>Kidney</source>
-        <translation>Niere</translation>
-    </message>
-    <message>
-        <source>Left kidney</source>
-        <translation>Linke Niere</translation>
-    </message>
-    <message>
-        <source>Right kidney</source>
-        <translation>Rechte Niere</translation>
-    </message>
-    <message>
-        <source>Gallbladder</source>
-        <translation>Gallenblase</translation>
-    </message>
-    <message>
-        <source>Pancreas</source>
-        <translation>Bauchspeicheldrüse</translation>
-    </message>
-    <message>
         <source>Heartbeat</source>
         <translation>Herzschlag</translation>
     </message>
@@ -397,44 +317,8 @@ N: Namen, H: Griffe, X: Wand, R: zurück, T: hell oder dunkel, Pos1: Anfang</tra
         <translation>Magenperistaltik</translation>
     </message>
     <message>
-        <source>Breathing</source>
-        <translation>Atmung</translation>
-    </message>
-    <message>
-        <source>Recorded</source>
-        <translation>Aufgezeichnet</translation>
-    </message>
-    <message>
-        <source>Measured</source>
-        <translation>Gemessen</translation>
-    </message>
-    <message>
-        <source>Atrial systole</source>
-        <translation>Vorhofsystole</translation>
-    </message>
-    <message>
-        <source>Isovolumic contraction</source>
-        <translation>Isovolumetrische Kontraktion</translation>
-    </message>
-    <message>
-        <source>Ejection</source>
-        <translation>Austreibung</translation>
-    </message>
-    <message>
-        <source>Isovolumic relaxation</source>
-        <translation>Isovolumetrische Relaxation</translation>
-    </message>
-    <message>
-        <source>Filling</source>
-        <translation>Füllung</translation>
-    </message>
-    <message>
         <source>Wave in the body</source>
         <translation>Welle im Magencorpus</translation>
-    </message>
-    <message>
-        <source>Wave in the antrum</source>
-        <translation>Welle im Antrum</translation>
     </message>
     <message>
         <source>Terminal antral contraction</source>
@@ -443,18 +327,6 @@ N: Namen, H: Griffe, X: Wand, R: zurück, T: hell oder dunkel, Pos1: Anfang</tra
     <message>
         <source>Wave fades at the pylorus</source>
         <translation>Welle verebbt am Pylorus</translation>
-    </message>
-    <message>
-        <source>Inspiration</source>
-        <translation>Einatmung</translation>
-    </message>
-    <message>
-        <source>Expiration</source>
-        <translation>Ausatmung</translation>
-    </message>
-    <message>
-        <source>Pause</source>
-        <translation>Pause</translation>
     </message>
     <message>
         <source>Back to the original shape (R)</source>
@@ -6338,10 +6210,6 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
 </context>
 <context>
     <name>viscera::app::Workspace</name>
-    <message>
-        <source>. %1.</source>
-        <translation>. %1.</translation>
-    </message>
     <message>
         <source>Open folder</source>
         <translation>Ordner öffnen</translation>

@@ -20,10 +20,6 @@
         <translation>Valores</translation>
     </message>
     <message>
-        <source>Measurements</source>
-        <translation>Mediciones</translation>
-    </message>
-    <message>
         <source>Slides</source>
         <translation>Diapositivas</translation>
     </message>
@@ -70,10 +66,6 @@
     <message>
         <source>Names of the parts (N)</source>
         <translation>Nombres de las partes (N)</translation>
-    </message>
-    <message>
-        <source>Handles</source>
-        <translation>Tiradores</translation>
     </message>
     <message>
         <source>Handles to drag (H)</source>
@@ -140,10 +132,6 @@
         <translation>%1: fracción de eyección</translation>
     </message>
     <message>
-        <source>Stroke volume</source>
-        <translation>Volumen sistólico</translation>
-    </message>
-    <message>
         <source>Cardiac output</source>
         <translation>Gasto cardíaco</translation>
     </message>
@@ -182,10 +170,6 @@
     <message>
         <source>%1 s, %2</source>
         <translation>%1 s, %2</translation>
-    </message>
-    <message>
-        <source>Rate</source>
-        <translation>Frecuencia</translation>
     </message>
     <message>
         <source>%1 a minute</source>
@@ -280,18 +264,6 @@ N: nombres, H: tiradores, X: pared, R: restablecer, T: claro u oscuro, Inicio: p
         <translation>Esta lección necesita un navegador de 2023 o posterior, con JavaScript y WebGL 2.</translation>
     </message>
     <message>
-        <source>Organ</source>
-        <translation>Órgano</translation>
-    </message>
-    <message>
-        <source>Left ventricle</source>
-        <translation>Ventrículo izquierdo</translation>
-    </message>
-    <message>
-        <source>Right ventricle</source>
-        <translation>Ventrículo derecho</translation>
-    </message>
-    <message>
         <source>Title</source>
         <translation>Título</translation>
     </message>
@@ -324,24 +296,8 @@ N: nombres, H: tiradores, X: pared, R: restablecer, T: claro u oscuro, Inicio: p
         <translation>Tirador</translation>
     </message>
     <message>
-        <source>end-diastolic volume</source>
-        <translation>volumen telediastólico</translation>
-    </message>
-    <message>
-        <source>end-systolic volume</source>
-        <translation>volumen telesistólico</translation>
-    </message>
-    <message>
-        <source>ejection fraction</source>
-        <translation>fracción de eyección</translation>
-    </message>
-    <message>
         <source>volume after a meal</source>
         <translation>volumen después de comer</translation>
-    </message>
-    <message>
-        <source>volume</source>
-        <translation>volumen</translation>
     </message>
     <message>
         <source>en</source>
@@ -353,42 +309,6 @@ N: nombres, H: tiradores, X: pared, R: restablecer, T: claro u oscuro, Inicio: p
         <translation>Para la enseñanza. No es un producto sanitario.</translation>
     </message>
     <message>
-        <source>Heart</source>
-        <translation>Corazón</translation>
-    </message>
-    <message>
-        <source>Stomach</source>
-        <translation>Estómago</translation>
-    </message>
-    <message>
-        <source>Liver</source>
-        <translation>Hígado</translation>
-    </message>
-    <message>
-        <source>Spleen</source>
-        <translation>Bazo</translation>
-    </message>
-    <message>
-        <source>Kidney</source>
-        <translation>Riñón</translation>
-    </message>
-    <message>
-        <source>Left kidney</source>
-        <translation>Riñón izquierdo</translation>
-    </message>
-    <message>
-        <source>Right kidney</source>
-        <translation>Riñón derecho</translation>
-    </message>
-    <message>
-        <source>Gallbladder</source>
-        <translation>Vesícula biliar</translation>
-    </message>
-    <message>
-        <source>Pancreas</source>
-        <translation>Páncreas</translation>
-    </message>
-    <message>
         <source>Heartbeat</source>
         <translation>Latido</translation>
     </message>
@@ -397,44 +317,8 @@ N: nombres, H: tiradores, X: pared, R: restablecer, T: claro u oscuro, Inicio: p
         <translation>Peristaltismo gástrico</translation>
     </message>
     <message>
-        <source>Breathing</source>
-        <translation>Respiración</translation>
-    </message>
-    <message>
-        <source>Recorded</source>
-        <translation>Grabada</translation>
-    </message>
-    <message>
-        <source>Measured</source>
-        <translation>Medida</translation>
-    </message>
-    <message>
-        <source>Atrial systole</source>
-        <translation>Sístole auricular</translation>
-    </message>
-    <message>
-        <source>Isovolumic contraction</source>
-        <translation>Contracción isovolumétrica</translation>
-    </message>
-    <message>
-        <source>Ejection</source>
-        <translation>Eyección</translation>
-    </message>
-    <message>
-        <source>Isovolumic relaxation</source>
-        <translation>Relajación isovolumétrica</translation>
-    </message>
-    <message>
-        <source>Filling</source>
-        <translation>Llenado</translation>
-    </message>
-    <message>
         <source>Wave in the body</source>
         <translation>Onda en el cuerpo gástrico</translation>
-    </message>
-    <message>
-        <source>Wave in the antrum</source>
-        <translation>Onda en el antro</translation>
     </message>
     <message>
         <source>Terminal antral contraction</source>
@@ -443,18 +327,6 @@ N: nombres, H: tiradores, X: pared, R: restablecer, T: claro u oscuro, Inicio: p
     <message>
         <source>Wave fades at the pylorus</source>
         <translation>La onda se apaga en el píloro</translation>
-    </message>
-    <message>
-        <source>Inspiration</source>
-        <translation>Inspiración</translation>
-    </message>
-    <message>
-        <source>Expiration</source>
-        <translation>Espiración</translation>
-    </message>
-    <message>
-        <source>Pause</source>
-        <translation>Pausa</translation>
     </message>
     <message>
         <source>Back to the original shape (R)</source>
@@ -6338,10 +6210,6 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
 </context>
 <context>
     <name>viscera::app::Workspace</name>
-    <message>
-        <source>. %1.</source>
-        <translation>. %1.</translation>
-    </message>
     <message>
         <source>Open folder</source>
         <translation>Abrir carpeta</translation>

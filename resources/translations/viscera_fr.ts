@@ -20,10 +20,6 @@
         <translation>Valeurs</translation>
     </message>
     <message>
-        <source>Measurements</source>
-        <translation>Mesures</translation>
-    </message>
-    <message>
         <source>Slides</source>
         <translation>Diapositives</translation>
     </message>
@@ -70,10 +66,6 @@
     <message>
         <source>Names of the parts (N)</source>
         <translation>Noms des parties (N)</translation>
-    </message>
-    <message>
-        <source>Handles</source>
-        <translation>Poignées</translation>
     </message>
     <message>
         <source>Handles to drag (H)</source>
@@ -140,10 +132,6 @@
         <translation>%1&#xa0;: fraction d’éjection</translation>
     </message>
     <message>
-        <source>Stroke volume</source>
-        <translation>Volume d’éjection systolique</translation>
-    </message>
-    <message>
         <source>Cardiac output</source>
         <translation>Débit cardiaque</translation>
     </message>
@@ -182,10 +170,6 @@
     <message>
         <source>%1 s, %2</source>
         <translation>%1 s, %2</translation>
-    </message>
-    <message>
-        <source>Rate</source>
-        <translation>Fréquence</translation>
     </message>
     <message>
         <source>%1 a minute</source>
@@ -280,18 +264,6 @@ N&#xa0;: noms, H&#xa0;: poignées, X&#xa0;: paroi, R&#xa0;: rétablir, T&#xa0;: 
         <translation>Cette leçon demande un navigateur de 2023 ou plus récent, avec JavaScript et WebGL 2.</translation>
     </message>
     <message>
-        <source>Organ</source>
-        <translation>Organe</translation>
-    </message>
-    <message>
-        <source>Left ventricle</source>
-        <translation>Ventricule gauche</translation>
-    </message>
-    <message>
-        <source>Right ventricle</source>
-        <translation>Ventricule droit</translation>
-    </message>
-    <message>
         <source>Title</source>
         <translation>Titre</translation>
     </message>
@@ -324,24 +296,8 @@ N&#xa0;: noms, H&#xa0;: poignées, X&#xa0;: paroi, R&#xa0;: rétablir, T&#xa0;: 
         <translation>Poignée</translation>
     </message>
     <message>
-        <source>end-diastolic volume</source>
-        <translation>volume télédiastolique</translation>
-    </message>
-    <message>
-        <source>end-systolic volume</source>
-        <translation>volume télésystolique</translation>
-    </message>
-    <message>
-        <source>ejection fraction</source>
-        <translation>fraction d’éjection</translation>
-    </message>
-    <message>
         <source>volume after a meal</source>
         <translation>volume après un repas</translation>
-    </message>
-    <message>
-        <source>volume</source>
-        <translation>volume</translation>
     </message>
     <message>
         <source>en</source>
@@ -353,42 +309,6 @@ N&#xa0;: noms, H&#xa0;: poignées, X&#xa0;: paroi, R&#xa0;: rétablir, T&#xa0;: 
         <translation>Pour l’enseignement. Ce n’est pas un dispositif médical.</translation>
     </message>
     <message>
-        <source>Heart</source>
-        <translation>Cœur</translation>
-    </message>
-    <message>
-        <source>Stomach</source>
-        <translation>Estomac</translation>
-    </message>
-    <message>
-        <source>Liver</source>
-        <translation>Foie</translation>
-    </message>
-    <message>
-        <source>Spleen</source>
-        <translation>Rate</translation>
-    </message>
-    <message>
-        <source>Kidney</source>
-        <translation>Rein</translation>
-    </message>
-    <message>
-        <source>Left kidney</source>
-        <translation>Rein gauche</translation>
-    </message>
-    <message>
-        <source>Right kidney</source>
-        <translation>Rein droit</translation>
-    </message>
-    <message>
-        <source>Gallbladder</source>
-        <translation>Vésicule biliaire</translation>
-    </message>
-    <message>
-        <source>Pancreas</source>
-        <translation>Pancréas</translation>
-    </message>
-    <message>
         <source>Heartbeat</source>
         <translation>Battement du cœur</translation>
     </message>
@@ -397,44 +317,8 @@ N&#xa0;: noms, H&#xa0;: poignées, X&#xa0;: paroi, R&#xa0;: rétablir, T&#xa0;: 
         <translation>Péristaltisme gastrique</translation>
     </message>
     <message>
-        <source>Breathing</source>
-        <translation>Respiration</translation>
-    </message>
-    <message>
-        <source>Recorded</source>
-        <translation>Enregistrée</translation>
-    </message>
-    <message>
-        <source>Measured</source>
-        <translation>Mesurée</translation>
-    </message>
-    <message>
-        <source>Atrial systole</source>
-        <translation>Systole atriale</translation>
-    </message>
-    <message>
-        <source>Isovolumic contraction</source>
-        <translation>Contraction isovolumique</translation>
-    </message>
-    <message>
-        <source>Ejection</source>
-        <translation>Éjection</translation>
-    </message>
-    <message>
-        <source>Isovolumic relaxation</source>
-        <translation>Relaxation isovolumique</translation>
-    </message>
-    <message>
-        <source>Filling</source>
-        <translation>Remplissage</translation>
-    </message>
-    <message>
         <source>Wave in the body</source>
         <translation>Onde dans le corps gastrique</translation>
-    </message>
-    <message>
-        <source>Wave in the antrum</source>
-        <translation>Onde dans l’antre</translation>
     </message>
     <message>
         <source>Terminal antral contraction</source>
@@ -443,18 +327,6 @@ N&#xa0;: noms, H&#xa0;: poignées, X&#xa0;: paroi, R&#xa0;: rétablir, T&#xa0;: 
     <message>
         <source>Wave fades at the pylorus</source>
         <translation>L’onde s’éteint au pylore</translation>
-    </message>
-    <message>
-        <source>Inspiration</source>
-        <translation>Inspiration</translation>
-    </message>
-    <message>
-        <source>Expiration</source>
-        <translation>Expiration</translation>
-    </message>
-    <message>
-        <source>Pause</source>
-        <translation>Pause</translation>
     </message>
     <message>
         <source>Back to the original shape (R)</source>
@@ -6338,10 +6210,6 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
 </context>
 <context>
     <name>viscera::app::Workspace</name>
-    <message>
-        <source>. %1.</source>
-        <translation>. %1.</translation>
-    </message>
     <message>
         <source>Open folder</source>
         <translation>Ouvrir un dossier</translation>

@@ -11,7 +11,7 @@ public:
   Pulse(Points restHandles, double swelling) : rest_(std::move(restHandles)), swelling_(swelling) {}
 
   std::string id() const override { return "pulse"; }
-  std::string name() const override { return "Pulse"; }
+  Text name() const override { return "Pulse"; }
   const Points& restHandles() const override { return rest_; }
   double standardRatePerMinute() const override { return 75; }
   double lowestRatePerMinute() const override { return 20; }

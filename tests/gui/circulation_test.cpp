@@ -58,7 +58,7 @@ protected:
     ASSERT_EQ(present == nullptr, course() == nullptr) << when;
     if (!present)
       return;
-    EXPECT_EQ(course()->name(), "Heartbeat: " + present->name) << when;
+    EXPECT_EQ(course()->name().english(), "Heartbeat: " + present->name.english()) << when;
     EXPECT_NEAR(course()->standardRatePerMinute(), present->parameters.rate, 1e-9) << when;
     const live::Player& player = window().playback().player();
     if (!player.showing() || !player.runner().obstacle().empty())
@@ -105,7 +105,7 @@ TEST_F(PlayedCirculation, AClickOnAScenarioLetsTheHeartFollowItAndUndoGivesTheTe
   window().playback().pause();
   for (const double fraction : {0.1, 0.35, 0.8})
     EXPECT_LT(off(fraction), 1) << fraction;
-  EXPECT_EQ(window().workspace().undo().undoName(), "Circulation: Exercise");
+  EXPECT_EQ(window().workspace().undo().undoName().english(), "Circulation: Exercise");
   window().workspace().undo().undo();
   EXPECT_TRUE(waitUntil([&] { return window().playback().sequence() == textbook; }));
   EXPECT_EQ(model().present(), nullptr);
@@ -264,7 +264,7 @@ TEST_F(PlayedCirculation, WhatWasKeptStandsBesideWhatFollows) {
   ASSERT_TRUE(waitUntil([this] { return model().kept() != nullptr; }));
   EXPECT_EQ(cell(0, 2), resting);
   EXPECT_LT(cell(0, 1).toDouble(), resting.toDouble() - 20) << "the ejection fraction of a failing heart";
-  EXPECT_EQ(model().kept()->name, "Rest");
+  EXPECT_EQ(model().kept()->name.english(), "Rest");
   window().actions()["play.forgetBefore"]->trigger();
   EXPECT_TRUE(waitUntil([this] { return model().kept() == nullptr; }));
 }
@@ -346,8 +346,8 @@ TEST_F(PlayedCirculation, OfAPatientsHeartHasItsVentricleAndLeavesItItsMotion) {
   EXPECT_NEAR(lv.edvMl, 130.5, 1);
   EXPECT_NEAR(lv.ef, 0.579, 0.005);
   EXPECT_EQ(window().playback().sequence(), own.sequence.get());
-  EXPECT_EQ(window().workspace().undo().undoName(), "Circulation of this heart");
-  EXPECT_EQ(model().present()->name, "Fitted circulation");
+  EXPECT_EQ(window().workspace().undo().undoName().english(), "Circulation of this heart");
+  EXPECT_EQ(model().present()->name.english(), "Fitted circulation");
   EXPECT_FALSE(window().findChild<QAbstractButton*>(QStringLiteral("scenario.rest"))->isChecked());
 }
 

@@ -1,4 +1,5 @@
-// What is wrong with a file is said in the language of the window, whatever format it has.
+// What is wrong with a file is said in the language of the window, whatever format it has; of a damaged file,
+// the detail stays in English.
 #include <QFile>
 
 #include <filesystem>
@@ -18,7 +19,6 @@
 #include "viscera/medical_io/surface_file.h"
 #include "window/file_actions.h"
 #include "window/language.h"
-#include "window/phrase_translator.h"
 #include "window_test.h"
 
 namespace viscera::tests {
@@ -26,51 +26,53 @@ namespace {
 
 using app::InstalledLanguage;
 
-/// A damaged file and what the window says of it.
+/// What the window says first of a file that is damaged; the detail stays in English.
+constexpr const char* kUnreadable = "Die Datei kann nicht gelesen werden: ";
+
+/// A damaged file and the detail in what the window says of it.
 struct BrokenFile {
   const char* name;
   std::string bytes;
-  const char* german;
+  const char* detail;
 };
 
 const std::vector<BrokenFile>& brokenSurfaces() {
   static const std::string vtk = "# vtk DataFile Version 4.2\ntitle\nASCII\nDATASET POLYDATA\n";
   static const std::vector<BrokenFile> all = {
       {"a.stl", std::string(80, 'x') + std::string("\5\0\0\0", 4),
-       "Die Datei ist abgeschnitten oder keine STL-Datei: ihr Kopf verspricht 5 Dreiecke (334 Bytes), sie "
-       "hat "
-       "aber 84 Bytes"},
+       "the file is cut off, or is not an STL file: its header promises 5 triangles (334 bytes), but it has "
+       "84 "
+       "bytes"},
       {"b.stl", "solid\nfacet normal 0 0 1\nouter lup\nendsolid\n",
-       "Zeile 3: „lup“ ist kein Wort einer STL-Datei"},
-      {"a.obj", "v 0 0 0\nv 1 0 point\n", "Zeile 2: eine Koordinate erwartet, aber „point“ gefunden"},
-      {"b.obj", "v 0 0 0\nf 1 2\n", "Zeile 2: eine Fläche hat weniger als drei Ecken"},
+       "line 3: \"lup\" is not a word of an STL file"},
+      {"a.obj", "v 0 0 0\nv 1 0 point\n", "line 2: expected a coordinate, found \"point\""},
+      {"b.obj", "v 0 0 0\nf 1 2\n", "line 2: a face has fewer than three corners"},
       {"a.ply", "ply\nformat ascii 1.0\nfaces 3\nend_header\n",
-       "Zeile 3: „faces“ ist kein Wort eines PLY-Kopfes"},
+       "line 3: \"faces\" is not a word of a PLY header"},
       {"b.ply", "ply\nformat ascii 1.0\nelement vertex 5000000000\nproperty float x\nend_header\n1\n",
-       "Die Datei ist abgeschnitten: ihr Kopf verspricht 5000000000 von „vertex“, mehr als in die übrigen 3 "
-       "Bytes passt"},
-      {"a.vtk", vtk + "POINTS -1 float\n", "Zeile 5: die Zahl der Punkte ist negativ"},
+       "the file is cut off: its header promises 5000000000 of \"vertex\", more than the 3 bytes that are "
+       "left "
+       "can hold"},
+      {"a.vtk", vtk + "POINTS -1 float\n", "line 5: the number of points is negative"},
       {"b.vtk", vtk + "POINTS 5 float\n0 0 0\n",
-       "Zeile 5: die Datei ist abgeschnitten: 15 Zahlen sollten folgen, aber nur 7 Bytes sind übrig"},
-      {"a.vtp", "<?xml version=\"1.0\"?><VTKFile type=\"ImageData\"></VTKFile>",
-       "Die Datei heißt .vtp, sieht aber aus wie eine VTK-XML-Datei ohne Oberfläche"},
+       "line 5: the file is cut off: 15 numbers should follow, but only 7 bytes are left"},
       {"a.glb", std::string("glTF\2\0\0\0\1\0\0", 11),
-       "Die Datei ist abgeschnitten: der Kopf sollte 4 Bytes haben, aber nur 3 sind übrig"},
+       "the file is cut off: the header should have 4 bytes, but only 3 are left"},
       {"a.gltf", R"({"asset": {"version": "2.0"}, "scenes": [{"nodes": [7]}], "nodes": [{}]})",
-       "Sie verweist auf Nummer 7 von „nodes“, es gibt aber 1 (von 0 an gezählt)"}};
+       "It refers to number 7 of \"nodes\", but there are 1 (counted from 0)"}};
   return all;
 }
 
 const std::vector<BrokenFile>& brokenLabelMaps() {
   static const std::vector<BrokenFile> all = {
       {"a.nrrd", "NRRD0004\ntype: short\ndimension 3\n",
-       "Zeile 3: das ist keine Zeile eines NRRD-Kopfes: „dimension 3“"},
+       "line 3: this is not a line of an NRRD header: \"dimension 3\""},
       {"b.nrrd", "NRRD0004\ntype: short\ndimension: 3\nsizes: 2 2\n\n",
-       "Ihr Kopf ist beschädigt: er hat 2 Größen für 3 Dimensionen"},
+       "its header is damaged: it has 2 sizes for 3 dimensions"},
       {"a.mha", "NDims = 3\nDimSize = 2 2\nElementType = MET_CHAR\nElementDataFile = LOCAL\n",
-       "Ihr Kopf ist beschädigt: DimSize hat nicht drei Zahlen"},
+       "its header is damaged: DimSize has not three numbers"},
       {"a.nii", std::string("\x5c\1\0\0", 4),
-       "Die Datei ist abgeschnitten: sie hat 4 Bytes, ein NIfTI-Kopf allein hat 348"}};
+       "the file is cut off: it has 4 bytes, a NIfTI header alone has 348"}};
   return all;
 }
 
@@ -80,29 +82,46 @@ std::string germanOf(const std::function<void()>& read) {
   try {
     read();
   } catch (const Error& error) {
-    return app::messageInWords(error.problem()).toStdString();
+    return app::inWords(error.problem()).toStdString();
   }
   return "nothing was thrown";
 }
 
-TEST(FileErrors, OfEverySurfaceFormatAreSaidInGerman) {
+TEST(FileErrors, OfEverySurfaceFormatBeginInGerman) {
   const TemporaryFolder folder;
   for (const BrokenFile& broken : brokenSurfaces()) {
     const auto file = folder.put(broken.name, broken.bytes);
-    EXPECT_EQ(germanOf([&] { medical_io::readSurface(file); }), broken.german) << broken.name;
+    EXPECT_EQ(germanOf([&] { medical_io::readSurface(file); }), std::string(kUnreadable) + broken.detail)
+        << broken.name;
   }
 }
 
-TEST(FileErrors, OfEveryLabelMapFormatAreSaidInGerman) {
+TEST(FileErrors, OfEveryLabelMapFormatBeginInGerman) {
   const TemporaryFolder folder;
   Progress progress;
   for (const BrokenFile& broken : brokenLabelMaps()) {
     const auto file = folder.put(broken.name, broken.bytes);
-    EXPECT_EQ(germanOf([&] { medical_io::readLabelMap(file, progress); }), broken.german) << broken.name;
+    EXPECT_EQ(germanOf([&] { medical_io::readLabelMap(file, progress); }),
+              std::string(kUnreadable) + broken.detail)
+        << broken.name;
   }
 }
 
-TEST(FileErrors, OfADamagedDicomHeaderAreSaidInGerman) {
+/// A user can do something about these without the program that wrote the file.
+TEST(FileErrors, OfASoundFileAreWhollyInGerman) {
+  const TemporaryFolder folder;
+  const auto said = [&](const char* name, const char* bytes) {
+    const auto file = folder.put(name, bytes);
+    return germanOf([&] { medical_io::readSurface(file); });
+  };
+  EXPECT_EQ(said("a.vtp", "<?xml version=\"1.0\"?><VTKFile type=\"ImageData\"></VTKFile>"),
+            "Die Datei heißt .vtp, sieht aber aus wie eine VTK-XML-Datei ohne Oberfläche");
+  EXPECT_EQ(said("a.vtk", "# vtk DataFile Version 4.2\ntitle\nASCII\nDATASET Heart\n"),
+            "Die Datei enthält einen VTK-Datensatz vom Typ „Heart“, keine Oberfläche (POLYDATA)")
+      << "a word of the file stays as it is";
+}
+
+TEST(FileErrors, OfADamagedDicomHeaderBeginInGerman) {
   const TemporaryFolder folder;
   LabelImage image = orientedPhantomGrid(0, {0, 1, 2});
   fillPhantom(image);
@@ -115,11 +134,11 @@ TEST(FileErrors, OfADamagedDicomHeaderAreSaidInGerman) {
       medical_io::readScan(file, {}, progress);
     });
   };
-  EXPECT_EQ(said(0x00281053, "DS0"),
-            "Ihr Kopf ist beschädigt: die Reskalierungssteigung (Rescale Slope) ist 0");
+  const std::string damaged = std::string(kUnreadable) + "its header is damaged: ";
+  EXPECT_EQ(said(0x00281053, "DS0"), damaged + "its rescale slope is 0");
   EXPECT_EQ(said(0x00200037, "DS1\\0\\0\\1\\0\\0"),
-            "Ihr Kopf ist beschädigt: die Richtungen ihrer Zeilen und Spalten stehen nicht rechtwinklig");
-  EXPECT_EQ(said(0x00280010, us(0)), "Ihr Kopf ist beschädigt: die Größe entlang einer Spalte ist 0");
+            damaged + "the directions of its rows and columns are not square");
+  EXPECT_EQ(said(0x00280010, us(0)), damaged + "its size along a column is 0");
   EXPECT_EQ(said(0x00280004, "CSRGB"), "Es gibt keine Schichten eines Scans: „slice.dcm“ ist ein Farbbild");
 }
 
@@ -128,12 +147,6 @@ TEST(FileErrors, OfWritingAreSaidInGerman) {
   std::filesystem::create_directory(folder / "a.stl");
   EXPECT_EQ(germanOf([&] { medical_io::writeSurface(folder / "a.stl", sphere(1)); }),
             "Die Datei kann nicht geschrieben werden: es ist ein Ordner");
-}
-
-TEST(FileErrors, QuoteAWordOfTheFileAsItIs) {
-  const InstalledLanguage german(QStringLiteral("de"));
-  EXPECT_EQ(app::messageInWords("the format \"Heart\" is not known"),
-            QStringLiteral("das Format „Heart“ ist nicht bekannt"));
 }
 
 class GermanFiles : public WindowTest {
@@ -145,8 +158,9 @@ TEST_F(GermanFiles, ThatAreBrokenAreRefusedInGermanAloneAndAmongOthers) {
   ASSERT_TRUE(file.open(QIODevice::WriteOnly));
   file.write("ply\nformat ascii 1.0\nfaces 3\nend_header\n");
   file.close();
-  const auto refused = QStringLiteral("bauch.ply: Zeile 3: „faces“ ist kein Wort eines PLY-Kopfes. "
-                                      "Exportieren oder kopieren Sie die Datei neu.");
+  const auto refused = QStringLiteral(
+      "bauch.ply: Die Datei kann nicht gelesen werden: line 3: \"faces\" is not a word of a PLY "
+      "header. Exportieren oder kopieren Sie die Datei neu.");
   open(file.fileName());
   EXPECT_TRUE(message().contains(refused)) << message().toStdString();
   window().files().open({sphereFile(), file.fileName()});

@@ -34,7 +34,7 @@
 #include "window/import/arriving_surfaces.h"
 #include "window/import/import_controller.h"
 #include "window/import/import_panel.h"
-#include "window/phrase_translator.h"
+#include "window/language.h"
 
 namespace viscera::tests {
 namespace {
@@ -327,10 +327,11 @@ TEST_F(Import, WhatIsWrongWithASurfaceThatIsTakenAsItIsIsSaidOnce) {
   ASSERT_TRUE(window().imports().isOpen());
   press(importButton());
   ASSERT_EQ(document().organs().size(), 1u);
-  const std::vector<std::string>& warnings = document().organs().front()->warnings;
+  const std::vector<Text>& warnings = document().organs().front()->warnings;
   ASSERT_FALSE(warnings.empty());
-  EXPECT_EQ(std::set<std::string>(warnings.begin(), warnings.end()).size(), warnings.size());
-  const QString first = app::messageInWords(warnings.front());
+  const std::vector<std::string> english = inEnglish(warnings);
+  EXPECT_EQ(std::set<std::string>(english.begin(), english.end()).size(), english.size());
+  const QString first = app::inWords(warnings.front());
   EXPECT_EQ(find<QLabel>("exploreRemarks").text().count(first), 1);
   EXPECT_FALSE(message().contains(first)) << "whoever has checked it has read it";
 }

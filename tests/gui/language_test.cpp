@@ -24,6 +24,7 @@
 #include "viscera/circulation/readings.h"
 #include "viscera/circulation/scenario.h"
 #include "viscera/coordinates/registry.h"
+#include "viscera/core/phrase.h"
 #include "viscera/heart/clinical_numbers.h"
 #include "viscera/live/retarget.h"
 #include "viscera/live/sequence_setup.h"
@@ -32,7 +33,6 @@
 #include "window/language.h"
 #include "window/modes/stress_mode.h"
 #include "window/panels/organ_panel.h"
-#include "window/phrase_translator.h"
 #include "window/sample_loader.h"
 #include "window/table/handle_table.h"
 #include "window/timeline/phase_scrubber.h"
@@ -44,17 +44,17 @@ namespace {
 using app::InstalledLanguage;
 
 /// One text of a file of translations.
-struct Text {
+struct Translated {
   QString source;
   QStringList translations; ///< Several where there are plural forms.
   bool finished = true;
 };
 
-std::vector<Text> textsOf(const QString& file) {
+std::vector<Translated> textsOf(const QString& file) {
   QFile device(file);
   EXPECT_TRUE(device.open(QIODevice::ReadOnly)) << file.toStdString();
   QXmlStreamReader xml(&device);
-  std::vector<Text> texts;
+  std::vector<Translated> texts;
   bool plurals = false;
   while (!xml.atEnd()) {
     if (xml.readNext() != QXmlStreamReader::StartElement)
@@ -114,7 +114,7 @@ constexpr const char* kTextsOfAPlugin = R"(<?xml version="1.0" encoding="utf-8"?
 class Translations : public ::testing::TestWithParam<const char*> {};
 
 /// What lupdate makes of a copy of the file and the sources.
-std::vector<Text> broughtUpToDate(const QString& name, QStringList options) {
+std::vector<Translated> broughtUpToDate(const QString& name, QStringList options) {
   const QTemporaryDir folder;
   const QString copy = folder.filePath(name);
   EXPECT_TRUE(QFile::copy(folderOfTranslations() + name, copy));
@@ -128,10 +128,10 @@ std::vector<Text> broughtUpToDate(const QString& name, QStringList options) {
 
 /// The source has the plural, so that it reads well without the file, too.
 TEST(EnglishPlurals, HaveBothFormsOfEveryTextWithANumber) {
-  const std::vector<Text> texts =
+  const std::vector<Translated> texts =
       broughtUpToDate(QStringLiteral("viscera_en.ts"), {QStringLiteral("-pluralonly")});
   EXPECT_GT(texts.size(), 30u);
-  for (const Text& text : texts) {
+  for (const Translated& text : texts) {
     EXPECT_TRUE(text.finished)
         << text.source.toStdString()
         << " has no plural; resources/scripts/update_translations.sh adds it to the file";
@@ -143,10 +143,10 @@ TEST(EnglishPlurals, HaveBothFormsOfEveryTextWithANumber) {
 
 /// The file is what lupdate would make of the sources, with nothing left to translate.
 TEST_P(Translations, HaveEveryTextOfTheWindow) {
-  const std::vector<Text> texts =
+  const std::vector<Translated> texts =
       broughtUpToDate(QStringLiteral("viscera_%1.ts").arg(QLatin1String(GetParam())), {});
   EXPECT_GT(texts.size(), 1000u);
-  for (const Text& text : texts)
+  for (const Translated& text : texts)
     EXPECT_TRUE(text.finished && !text.translations.isEmpty())
         << text.source.toStdString()
         << " has no translation; resources/scripts/update_translations.sh adds it to the file";
@@ -154,7 +154,7 @@ TEST_P(Translations, HaveEveryTextOfTheWindow) {
 
 TEST_P(Translations, KeepWhatStandsForSomethingElse) {
   for (const char* kind : {"viscera", "names"})
-    for (const Text& text :
+    for (const Translated& text :
          textsOf(folderOfTranslations() +
                  QStringLiteral("%1_%2.ts").arg(QLatin1String(kind), QLatin1String(GetParam()))))
       for (const QString& translation : text.translations) {
@@ -256,16 +256,17 @@ TEST(TextsOfPlugins, AreTakenFromTheFileBesideTheLibrary) {
               folder.filePath(QStringLiteral("least_squares.so")).toStdString());
   {
     InstalledLanguage german(QStringLiteral("de"));
-    EXPECT_EQ(app::inWords("Least squares"), QStringLiteral("Least squares"));
+    EXPECT_EQ(app::inWords(named("Least squares")), QStringLiteral("Least squares"));
     german.addTextsOf(systems);
-    EXPECT_EQ(app::inWords("Least squares"), QStringLiteral("Kleinste Quadrate"));
-    EXPECT_EQ(app::messageInWords("Too steep"), QStringLiteral("Zu steil"));
-    EXPECT_EQ(app::inWords("Heartbeat"), QStringLiteral("Herzschlag")) << "the program's own texts stay";
+    EXPECT_EQ(app::inWords(named("Least squares")), QStringLiteral("Kleinste Quadrate"));
+    EXPECT_EQ(app::inWords(Text("too steep").capitalised()), QStringLiteral("Zu steil"));
+    EXPECT_EQ(app::inWords(named("Heartbeat")), QStringLiteral("Herzschlag"))
+        << "the program's own texts stay";
   }
-  EXPECT_EQ(app::inWords("Least squares"), QStringLiteral("Least squares"));
+  EXPECT_EQ(app::inWords(named("Least squares")), QStringLiteral("Least squares"));
   InstalledLanguage spanish(QStringLiteral("es"));
   spanish.addTextsOf(systems); // There is no file for it.
-  EXPECT_EQ(app::inWords("Least squares"), QStringLiteral("Least squares"));
+  EXPECT_EQ(app::inWords(named("Least squares")), QStringLiteral("Least squares"));
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Translations, ::testing::Values("ca", "de", "es", "fr"),
@@ -292,11 +293,12 @@ TEST(WindowLanguage, HasNumbersAndPluralsOfItsOwnAndGoesWithItsObject) {
     EXPECT_EQ(app::numberIn(QStringLiteral("0,25")), 0.25);
     EXPECT_EQ(app::numberIn(QStringLiteral("0.25")), 0.25) << "as in a table of another program";
     EXPECT_FALSE(app::numberIn(QStringLiteral("two")));
-    EXPECT_EQ(app::inWords("Aortic arch"), QStringLiteral("Aortenbogen"));
-    EXPECT_EQ(app::inWords("A name of somebody"), QStringLiteral("A name of somebody"));
-    EXPECT_EQ(app::inWords("LV endocardium 12"), QStringLiteral("LV-Endokard 12"));
-    EXPECT_EQ(app::inWords("Tip of somebody 3"), QStringLiteral("Tip of somebody 3"));
-    EXPECT_EQ(app::messageInWords("handle LV endocardium 12"), QStringLiteral("Griff LV-Endokard 12"));
+    EXPECT_EQ(app::inWords(named("Aortic arch")), QStringLiteral("Aortenbogen"));
+    EXPECT_EQ(app::inWords(named("A name of somebody")), QStringLiteral("A name of somebody"));
+    EXPECT_EQ(app::inWords(named("LV endocardium 12")), QStringLiteral("LV-Endokard 12"));
+    EXPECT_EQ(app::inWords(named("Tip of somebody 3")), QStringLiteral("Tip of somebody 3"));
+    EXPECT_EQ(app::inWords(phrase("handle %1", named("LV endocardium 12"))),
+              QStringLiteral("Griff LV-Endokard 12"));
     EXPECT_TRUE(voxels(3).contains(QLatin1Char('3')) && !voxels(3).contains(QLatin1String("tissue")));
   }
   EXPECT_EQ(app::formatNumber(1234.5, 1), QStringLiteral("1234.5"));
@@ -386,7 +388,7 @@ TEST_F(GermanWindow, NamesTheHandlesOfASequence) {
 
 TEST_F(GermanWindow, NamesASampleInSentencesAsTheLanguageDoes) {
   loadSample(QStringLiteral("stomach")); // The first sample of a window is no step.
-  EXPECT_EQ(window().workspace().undo().undoName(), "Beispiel Magen");
+  EXPECT_EQ(window().workspace().undo().undoName().english(), "Beispiel Magen");
   EXPECT_EQ(app::SampleLoader::title(QStringLiteral("kidney_left")), QStringLiteral("Linke Niere"));
   EXPECT_EQ(app::SampleLoader::title(QStringLiteral("of_somebody")), QStringLiteral("Of somebody"));
 }

@@ -66,7 +66,7 @@ TEST_F(MeasureTest, TwoClicksAreADistanceInTheListTheViewAndTheFile) {
   EXPECT_NEAR(listed(0, 1), expected, kClickTolerance);
   EXPECT_NEAR(listed(0, 2), expected, kClickTolerance);
   EXPECT_EQ(label(), "Distance 1: " + list().topLevelItem(0)->text(1).toStdString());
-  EXPECT_EQ(window().workspace().undo().undoName(), "Measure distance");
+  EXPECT_EQ(window().workspace().undo().undoName().english(), "Measure distance");
   EXPECT_TRUE(window().explore().measuring()) << "the next one can be measured at once";
 
   window().exports().exportMeasurements(path(QStringLiteral("m.csv")));

@@ -91,7 +91,7 @@ TEST_F(PlayedFineHeart, TheWholeCycleIsExactBeforeAFrameOfItWasPlayed) {
   // Both isovolumic phases are flat in the curve.
   const app::VolumeMonitor::Curve left = monitor.cycle(1);
   for (const auto& phase : window().playback().sequence()->phases(75)) {
-    if (phase.name.find("isovolumic") == std::string::npos)
+    if (phase.name.english().find("isovolumic") == std::string::npos)
       continue;
     double low = 1e9, high = 0;
     for (std::size_t i = 0; i < left.fractions.size(); ++i)

@@ -243,7 +243,7 @@ public:
   explicit OneRate(double perMinute) : rate_(perMinute) {}
 
   std::string id() const override { return "one-rate"; }
-  std::string name() const override { return "One rate"; }
+  Text name() const override { return "One rate"; }
   const Points& restHandles() const override { return rest_; }
   double standardRatePerMinute() const override { return rate_; }
   double lowestRatePerMinute() const override { return rate_; }

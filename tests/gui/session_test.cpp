@@ -419,7 +419,7 @@ TEST_F(SessionTest, TheListOfStepsGoesToAnyOfThem) {
   ASSERT_NE(history, nullptr);
   Q_EMIT history->aboutToShow();
   ASSERT_EQ(history->actions().size(), static_cast<int>(names.size()) + 1);
-  EXPECT_EQ(history->actions().front()->text().toStdString(), names.back());
+  EXPECT_EQ(history->actions().front()->text().toStdString(), names.back().english());
   EXPECT_TRUE(history->actions().front()->isChecked());
   history->actions().back()->trigger();
   EXPECT_EQ(undo().position(), 0u);

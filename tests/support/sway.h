@@ -23,7 +23,7 @@ public:
   Sway(Points rest, std::vector<Swing> swings) : rest_(std::move(rest)), swings_(std::move(swings)) {}
 
   std::string id() const override { return "sway"; }
-  std::string name() const override { return "Sway"; }
+  Text name() const override { return "Sway"; }
   const Points& restHandles() const override { return rest_; }
   double standardRatePerMinute() const override { return 60; }
   double lowestRatePerMinute() const override { return 10; }

@@ -211,11 +211,11 @@ Outcome CirculateCommand::run(CommandContext& context) {
   Listing listing;
   if (patient) {
     outcome.json["fit"] = fitJson(measured_, *patient);
-    listing.add("fit", patient->remark());
+    listing.add("fit", patient->remark().english());
     if (!patient->met())
-      outcome.warnings.push_back(patient->remark());
+      outcome.warnings.push_back(patient->remark().english());
   }
-  listing.add("scenario", shown.name + ", " + significant(parameters.rate, 4) + " beats a minute")
+  listing.add("scenario", shown.name.english() + ", " + significant(parameters.rate, 4) + " beats a minute")
       .add("beats", std::to_string(found.beats) + (found.converged ? "" : ", not periodic"));
   outcome.text = listing.text() + circulationText(shown.indices);
   if (!found.converged)

@@ -124,7 +124,7 @@ private:
       outcome.json["remesh"] = {{"trianglesBefore", change->trianglesBefore},
                                 {"meanMm", change->meanMm},
                                 {"maximumMm", change->maximumMm}};
-      outcome.text += "  " + inWords(*change) + "\n";
+      outcome.text += "  " + inWords(*change).english() + "\n";
     }
     appendFindings(outcome.warnings, assess(mesh, report));
     outcome.json["warnings"] = outcome.warnings;
@@ -145,7 +145,7 @@ private:
     Outcome outcome;
     outcome.warnings = handles.warnings;
     if (out_.ends_with(".fcsv"))
-      for (std::string& lost : medical_io::fcsvLoses(handles))
+      for (Text& lost : medical_io::fcsvLoses(handles))
         outcome.warnings.push_back(std::move(lost));
     outcome.json = {{"in", in_},
                     {"out", out_},

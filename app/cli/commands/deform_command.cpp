@@ -120,8 +120,8 @@ public:
 
 private:
   /// Moves compensating handles so that the organ has the volume given by an option, if any.
-  void keepVolume(deformation::Deformer& deformer, const BoundInput& input,
-                  std::vector<std::string>& warnings, Progress& progress) const {
+  void keepVolume(deformation::Deformer& deformer, const BoundInput& input, std::vector<Text>& warnings,
+                  Progress& progress) const {
     if (!lockVolume_ && !targetMl_) {
       if (!compensate_.empty())
         throw UsageError("It goes with --lock-volume or --target-ml", "--compensate");
@@ -143,8 +143,8 @@ private:
 
   /// The restoration model chosen by `--restore`. Fills the organ with witness points if the model needs
   /// them.
-  std::unique_ptr<deformation::RestorationModel>
-  model(const BoundInput& input, std::vector<std::string>& warnings, Progress& progress) const {
+  std::unique_ptr<deformation::RestorationModel> model(const BoundInput& input, std::vector<Text>& warnings,
+                                                       Progress& progress) const {
     if (restore_ == kLeastDisplacement)
       return std::make_unique<deformation::LeastDisplacement>();
     live::WitnessOptions witnesses;

@@ -54,9 +54,9 @@ Outcome describe(const medical_io::SurfaceFile& surface, const std::string& file
   const Bounds bounds = boundsOf(surface.mesh.points);
   const double volumeMl = report.volumeMm3 / kMm3PerMl;
   const double areaCm2 = report.areaMm2 / kMm2PerCm2;
-  std::vector<std::string> warnings = surface.warnings;
+  std::vector<Text> warnings = surface.warnings;
   appendFindings(warnings, assessment.findings);
-  for (std::string& fault : geometry::faults(report))
+  for (Text& fault : geometry::faults(report))
     if (std::find(warnings.begin(), warnings.end(), fault) == warnings.end())
       warnings.push_back(std::move(fault));
 

@@ -90,7 +90,7 @@ private:
   struct Material {
     std::unique_ptr<BoundDocument> document;
     lesson::LessonSource source;
-    std::vector<std::string> warnings;
+    std::vector<Text> warnings;
   };
 
   Material material(CommandContext& context) const;

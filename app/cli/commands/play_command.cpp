@@ -378,7 +378,7 @@ private:
   void noteObstacle(const live::MotionRunner& runner, double seconds, Measured& measured) const {
     if (runner.obstacle().empty())
       return;
-    const std::string place = " at " + fixed(seconds, 3) + " s: " + runner.obstacle();
+    const std::string place = " at " + fixed(seconds, 3) + " s: " + runner.obstacle().english();
     if (!volumeCurve_.empty())
       throw DataError("the volume cannot be met" + place, volumeCurve_,
                       "ask for a volume nearer to that at rest");
@@ -477,7 +477,7 @@ private:
     if (!request_.scenario.empty())
       outcome.json["scenario"] = request_.scenario;
     Listing listing;
-    listing.add("sequence", played.sequence->name() + ", " + significant(rate, 6) + " a minute")
+    listing.add("sequence", played.sequence->name().english() + ", " + significant(rate, 6) + " a minute")
         .add("frames", std::to_string(volumes.rows()));
     double outerChange = 0;
     for (std::size_t i = 0; i < played.surfaces.size(); ++i) {

@@ -36,7 +36,7 @@ struct Contents {
   std::optional<RigInput> rig;
   std::optional<Points> pose;                     ///< Of the rig; none: at rest.
   std::shared_ptr<const document::ScanItem> scan; ///< Null: none was asked for, or there is none.
-  std::vector<std::string> warnings;
+  std::vector<Text> warnings;
 };
 
 /// The coordinates of one picture, with the values to show.

@@ -60,8 +60,8 @@ public:
     source.prescribed = prescribedOf(posed.state(), material.view);
     live::StressCopy stress;
     if (material.view.shown.stress || stress_) {
-      if (const std::string missing = posed.makeStress(material.view, context); !missing.empty())
-        outcome.warnings.push_back("there is no stress to report: " + missing);
+      if (const Text missing = posed.makeStress(material.view, context); !missing.empty())
+        outcome.warnings.push_back("there is no stress to report: " + missing.english());
       stress = posed.stress().copy();
       source.stress = &stress;
       source.stressStatus = posed.stress().status();
@@ -93,10 +93,10 @@ private:
     document::DocumentState state;
     presentation::ViewState view;
     std::string file;
-    std::vector<std::string> notes; ///< Of the files, for its reader.
+    std::vector<Text> notes; ///< Of the files, for its reader.
   };
 
-  Material material(CommandContext& context, std::vector<std::string>& warnings) const {
+  Material material(CommandContext& context, std::vector<Text>& warnings) const {
     Material material;
     if (document::isSessionFile(files_.front())) {
       if (files_.size() > 1)

@@ -11,6 +11,7 @@
 
 #include "cli/listing.h"
 #include "viscera/core/error.h"
+#include "viscera/core/phrase.h"
 #include "viscera/medical_io/label_map.h"
 #include "viscera/medical_io/label_surfaces.h"
 #include "viscera/medical_io/surface_file.h"
@@ -158,8 +159,8 @@ public:
         medical_io::labelSurfaces(map, options_, progress, context.threads);
 
     Outcome outcome;
-    for (const std::string& warning : map.warnings)
-      outcome.warnings.push_back(file_ + ": " + warning);
+    for (const Text& warning : map.warnings)
+      outcome.warnings.push_back(phrase("%1: %2", file_, warning));
     ordered_json organs = ordered_json::array();
     Listing listing;
     FileNames names;
@@ -173,8 +174,8 @@ public:
       organs.push_back(rowOf(segment, surface, file));
       listing.add(segment.name, std::to_string(surface.mesh.triangles.rows()) + " triangles, " +
                                     fixed(surface.volumeMm3 / kMm3PerMl, 2) + " ml, " + file.string());
-      for (const std::string& warning : surface.warnings)
-        outcome.warnings.push_back(segment.name + ": " + warning);
+      for (const Text& warning : surface.warnings)
+        outcome.warnings.push_back(phrase("%1: %2", segment.name, warning));
     }
     folder.keep();
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;

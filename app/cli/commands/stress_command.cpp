@@ -136,7 +136,7 @@ public:
   Outcome run(CommandContext& context) override {
     const auto begin = std::chrono::steady_clock::now();
     marks_.check();
-    std::vector<std::string> warnings;
+    std::vector<Text> warnings;
     const BoundInput input = input_.read(context, warnings);
     live::WitnessOptions witnesses = witnesses_;
     witnesses.memoryLimitBytes = static_cast<std::uint64_t>(memoryMb_ * 1024 * 1024);

@@ -13,6 +13,7 @@
 #include "cli/listing.h"
 #include "viscera/core/atomic_file.h"
 #include "viscera/core/error.h"
+#include "viscera/core/phrase.h"
 #include "viscera/document/open_files.h"
 #include "viscera/live/patient_motion.h"
 #include "viscera/live/textbook_motion.h"
@@ -35,7 +36,7 @@ private:
   live::SeriesRequest request() const;
   /// The series, or the one that a single image has while it beats as the textbook's.
   live::MotionSeries read(const live::SeriesRequest& asked, Progress& progress, Threads threads) const;
-  live::TrackOptions trackOptions(std::vector<std::string>& warnings) const;
+  live::TrackOptions trackOptions(std::vector<Text>& warnings) const;
   /// Writes the sequence and what else is asked for: all of it, or nothing.
   void write(const live::PatientMotion& found) const;
   Outcome report(const live::PatientMotion& found) const;
@@ -120,7 +121,7 @@ ordered_json rowOf(const live::TrackedPhase& phase, const std::vector<live::Sequ
           {"folded", phase.quality.folded},
           {"steps", phase.quality.steps},
           {"light", nameOf(phase.verdict.light)},
-          {"reasons", phase.verdict.reasons}};
+          {"reasons", inEnglish(phase.verdict.reasons)}};
 }
 
 /// One surface over all phases.
@@ -231,7 +232,7 @@ live::MotionSeries TrackCommand::read(const live::SeriesRequest& asked, Progress
   return live::textbookSeries(live::readOnePhase(asked, progress), beat, progress, threads);
 }
 
-live::TrackOptions TrackCommand::trackOptions(std::vector<std::string>& warnings) const {
+live::TrackOptions TrackCommand::trackOptions(std::vector<Text>& warnings) const {
   live::TrackOptions options;
   options.rig.handles = handles_;
   options.keepVolumes = !freeVolumes_;
@@ -240,8 +241,8 @@ live::TrackOptions TrackCommand::trackOptions(std::vector<std::string>& warnings
     options.smoothing = smoothing_;
   if (!rig_.empty()) {
     options.handles = medical_io::readHandles(rig_);
-    for (const std::string& warning : options.handles->warnings)
-      warnings.push_back(rig_ + ": " + warning);
+    for (const Text& warning : options.handles->warnings)
+      warnings.push_back(phrase("%1: %2", rig_, warning));
   }
   return options;
 }
@@ -255,7 +256,7 @@ Outcome TrackCommand::run(CommandContext& context) {
     if (!target->empty())
       const AtomicFile writable(*target); // Fails before the work, not after it.
   const live::SeriesRequest asked = request();
-  std::vector<std::string> warnings;
+  std::vector<Text> warnings;
   const live::TrackOptions options = trackOptions(warnings);
   live::MotionSeries series;
   runPart(context.progress, 0, 0.1, [&](Progress& part) { series = read(asked, part, context.threads); });

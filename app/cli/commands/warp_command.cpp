@@ -69,7 +69,7 @@ public:
 private:
   template <class MapFor>
   void warpScan(const medical_io::Scan& scan, Warped& warped, const MapFor& mapFor,
-                const coordinates::CoordinateSystem& system, std::vector<std::string>& warnings,
+                const coordinates::CoordinateSystem& system, std::vector<Text>& warnings,
                 Progress& progress) const {
     appendFindings(warnings, scan);
     warped = {"scan", scan.size, scan.spacing(), {}};
@@ -79,7 +79,7 @@ private:
 
   template <class MapFor>
   void warpLabels(const medical_io::LabelMap& labels, Warped& warped, const MapFor& mapFor,
-                  const coordinates::CoordinateSystem& system, std::vector<std::string>& warnings,
+                  const coordinates::CoordinateSystem& system, std::vector<Text>& warnings,
                   Progress& progress) const {
     warped = {"label map", labels.size, labels.spacing(), {}};
     const deformation::InverseMap map = mapFor(warped.spacing);

@@ -6,6 +6,7 @@
 #include "viscera/circulation/scenario.h"
 #include "viscera/core/error.h"
 #include "viscera/core/parallel.h"
+#include "viscera/core/phrase.h"
 #include "viscera/live/motion_recipe.h"
 #include "viscera/sample_organs/sample_organ.h"
 #include "window/mailbox.h"
@@ -21,8 +22,8 @@ constexpr int kControlRestMilliseconds = 200;
 constexpr Eigen::Index kTriedOfSimilar = 8;
 
 heart::HeartCourse courseOf(const CirculationModel::Shown& shown) {
-  return live::heartCourse("Heartbeat: " + shown.name, shown.parameters, shown.beat, shown.indices,
-                           circulation::leftMuscleOf(shown.name));
+  return live::heartCourse(phrase("Heartbeat: %1", shown.name), shown.parameters, shown.beat, shown.indices,
+                           circulation::leftMuscleOf(shown.name.english()));
 }
 
 } // namespace
@@ -83,8 +84,7 @@ void CirculationModel::clear() {
   Q_EMIT changed();
 }
 
-CirculationModel::SolvedPointer CirculationModel::solved(std::string name,
-                                                         const circulation::Parameters& parameters,
+CirculationModel::SolvedPointer CirculationModel::solved(Text name, const circulation::Parameters& parameters,
                                                          const SolvedPointer& nearby, Progress& progress) {
   circulation::PeriodicState found =
       circulation::findPeriodicState(parameters, progress, {}, nearby ? &nearby->start : nullptr);
@@ -96,11 +96,11 @@ CirculationModel::SolvedPointer CirculationModel::solved(std::string name,
 /// Returns true when everything that the document needs is computed; else a worker computes it.
 bool CirculationModel::solve() {
   const auto isOf = [](const SolvedPointer& known, const circulation::Parameters& parameters,
-                       const std::string& name) {
+                       const Text& name) {
     return known && known->shown.parameters == parameters && known->shown.name == name;
   };
   const document::CirculationChoice& wanted = choice();
-  const std::string name = document::nameOf(wanted);
+  const Text name = document::nameOf(wanted);
   if (isOf(present_, wanted.parameters, name)) // An undo may have gone back to what is seen.
     solved_ = present_;
   const bool refused = isOf(refused_, wanted.parameters, name);

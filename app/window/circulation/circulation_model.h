@@ -9,6 +9,7 @@
 
 #include "viscera/circulation/periodic_state.h"
 #include "viscera/core/job_queue.h"
+#include "viscera/core/phrase.h"
 #include "viscera/heart/course_heartbeat.h"
 #include "viscera/live/circulating_heart.h"
 #include "viscera/presentation/circulation_figure.h"
@@ -62,7 +63,7 @@ private:
   struct Solved {
     Shown shown;
     circulation::State start{};
-    std::string failureReason; ///< Why no periodic beat was found.
+    Text failureReason; ///< Why no periodic beat was found.
   };
   using SolvedPointer = std::shared_ptr<const Solved>;
   struct Solutions {
@@ -88,7 +89,7 @@ private:
     std::shared_ptr<const heart::CourseHeartbeat> similar(const Shown& shown) const;
   };
 
-  static SolvedPointer solved(std::string name, const circulation::Parameters& parameters,
+  static SolvedPointer solved(Text name, const circulation::Parameters& parameters,
                               const SolvedPointer& nearby, Progress& progress);
   void scheduleSolve();
   void sync();

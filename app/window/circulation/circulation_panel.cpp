@@ -15,7 +15,6 @@
 
 #include "window/circulation/numbers_table.h"
 #include "window/language.h"
-#include "window/phrase_translator.h"
 #include "window/timeline/person_box.h"
 #include "window/view/view_model.h"
 #include "window/widgets/ready_made.h"
@@ -103,7 +102,7 @@ QString CirculationPanel::legendText() const {
     const QColor color = QColor::fromRgbF(line.color.x(), line.color.y(), line.color.z());
     parts.push_back(QStringLiteral("<span style=\"color:%1\">%2</span>&nbsp;%3")
                         .arg(color.name(), line.dashed ? QStringLiteral("- -") : QStringLiteral("&#9632;"),
-                             messageInWords(line.name).toHtmlEscaped()));
+                             inWords(line.name).toHtmlEscaped()));
   }
   return parts.join(QStringLiteral("&nbsp;&nbsp; "));
 }
@@ -118,7 +117,7 @@ void CirculationPanel::rebuild() {
     panels = presentation::circulationStrip(*present, kept, chart_->width(), chart_->height());
   for (scene::CurvePanel& panel : panels)
     for (std::string* title : {&panel.xTitle, &panel.yTitle})
-      *title = messageInWords(*title).toStdString();
+      *title = inWords(*title).toStdString();
   places_ = panels;
   for (scene::CurvePanel& place : places_)
     place.curves.clear();

@@ -9,7 +9,6 @@
 #include <cmath>
 
 #include "window/language.h"
-#include "window/phrase_translator.h"
 #include "window/workspace.h"
 
 namespace viscera::app {
@@ -61,9 +60,9 @@ protected:
 
 QString sourceText(const circulation::NormalValues& normal) {
   QStringList parts;
-  for (const std::string& part : {normal.meaning, normal.people, normal.source})
+  for (const Text& part : {normal.meaning, named(normal.people), named(normal.source)})
     if (!part.empty())
-      parts.push_back(messageInWords(part));
+      parts.push_back(inWords(part));
   return parts.join(QStringLiteral("; "));
 }
 

@@ -21,7 +21,6 @@
 #include "window/file_actions.h"
 #include "window/heap.h"
 #include "window/language.h"
-#include "window/phrase_translator.h"
 #include "window/sample_loader.h"
 #include "window/timeline/timeline_bar.h"
 #include "window/view/camera_link.h"
@@ -512,7 +511,7 @@ QStringList Comparison::phasesOf(const Playback& playback) {
   QStringList names;
   if (playback.sequence() && playback.showing())
     for (const sequences::Phase& phase : playback.sequence()->phases(playback.player().ratePerMinute()))
-      names.push_back(messageInWords(phase.name));
+      names.push_back(inWords(phase.name));
   return names;
 }
 
@@ -528,12 +527,11 @@ void Comparison::syncHeaders() {
     title += tr("  %1 / min").arg(formatNumber(first.ratePerMinute(), 0));
   firstHeader_->setTitle(title);
   firstHeader_->setPhases(phasesOf(first_.playback));
-  firstHeader_->setState(first_.playback.showing() ? messageInWords(first.phase()) : QString(), volumesOf(0));
+  firstHeader_->setState(first_.playback.showing() ? inWords(first.phase()) : QString(), volumesOf(0));
   Playback& second = second_->playback;
   secondHeader_->setTitle(second_->system ? QString() : titleOf(second_->workspace, second));
   secondHeader_->setPhases(phasesOf(second));
-  secondHeader_->setState(second.showing() ? messageInWords(second.player().phase()) : QString(),
-                          volumesOf(1));
+  secondHeader_->setState(second.showing() ? inWords(second.player().phase()) : QString(), volumesOf(1));
   rate_->setVisible(second.sequence() != nullptr && !second_->system);
   if (second.sequence())
     showRate(*rate_, *second.sequence(), second.player().ratePerMinute());

@@ -16,7 +16,6 @@
 #include "viscera/live/sequence_file.h"
 #include "viscera/live/sequence_setup.h"
 #include "window/language.h"
-#include "window/phrase_translator.h"
 #include "window/style/icon.h"
 #include "window/widgets/ready_made.h"
 
@@ -303,7 +302,7 @@ void FitBox::takeHeart(const live::PatientMotion& found, const document::Organ& 
   const std::string name = tr("Fit the textbook's beat to %1").arg(inWords(heart.name)).toStdString();
   if (!workspace_.perform(document::combined(name, {live::openSequence(found.sequence)})))
     return;
-  for (const std::string& warning : found.warnings)
+  for (const Text& warning : found.warnings)
     workspace_.say({Message::Severity::warning, asSentence(warning), {}, 0});
   playback_.play();
 }
@@ -316,8 +315,8 @@ void FitBox::take(const live::RetargetedSequence& fitted, document::OrganId orga
   if (organ_ && organ_->id == organ)
     landmarks_ = fitted.landmarks;
   syncRows();
-  for (const std::string& warning : fitted.warnings)
-    workspace_.say({Message::Severity::warning, messageInWords(warning), {}, 0});
+  for (const Text& warning : fitted.warnings)
+    workspace_.say({Message::Severity::warning, inWords(warning), {}, 0});
   playback_.play();
 }
 

@@ -10,7 +10,6 @@
 #include <algorithm>
 
 #include "window/language.h"
-#include "window/phrase_translator.h"
 #include "window/widgets/ready_made.h"
 
 namespace viscera::app {
@@ -140,8 +139,8 @@ const Playback* LectureScreen::playbackOf(int side) const {
 
 QString LectureScreen::numbersOf(int side) const {
   const Playback* playback = playbackOf(side);
-  return rowOf(side, playback && playback->player().showing() ? messageInWords(playback->player().phase())
-                                                              : QString());
+  return rowOf(side,
+               playback && playback->player().showing() ? inWords(playback->player().phase()) : QString());
 }
 
 /// The phase and the volumes of one view; of two views with the number that its header has.
@@ -171,7 +170,7 @@ int LectureScreen::widestRow(int side, const QFontMetrics& type) const {
     return type.horizontalAdvance(numbersOf(side));
   QString longest;
   for (const sequences::Phase& phase : playback->sequence()->phases(playback->player().ratePerMinute())) {
-    const QString name = messageInWords(phase.name);
+    const QString name = inWords(phase.name);
     if (type.horizontalAdvance(name) > type.horizontalAdvance(longest))
       longest = name;
   }

@@ -93,7 +93,7 @@ int record(Take take, Progress& progress) {
     progress.report(kDrawingShare * (frame + 1) / take.frames);
   }
   if (writer) {
-    Progress closing([&](double fraction, const std::string& step) {
+    Progress closing([&](double fraction, const Text& step) {
       progress.report(kDrawingShare + (1 - kDrawingShare) * fraction, step);
     });
     progress.throwIfCancelled();

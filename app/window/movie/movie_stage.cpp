@@ -11,7 +11,6 @@
 #include "viscera/heart/beating_heart.h"
 #include "viscera/presentation/presenter.h"
 #include "window/language.h"
-#include "window/phrase_translator.h"
 
 namespace viscera::app {
 namespace {
@@ -78,7 +77,7 @@ void MovieStage::writeCaption() {
     const double fraction = std::fmod(seconds_, periodSeconds()) / periodSeconds();
     for (const sequences::Phase& phase : sequence->phases(runner_.ratePerMinute()))
       if (fraction >= phase.begin && fraction < phase.end)
-        lines += QLatin1Char('\n') + messageInWords(phase.name);
+        lines += QLatin1Char('\n') + inWords(phase.name);
   }
   for (std::size_t i = 0; i < names_.size(); ++i)
     lines += QStringLiteral("\n%1  %2").arg(inWords(names_[i]), formatMilliliters(milliliters_[i]));

@@ -12,7 +12,6 @@
 #include "viscera/document/scan_item.h"
 #include "viscera/presentation/presenter.h"
 #include "window/language.h"
-#include "window/phrase_translator.h"
 #include "window/widgets/ready_made.h"
 
 namespace viscera::app {
@@ -111,8 +110,8 @@ void ExplorePage::sync() {
   if (several)
     lines.push_back(tr("Select an organ in the view or in the list to read about it."));
   if (organ)
-    for (const std::string& warning : organ->warnings)
-      lines.push_back(messageInWords(warning));
+    for (const Text& warning : organ->warnings)
+      lines.push_back(inWords(warning));
   warnings_->setText(lines.join(QLatin1Char('\n')));
   warnings_->setVisible(!lines.isEmpty());
 }
@@ -137,7 +136,7 @@ void ExplorePage::syncScan() {
     scanFile_->setToolTip(text(item->file.string()));
     for (const medical_io::ScanFinding& finding : scan.findings)
       lines << asSentence(finding.sentence);
-    for (const std::string& sentence : document::scanFit(workspace_.state()))
+    for (const Text& sentence : document::scanFit(workspace_.state()))
       lines << asSentence(sentence);
   }
   scanRemarks_->setText(lines.join(QLatin1Char('\n')));

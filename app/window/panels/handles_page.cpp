@@ -100,7 +100,7 @@ void HandlesPage::sync() {
   identity_->setText(bound ? tr("%1 mm").arg(formatDigits(status.report.identityError, 2)) : none);
   smallest_->setText(bound ? formatDigits(status.report.minWeight, 2) : none);
   QStringList remarks;
-  for (const std::string& note : status.report.notes)
+  for (const Text& note : status.report.notes)
     remarks.push_back(asSentence(note));
   if (!status.message.empty())
     remarks = QStringList{asSentence(status.message)};

@@ -20,7 +20,6 @@
 #include "window/organ_looks.h"
 #include "window/panels/color_palette.h"
 #include "window/panels/volume_column.h"
-#include "window/phrase_translator.h"
 #include "window/style/icon.h"
 #include "window/widgets/list_keys.h"
 #include "window/widgets/ready_made.h"
@@ -422,8 +421,8 @@ void OrganPanel::updateRow(const document::Organ& organ, QTreeWidgetItem* item) 
   item->setToolTip(kOrganEye, organ.look.visible ? tr("Hide (click)") : tr("Show (click)"));
   QString tip = tr("%1\n%n triangles", nullptr, static_cast<int>(organ.mesh->triangles.rows()))
                     .arg(inWords(organ.name));
-  for (const std::string& warning : organ.warnings)
-    tip += QStringLiteral("\n") + messageInWords(warning);
+  for (const Text& warning : organ.warnings)
+    tip += QStringLiteral("\n") + inWords(warning);
   updateLock(organ, item);
   item->setToolTip(kOrganName,
                    tip + tr("\nDouble click or F2 renames; a click on the square changes the colour"));

@@ -17,7 +17,6 @@
 #include "window/language.h"
 #include "window/panels/curve_box.h"
 #include "window/panels/sequence_list.h"
-#include "window/phrase_translator.h"
 #include "window/view/view_area.h"
 #include "window/view/view_model.h"
 
@@ -217,7 +216,7 @@ void PlayPage::syncState() {
 
 void PlayPage::syncPhase() {
   phase_->setText(!playback_.sequence() ? nothing()
-                  : playback_.showing() ? messageInWords(playback_.player().phase())
+                  : playback_.showing() ? inWords(playback_.player().phase())
                                         : tr("at rest"));
 }
 
@@ -303,11 +302,10 @@ void PlayPage::syncIndices() {
                            .arg(formatNumber(range.low, 0))
                            .arg(formatNumber(range.high, 0))
                            .arg(percent ? tr("%") : tr("ml")));
-      sources.push_back(
-          tr("%1: %2; %3")
-              .arg(inWords(range.name),
-                   QStringLiteral("%1; %2").arg(messageInWords(range.meaning), messageInWords(range.people)),
-                   messageInWords(range.source)));
+      sources.push_back(tr("%1: %2; %3")
+                            .arg(inWords(range.name),
+                                 QStringLiteral("%1; %2").arg(inWords(range.meaning), inWords(range.people)),
+                                 inWords(range.source)));
     }
   normal_->setText(normal.isEmpty() ? QString()
                                     : tr("Normal for %1: %2.").arg(lines[best].name, normal.join(tr(", "))));

@@ -90,7 +90,7 @@ void ReportExport::write(const QString& file) {
       tr("Writing the report"), Workspace::slotOf(file),
       [material, path = file.toStdString()](Progress& progress) {
         if (!report::isReportFile(path))
-          throw UsageError("A report cannot be written as this kind of file", path,
+          throw UsageError("A report cannot be written to this kind of file", path,
                            "let it end in .pdf or .html");
         return report::writeReport(path, report::makeReport(material->source, {}, progress));
       },

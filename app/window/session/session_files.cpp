@@ -261,7 +261,7 @@ void SessionFiles::onView() {
 }
 
 void SessionFiles::sayWarnings(const document::OpenedSession& session, const QString& file) {
-  const std::vector<std::string>& warnings = session.warnings;
+  const std::vector<Text>& warnings = session.warnings;
   if (warnings.empty())
     return;
   const bool missing =

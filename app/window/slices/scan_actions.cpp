@@ -270,10 +270,10 @@ void ScanActions::opened() {
     view.scan.warped = before.warped;
   });
   Q_EMIT layoutChosen();
-  std::vector<std::string> odd;
+  std::vector<Text> odd;
   for (const medical_io::ScanFinding& finding : item->scan->findings)
     odd.push_back(finding.sentence);
-  for (const std::string& sentence : document::scanFit(workspace_.state()))
+  for (const Text& sentence : document::scanFit(workspace_.state()))
     odd.push_back(sentence);
   reportScanFindings(odd);
 }
@@ -282,7 +282,7 @@ void ScanActions::reportScanFit() {
   reportScanFindings(document::scanFit(workspace_.state()));
 }
 
-void ScanActions::reportScanFindings(const std::vector<std::string>& sentences) {
+void ScanActions::reportScanFindings(const std::vector<Text>& sentences) {
   if (sentences.empty())
     return;
   QStringList lines;

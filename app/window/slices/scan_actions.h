@@ -5,6 +5,7 @@
 
 #include <vector>
 
+#include "viscera/core/phrase.h"
 #include "viscera/document/scan_item.h"
 #include "window/actions.h"
 #include "window/settings.h"
@@ -49,7 +50,7 @@ private:
   void chooseAndOpen(bool folder);
   void choose(const QString& place, const std::vector<medical_io::ScanSeries>& series);
   void read(const QString& place, const medical_io::ScanOptions& options);
-  void reportScanFindings(const std::vector<std::string>& sentences);
+  void reportScanFindings(const std::vector<Text>& sentences);
   /// Adds a checkable action that is checked while the view has that choice.
   void addChoice(Actions& actions, const char* id, const Actions::Description& description,
                  std::function<bool(const presentation::ScanLook&)> chosen,

@@ -10,7 +10,6 @@
 #include "viscera/medical_io/slice_frame.h"
 #include "viscera/scene/vtkVisceraHandleSetRepresentation.h"
 #include "window/language.h"
-#include "window/phrase_translator.h"
 #include "window/view/picture.h"
 
 namespace viscera::app {
@@ -190,8 +189,8 @@ void SlicePanes::bringUpToDate() {
 }
 
 void SlicePanes::followWarp() {
-  if (const std::string& problem = workspace_.warp().problem(); !problem.empty())
-    workspace_.note(tr("The scan cannot be warped: %1").arg(messageInWords(problem)));
+  if (const Text& problem = workspace_.warp().problem(); !problem.empty())
+    workspace_.note(tr("The scan cannot be warped: %1").arg(inWords(problem)));
   markOutdated();
 }
 

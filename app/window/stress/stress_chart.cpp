@@ -12,7 +12,6 @@
 #include <vtkNew.h>
 
 #include "window/language.h"
-#include "window/phrase_translator.h"
 #include "window/timeline/chart_cursor.h"
 #include "window/widgets/ready_made.h"
 
@@ -81,11 +80,11 @@ void StressChart::refresh() {
   if (!isVisible())
     return;
   const bool another = std::exchange(drawn_, model_.cycle()) != model_.cycle();
-  const std::string& failure = model_.live().cycleMessage();
+  const Text& failure = model_.live().cycleMessage();
   hint_->setText(
       failure.empty()
           ? tr("The stress over one cycle of the sequence is drawn here as soon as it is computed.")
-          : messageInWords(failure));
+          : inWords(failure));
   stack_->setCurrentIndex(drawn_ ? 1 : 0);
   if (another) {
     drawCycle();

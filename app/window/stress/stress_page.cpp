@@ -18,7 +18,6 @@
 #include <cmath>
 
 #include "window/language.h"
-#include "window/phrase_translator.h"
 #include "window/stress/histogram.h"
 #include "window/stress/marks_box.h"
 #include "window/widgets/ready_made.h"
@@ -379,7 +378,7 @@ void StressPage::syncStatus() {
     state = tr("Cancelled. Press Try again to go on.");
     break;
   case State::failed:
-    state = messageInWords(status.message);
+    state = inWords(status.message);
     break;
   case State::ready:
     break;
@@ -400,8 +399,8 @@ void StressPage::syncStatus() {
                         : status.closedForm          ? tr("closed form")
                                                      : tr("differences"));
   QStringList lines;
-  for (const std::string& remark : status.remarks)
-    lines.push_back(messageInWords(remark));
+  for (const Text& remark : status.remarks)
+    lines.push_back(inWords(remark));
   if (status.state == State::ready && status.outside > 0)
     lines.push_back(
         tr("%n points lie outside the handles' hull and stay where they are.", nullptr, status.outside));

@@ -12,7 +12,6 @@
 
 #include "viscera/scene/label_layout.h"
 #include "window/language.h"
-#include "window/phrase_translator.h"
 #include "window/workspace.h"
 
 namespace viscera::app {
@@ -38,8 +37,8 @@ QString phaseText(const sequences::Phase& phase, double periodSeconds) {
   const double milliseconds = 1000 * periodSeconds * (phase.end - phase.begin);
   // A stomach's wave lasts for many seconds: no milliseconds are shown.
   if (phase.group.empty() || milliseconds <= 0)
-    return messageInWords(phase.name);
-  return PhaseScrubber::tr("%1, %2 ms").arg(messageInWords(phase.name)).arg(formatNumber(milliseconds, 0));
+    return inWords(phase.name);
+  return PhaseScrubber::tr("%1, %2 ms").arg(inWords(phase.name)).arg(formatNumber(milliseconds, 0));
 }
 
 void PhaseScrubber::setPhases(std::vector<sequences::Phase> phases, double periodSeconds) {
@@ -70,7 +69,7 @@ void PhaseScrubber::setFraction(double fraction) {
 
 QString PhaseScrubber::phaseName() const {
   const sequences::Phase* phase = phaseAt(fraction_);
-  return phase ? messageInWords(phase->name) : QString();
+  return phase ? inWords(phase->name) : QString();
 }
 
 QString PhaseScrubber::phaseText() const {
@@ -144,8 +143,7 @@ std::vector<PhaseScrubber::Name> PhaseScrubber::names() const {
     names.push_back({inWords(place.name), 0, area.left() + place.place * area.width(), false});
   if (course_.empty())
     for (const sequences::Phase& phase : phases_)
-      names.push_back({messageInWords(phase.name), 0,
-                       area.left() + (phase.begin + phase.end) / 2 * area.width(),
+      names.push_back({inWords(phase.name), 0, area.left() + (phase.begin + phase.end) / 2 * area.width(),
                        &phase == phaseAt(fraction_)});
   if (place(names))
     return names;

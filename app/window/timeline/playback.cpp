@@ -236,7 +236,7 @@ void Playback::stepFinely(int steps) {
 }
 
 void Playback::onShown() {
-  const std::string& obstacle = player_.runner().obstacle();
+  const Text& obstacle = player_.runner().obstacle();
   const bool outOfReach = !obstacle.empty() && !workspace_.live().busy();
   if (outOfReach && !outOfReach_)
     workspace_.report(DataError(phrase("the volume cannot be kept here: %1", obstacle),

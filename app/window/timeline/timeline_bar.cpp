@@ -166,7 +166,7 @@ void TimelineBar::syncSequence(const sequences::Sequence& sequence) {
   showRate(*rate_, sequence, player.ratePerMinute());
   rateSlider_->setRange(rate_->minimum(), rate_->maximum());
   rateSlider_->setEnabled(rate_->minimum() < rate_->maximum());
-  if (const std::string remark = sequence.rateRemark(player.ratePerMinute()); !remark.empty())
+  if (const Text remark = sequence.rateRemark(player.ratePerMinute()); !remark.empty())
     rate_->setToolTip(rate_->toolTip() + QLatin1Char('\n') + inWords(remark));
   rateSlider_->setToolTip(rate_->toolTip());
   rateSlider_->setValue(rate_->value());

@@ -16,7 +16,6 @@
 
 #include "viscera/heart/clinical_numbers.h"
 #include "window/language.h"
-#include "window/phrase_translator.h"
 #include "window/timeline/chart_cursor.h"
 #include "window/timeline/person_box.h"
 #include "window/track/measured_motion.h"
@@ -370,10 +369,9 @@ QStringList VolumePanel::normalsForms() const {
     if (!inMilliliters(range))
       continue;
     parts.push_back(tr("%1 %2 ml").arg(inWords(range.name), rangeText(range)));
-    source = shortSource(messageInWords(range.source));
-    from = tr("%1: %2").arg(
-        messageInWords(range.source),
-        QStringLiteral("%1; %2").arg(messageInWords(range.meaning), messageInWords(range.people)));
+    source = shortSource(inWords(range.source));
+    from = tr("%1: %2").arg(inWords(range.source),
+                            QStringLiteral("%1; %2").arg(inWords(range.meaning), inWords(range.people)));
   }
   if (parts.isEmpty())
     return {};

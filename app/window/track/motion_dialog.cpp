@@ -233,7 +233,7 @@ void MotionDialog::take(const live::SeriesContents& contents) {
   say(contents.phases == 1
           ? tr("A single image shows no motion. Open it with File > Open, then choose \"Fit a sequence to an "
                "organ\" in Play mode to give the heart and its chambers the textbook's beat.")
-          : text(contents.doubt),
+          : inWords(contents.doubt),
       false);
   fillItems();
 }

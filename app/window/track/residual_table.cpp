@@ -257,7 +257,7 @@ void ResidualTable::fillRow(int row, const live::TrackedPhase& phase) {
                              QString::number(all.folded),
                              QString::number(all.steps)};
   QStringList reasons;
-  for (const std::string& reason : phase.verdict.reasons)
+  for (const Text& reason : phase.verdict.reasons)
     reasons.push_back(asSentence(reason));
   for (int column = 0; column < kResidualColumns; ++column) {
     auto* item = new QTableWidgetItem(cells[column]);

@@ -1,16 +1,15 @@
 #include "window/view/picture.h"
 
-#include <QCoreApplication>
-
 #include <utility>
 
 #include "viscera/presentation/slice_presenter.h"
 #include "viscera/scene/vtkVisceraHandleSetWidget.h"
+#include "window/language.h"
 
 namespace viscera::app {
 
 std::string translated(const char* text) {
-  return QCoreApplication::translate("viscera::presentation", text).toStdString();
+  return inWords(std::string(text)).toStdString();
 }
 
 namespace {

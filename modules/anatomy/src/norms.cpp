@@ -31,7 +31,8 @@ const Norm& norm(std::string_view id) {
   const auto& rows = norms();
   const auto found = std::find_if(rows.begin(), rows.end(), [&](const Norm& row) { return row.id == id; });
   if (found == rows.end())
-    throw UsageError("There is no such normal range", std::string(id), "viscera reference names them all");
+    throw UsageError(misuse("There is no such normal range"), std::string(id),
+                     misuse("viscera reference names them all"));
   return *found;
 }
 
@@ -49,14 +50,14 @@ Range rangeOf(const Norm& norm, const Person& person) {
   return {std::min(ofWomen.low, ofMen.low), std::max(ofWomen.high, ofMen.high)};
 }
 
-std::string meaningOf(const Norm& norm, const Person& person) {
-  const std::string who(nameOf(norm.knowsSex() ? person.sex : Sex::either));
+Text meaningOf(const Norm& norm, const Person& person) {
+  const Text who = named(nameOf(norm.knowsSex() ? person.sex : Sex::either));
   if (norm.kind == Kind::limits)
     return who;
   const bool spread = norm.kind == Kind::spread;
   if (!sized(norm, person))
     return spread ? phrase("%1, mean +- 2 standard deviations", who) : phrase("%1, on average", who);
-  const std::string m2 = fixed(person.bodySurfaceM2, 2);
+  const Text m2 = inFixed(person.bodySurfaceM2, 2);
   return spread ? phrase("%1, mean +- 2 standard deviations, for %2 m2 of body surface", who, m2)
                 : phrase("%1, on average, for %2 m2 of body surface", who, m2);
 }

@@ -10,7 +10,7 @@ namespace viscera::coordinates {
 
 LiftedBinding::LiftedBinding(std::shared_ptr<const PoseLift> lift, TiledWeights weights,
                              const Points& restHandles, const Points& restPoints, std::vector<int> failures,
-                             double seconds, Threads threads, std::vector<std::string> notes)
+                             double seconds, Threads threads, std::vector<Text> notes)
     : lift_(std::move(lift)), handles_(restHandles.rows()),
       rows_(std::move(weights), lift_->lift(restHandles), restPoints, std::move(failures), seconds, threads,
             std::move(notes)),

@@ -4,6 +4,7 @@
 
 #include "viscera/coordinates/pose_lift.h"
 #include "viscera/coordinates/weights_binding.h"
+#include "viscera/core/phrase.h"
 
 namespace viscera::coordinates {
 
@@ -15,7 +16,7 @@ public:
   /// smallest weight are those of the handles' own columns.
   LiftedBinding(std::shared_ptr<const PoseLift> lift, TiledWeights weights, const Points& restHandles,
                 const Points& restPoints, std::vector<int> failures, double seconds, Threads threads,
-                std::vector<std::string> notes);
+                std::vector<Text> notes);
 
   Eigen::Index handleCount() const override { return handles_; }
   Eigen::Index pointCount() const override { return rows_.pointCount(); }

@@ -23,15 +23,15 @@ std::string joined(const std::vector<std::string>& words) {
   return text;
 }
 
-std::string adviceFor(const Parameter& parameter) {
+Text adviceFor(const Parameter& parameter) {
   if (!parameter.choices.empty())
-    return phrase("give one of: %1", joined(parameter.choices));
-  const std::string low = significant(parameter.minimum, 6);
-  std::string high = significant(parameter.maximum, 6);
+    return misuse("give one of: %1", joined(parameter.choices));
+  const Text low = inDigits(parameter.minimum, 6);
+  Text high = inDigits(parameter.maximum, 6);
   if (!parameter.unit.empty())
-    high += " " + parameter.unit;
-  return parameter.integer ? phrase("give a whole number from %1 to %2", low, high)
-                           : phrase("give a number from %1 to %2", low, high);
+    high = phrase("%1 %2", high, named(parameter.unit));
+  return parameter.integer ? misuse("give a whole number from %1 to %2", low, high)
+                           : misuse("give a number from %1 to %2", low, high);
 }
 
 const Parameter& find(const std::vector<Parameter>& offered, const std::string& name) {
@@ -42,8 +42,9 @@ const Parameter& find(const std::vector<Parameter>& offered, const std::string& 
   std::vector<std::string> names;
   for (const Parameter& each : offered)
     names.push_back(each.name);
-  throw UsageError(phrase("there is no parameter %1", quoted(name)), {},
-                   names.empty() ? "this system has no parameters" : phrase("parameters: %1", joined(names)));
+  throw UsageError(misuse("there is no parameter %1", quoted(name)), {},
+                   names.empty() ? Text(misuse("this system has no parameters"))
+                                 : misuse("parameters: %1", joined(names)));
 }
 
 bool within(const Parameter& parameter, double value) {
@@ -63,16 +64,15 @@ double parsed(const Parameter& parameter, const std::string& text) {
   double value = 0;
   if (parameter.choices.empty() && stream >> value && stream.peek() == std::istringstream::traits_type::eof())
     return value;
-  throw UsageError(phrase("%1 is not a value for parameter %2", quoted(text), quoted(parameter.name)), {},
+  throw UsageError(misuse("%1 is not a value for parameter %2", quoted(text), quoted(parameter.name)), {},
                    adviceFor(parameter));
 }
 
 void require(const Parameter& parameter, double value) {
   if (within(parameter, value))
     return;
-  throw UsageError(
-      phrase("%1 is out of range for parameter %2", significant(value, 6), quoted(parameter.name)), {},
-      adviceFor(parameter));
+  throw UsageError(misuse("%1 is out of range for parameter %2", inDigits(value, 6), quoted(parameter.name)),
+                   {}, adviceFor(parameter));
 }
 
 } // namespace

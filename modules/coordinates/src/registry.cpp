@@ -24,14 +24,14 @@ void requireUsable(const std::vector<Parameter>& parameters, const std::string& 
   std::set<std::string> names;
   for (const auto& parameter : parameters) {
     if (parameter.name.empty())
-      throw UsageError("The coordinate system has a parameter without a name", where);
+      throw UsageError(diagnostic("The coordinate system has a parameter without a name"), where);
     if (!names.insert(parameter.name).second)
-      throw UsageError(phrase("The coordinate system offers the parameter \"%1\" twice", parameter.name),
+      throw UsageError(diagnostic("The coordinate system offers the parameter \"%1\" twice", parameter.name),
                        where);
     // Written so that a value that is no number is refused as well.
     if (!(parameter.minimum <= parameter.standard && parameter.standard <= parameter.maximum))
       throw UsageError(
-          phrase("The standard value of the parameter \"%1\" is out of its own range", parameter.name),
+          diagnostic("The standard value of the parameter \"%1\" is out of its own range", parameter.name),
           where);
   }
 }
@@ -40,11 +40,11 @@ void requireUsable(const std::vector<Parameter>& parameters, const std::string& 
 
 void Registry::add(std::shared_ptr<const CoordinateSystem> system, const std::string& source) {
   if (!system)
-    throw UsageError("There is no coordinate system to add", source);
+    throw UsageError(diagnostic("There is no coordinate system to add"), source);
   const std::string id = system->id();
   if (!isPlainId(id))
-    throw UsageError(phrase("\"%1\" cannot be the id of a coordinate system", id), source,
-                     "use small letters, digits and single dashes, as in \"s-celestial\"");
+    throw UsageError(diagnostic("\"%1\" cannot be the id of a coordinate system", id), source,
+                     diagnostic("use small letters, digits and single dashes, as in \"s-celestial\""));
   const auto taken = std::find_if(entries_.begin(), entries_.end(),
                                   [&](const Entry& entry) { return entry.system->id() == id; });
   if (taken != entries_.end())
@@ -63,7 +63,7 @@ std::shared_ptr<const CoordinateSystem> Registry::find(const std::string& id) co
     known += (known.empty() ? "" : ", ") + present;
   }
   throw UsageError(phrase("There is no coordinate system \"%1\"", id), {},
-                   known.empty() ? "none is loaded" : phrase("choose one of %1", known));
+                   known.empty() ? Text("none is loaded") : phrase("use one of: %1", known));
 }
 
 bool Registry::contains(const std::string& id) const {

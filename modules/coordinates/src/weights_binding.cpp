@@ -26,7 +26,7 @@ std::vector<std::uint16_t> failedLanes(const std::vector<int>& failures, Eigen::
 
 BindingReport WeightsBinding::reportOf(const TiledWeights& weights, const Points& restHandles,
                                        const Points& restPoints, std::vector<int> failures, double seconds,
-                                       Threads threads, std::vector<std::string> notes) {
+                                       Threads threads, std::vector<Text> notes) {
   assert(restHandles.rows() == weights.handles() && restPoints.rows() == weights.points());
   const std::vector<std::uint16_t> failed = failedLanes(failures, weights.tiles());
   std::vector<RestErrors> ranges(
@@ -66,7 +66,7 @@ WeightsBinding::WeightsBinding(TiledWeights&& weights, const Points& restPoints,
 
 WeightsBinding::WeightsBinding(TiledWeights weights, const Points& restHandles, const Points& restPoints,
                                std::vector<int> failures, double seconds, Threads threads,
-                               std::vector<std::string> notes)
+                               std::vector<Text> notes)
     : WeightsBinding(std::move(weights), restPoints,
                      reportOf(weights, restHandles, restPoints, std::move(failures), seconds, threads,
                               std::move(notes))) {} // `weights` is moved when the report is there.

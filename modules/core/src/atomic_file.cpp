@@ -24,7 +24,7 @@ namespace {
 constexpr int kAttempts = 100;
 constexpr auto kAdvice = "choose a folder that exists, may be written to and has room";
 
-std::string reason(int error) {
+Text reason(int error) {
   return phrase("It cannot be written: %1", std::generic_category().message(error));
 }
 

@@ -30,8 +30,9 @@ constexpr int kLookMs = 20; ///< Interval at which cancellation is checked.
 constexpr rlim_t kMostMessages = 1 << 20;
 constexpr std::size_t kMessagesKept = 2000;
 
-[[noreturn]] void failed(const std::string& what) {
-  throw Error(kInternalError, phrase("%1: %2", what, std::strerror(errno)), "child process");
+[[noreturn]] void failed(const Text& what) {
+  throw Error(kInternalError, phrase("%1: %2", what, std::string(std::strerror(errno))),
+              misuse("child process"));
 }
 
 /// A file without a folder, so that a full or read-only /tmp keeps no program from starting; one in /tmp
@@ -125,7 +126,7 @@ private:
 ChildProcess::ChildProcess(std::vector<std::string> arguments, int input, int output)
     : messages_(fileForMessages()) {
   if (!messages_)
-    failed("No file for a program's messages");
+    failed(misuse("No file for a program's messages"));
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
   posix_spawn_file_actions_adddup2(&actions, input, STDIN_FILENO);
@@ -199,7 +200,7 @@ ChildResult runChild(const std::filesystem::path& program, const std::vector<cha
   progress.throwIfCancelled();
   int ends[2];
   if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0)
-    failed("No channel to another program");
+    failed(misuse("No channel to another program"));
   Descriptor ours(ends[0]), theirs(ends[1]);
   ChildResult result;
   const auto begin = Clock::now();

@@ -4,43 +4,41 @@
 #include <system_error>
 #include <utility>
 
+#include "viscera/core/phrase.h"
+
 namespace viscera {
 namespace {
 
-/// `text` with a capital letter first, because messages for users are sentences.
-std::string sentence(const std::string& text) {
-  const bool small = !text.empty() && text[0] >= 'a' && text[0] <= 'z';
-  return small ? static_cast<char>(text[0] - 'a' + 'A') + text.substr(1) : text;
-}
-
-std::string joined(const std::string& what, const std::string& where, const std::string& tryThis) {
-  std::string text = where.empty() ? what : where + ": " + what;
-  if (!tryThis.empty())
-    text += " (" + tryThis + ")";
-  return text;
+Text joined(const Text& problem, const Text& where, const Text& tryThis) {
+  const Text text = where.empty() ? problem : phrase("%1: %2", where, problem);
+  return tryThis.empty() ? text : phrase("%1 (%2)", text, tryThis);
 }
 
 } // namespace
 
-Error::Error(int exitCode, std::string what, std::string where, std::string tryThis)
-    : std::runtime_error(joined(sentence(what), where, tryThis)), problem_(sentence(what)),
+Error::Error(int exitCode, Text what, Text where, Text tryThis)
+    : std::runtime_error(joined(what.capitalised(), where, tryThis).english()), problem_(what.capitalised()),
       where_(std::move(where)), tryThis_(std::move(tryThis)), exitCode_(exitCode) {}
 
-UsageError::UsageError(std::string what, std::string where, std::string tryThis)
+Text Error::explanation() const {
+  return joined(problem_, where_, tryThis_);
+}
+
+UsageError::UsageError(Text what, Text where, Text tryThis)
     : Error(64, std::move(what), std::move(where), std::move(tryThis)) {}
 
-DataError::DataError(std::string what, std::string where, std::string tryThis)
+DataError::DataError(Text what, Text where, Text tryThis)
     : Error(65, std::move(what), std::move(where), std::move(tryThis)) {}
 
-NoInputError::NoInputError(std::string what, std::string where, std::string tryThis)
+NoInputError::NoInputError(Text what, Text where, Text tryThis)
     : Error(66, std::move(what), std::move(where), std::move(tryThis)) {}
 
-CannotCreateError::CannotCreateError(std::string what, std::string where, std::string tryThis)
+CannotCreateError::CannotCreateError(Text what, Text where, Text tryThis)
     : Error(73, std::move(what), std::move(where), std::move(tryThis)) {}
 
 Cancelled::Cancelled() : Error(130, "cancelled") {}
 
-Error notEnoughMemory(std::string where) {
+Error notEnoughMemory(Text where) {
   return Error(kInternalError, "There is not enough memory", std::move(where),
                "close other programs, or use fewer handles or smaller organs");
 }
@@ -53,8 +51,11 @@ bool reportsShortMemory(const std::exception& exception) noexcept {
                       ofSystem->code() == std::errc::resource_unavailable_try_again);
 }
 
-std::string explanationOf(const std::exception& exception) {
-  return reportsShortMemory(exception) ? notEnoughMemory().what() : exception.what();
+Text explanationOf(const std::exception& exception) {
+  if (reportsShortMemory(exception))
+    return notEnoughMemory().explanation();
+  const auto* known = dynamic_cast<const Error*>(&exception);
+  return known ? known->explanation() : Text(std::string(exception.what()));
 }
 
 } // namespace viscera

@@ -20,7 +20,8 @@ constexpr std::chrono::milliseconds kPauseForMemory{20};
 std::shared_ptr<const Error> asError(const std::exception& exception) {
   if (const auto* known = dynamic_cast<const Error*>(&exception))
     return std::make_shared<const Error>(*known);
-  return std::make_shared<const Error>(kInternalError, phrase("Internal error: %1", exception.what()));
+  return std::make_shared<const Error>(kInternalError,
+                                       phrase("Internal error: %1", std::string(exception.what())));
 }
 
 } // namespace
@@ -30,7 +31,7 @@ std::shared_ptr<const Error> asError(const std::exception& exception) {
 struct JobQueue::Shared : std::enable_shared_from_this<JobQueue::Shared> {
   struct Job {
     std::int64_t id = 0;
-    std::string name;
+    Text name;
     std::string slot;
     AnyWork work;
     AnyDone done;
@@ -39,7 +40,7 @@ struct JobQueue::Shared : std::enable_shared_from_this<JobQueue::Shared> {
     std::unique_ptr<Progress> progress;
     std::mutex stepMutex; ///< Guards the two below.
     double fraction = 0;
-    std::string step;
+    Text step;
   };
   using JobPointer = std::shared_ptr<Job>;
 
@@ -191,7 +192,7 @@ JobQueue::~JobQueue() {
     worker.join();
 }
 
-std::int64_t JobQueue::submitAny(std::string name, std::string slot, AnyWork work, AnyDone done) {
+std::int64_t JobQueue::submitAny(Text name, std::string slot, AnyWork work, AnyDone done) {
   const auto job = std::make_shared<Shared::Job>();
   job->id = ++shared_->lastId;
   job->name = std::move(name);
@@ -200,7 +201,7 @@ std::int64_t JobQueue::submitAny(std::string name, std::string slot, AnyWork wor
   job->done = std::move(done);
   // The job outlives its progress, and the shared part outlives every worker.
   job->progress = std::make_unique<Progress>(
-      [shared = shared_.get(), raw = job.get()](double fraction, const std::string& step) {
+      [shared = shared_.get(), raw = job.get()](double fraction, const Text& step) {
         {
           const std::lock_guard lock(raw->stepMutex);
           raw->fraction = fraction;

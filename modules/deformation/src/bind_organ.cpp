@@ -37,22 +37,22 @@ const char* adviceFor(Of of) {
     outside += distance > 0;
   }
   const std::size_t count = failures.size();
-  std::string what = phrase("%1 of %2 vertices have no coordinates", count, organ.rows());
+  Text what = phrase("%1 of %2 vertices have no coordinates", count, organ.rows());
   if (of == Of::regions)
     what = phrase("%1 of %2 vertices lie in no group's region", count, organ.rows());
   if (of == Of::cage)
     what = phrase("%1 of %2 vertices have no coordinates in the cage", count, organ.rows());
   if (outside > 0)
-    what = phrase("%1: %2 lie outside the handles' hull, by up to %3 mm", what, outside,
-                  significant(farthest, 6));
+    what =
+        phrase("%1: %2 lie outside the handles' hull, by up to %3 mm", what, outside, inDigits(farthest, 6));
   throw UnboundVertices(failures, outside, of, what, adviceFor(of));
 }
 
 } // namespace
 
-UnboundVertices::UnboundVertices(std::vector<int> vertices, int outsideHull, Of of, const std::string& what,
-                                 const std::string& tryThis)
-    : DataError(what, vertices.empty() ? std::string() : phrase("vertex %1", vertices.front()), tryThis),
+UnboundVertices::UnboundVertices(std::vector<int> vertices, int outsideHull, Of of, const Text& what,
+                                 const Text& tryThis)
+    : DataError(what, vertices.empty() ? Text() : phrase("vertex %1", vertices.front()), tryThis),
       vertices_(std::move(vertices)), outsideHull_(outsideHull), of_(of) {}
 
 std::shared_ptr<const coordinates::Binding>

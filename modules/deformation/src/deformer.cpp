@@ -33,9 +33,9 @@ Deformer::Deformer(std::shared_ptr<const geometry::TriangleMesh> rest,
 
 void Deformer::requirePose(const Points& pose) const {
   if (pose.rows() != restHandles_->rows())
-    throw DataError(phrase("the pose has %n {handle|handles}, the organ is bound to %2", pose.rows(),
+    throw DataError(misuse("the pose has %n {handle|handles}, the organ is bound to %2", pose.rows(),
                            restHandles_->rows()),
-                    "pose", "use a pose of the same handles");
+                    "pose", misuse("use a pose of the same handles"));
   for (Eigen::Index handle = 0; handle < pose.rows(); ++handle)
     if (!pose.row(handle).allFinite())
       throw DataError("the position is not finite", phrase("handle %1", handle), "place the handle again");

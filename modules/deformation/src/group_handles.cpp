@@ -36,9 +36,9 @@ constexpr Eigen::Index kClusteredPoints = 4000;
 
 void requireInput(const Points& organPoints, int count) {
   if (count < 1)
-    throw UsageError(phrase("the number of groups must be at least 1, not %1", count));
+    throw UsageError(misuse("the number of groups must be at least 1, not %1", count));
   if (organPoints.rows() == 0)
-    throw DataError("there are no points to group handles around");
+    throw DataError(misuse("there are no points to group handles around"));
 }
 
 bool holds(const Points& handles, const Points& part) {
@@ -206,7 +206,7 @@ void makeRoom(const Points& handles, double room, Grouping& grouping) {
 Grouping groupsAlongAxis(const Points& handles, const Points& organPoints, int count, double overlap) {
   requireInput(organPoints, count);
   if (!(overlap >= 0 && overlap <= 1))
-    throw UsageError("the overlap of groups must lie between 0 and 1");
+    throw UsageError(misuse("the overlap of groups must lie between 0 and 1"));
   const AxisFrame frame(organPoints);
   const Points organ = frame.coordinates(organPoints), own = frame.coordinates(handles);
   const Bounds box = boundsOf(organ);

@@ -246,9 +246,9 @@ InverseMap::~InverseMap() = default;
 void InverseMap::setPose(const Points& pose) {
   if (pose.rows() != handles_.positions.rows())
     throw DataError(
-        phrase("It has %n {handle|handles} in place of %2", pose.rows(), handles_.positions.rows()), "pose");
+        misuse("It has %n {handle|handles} in place of %2", pose.rows(), handles_.positions.rows()), "pose");
   if (!pose.allFinite())
-    throw DataError("It is not finite", "pose");
+    throw DataError(misuse("It is not finite"), "pose");
   field_->setPose(pose);
 }
 

@@ -43,23 +43,23 @@ std::vector<char> requestFor(const geometry::TriangleMesh& surface, const Tetrah
   return bytes;
 }
 
-/// TetGen's messages, as an addition to a sentence; its own hints are about its command line.
-std::string said(const std::string& messages) {
+/// `how` with TetGen's messages; its own hints are about its command line.
+Text withMessages(const Text& how, const std::string& messages) {
   std::string line = messages.substr(0, messages.find("Hint"));
   std::replace(line.begin(), line.end(), '\n', ' ');
   while (!line.empty() && (line.back() == ' ' || line.back() == '.'))
     line.pop_back();
-  return line.empty() ? "" : ": " + line.substr(0, 200);
+  return line.empty() ? how : phrase("%1: %2", how, line.substr(0, 200));
 }
 
 [[noreturn]] void explain(const ChildResult& result, const TetrahedraOptions& options,
                           const std::filesystem::path& worker) {
   using End = ChildResult::End;
   if (result.end == End::notStarted)
-    throw TetrahedraError(
-        Reason::missing,
-        phrase("TetGen's program %1 cannot be started: %2", worker.string(), std::strerror(result.code)),
-        "install Viscera again, or name it in VISCERA_TETGEN_WORKER");
+    throw TetrahedraError(Reason::missing,
+                          phrase("TetGen's program %1 cannot be started: %2", worker.string(),
+                                 std::string(std::strerror(result.code))),
+                          "install Viscera again, or name it in VISCERA_TETGEN_WORKER");
   if (result.end == End::timeLimit)
     throw TetrahedraError(
         Reason::timeLimit,
@@ -76,12 +76,13 @@ std::string said(const std::string& messages) {
     throw TetrahedraError(Reason::memoryLimit,
                           phrase("TetGen wanted more than %1 MB of memory", options.memoryLimitBytes >> 20),
                           "ask for fewer witness points");
-  const std::string how = result.end == End::killed ? "it crashed" : "it stopped without a result";
+  const Text how =
+      result.end == End::killed ? diagnostic("it crashed") : diagnostic("it stopped without a result");
   throw TetrahedraError(Reason::refused,
-                        phrase("TetGen cannot fill this surface (%1)", how + said(result.messages)));
+                        phrase("TetGen cannot fill this surface (%1)", withMessages(how, result.messages)));
 }
 
-[[noreturn]] void unusable(const std::string& why) {
+[[noreturn]] void unusable(const Text& why) {
   throw TetrahedraError(Reason::unusable, phrase("TetGen's result does not fill this surface: %1", why));
 }
 
@@ -94,14 +95,14 @@ struct Filling {
 Filling parse(const std::vector<char>& bytes) {
   tetgen_exchange::Reply reply;
   if (bytes.size() < sizeof reply)
-    unusable("the reply is cut short");
+    unusable(diagnostic("the reply is cut short"));
   std::memcpy(&reply, bytes.data(), sizeof reply);
   constexpr std::uint64_t pointBytes = 3 * sizeof(double), tetrahedronBytes = 4 * sizeof(std::int32_t);
   const std::uint64_t rest = bytes.size() - sizeof reply;
   if (reply.magic != tetgen_exchange::kMagic || reply.points > rest / pointBytes ||
       reply.tetrahedra != (rest - reply.points * pointBytes) / tetrahedronBytes ||
       rest != reply.points * pointBytes + reply.tetrahedra * tetrahedronBytes)
-    unusable("the reply is damaged");
+    unusable(diagnostic("the reply is damaged"));
   Filling filling;
   filling.points.resize(static_cast<Eigen::Index>(reply.points), 3);
   filling.tetrahedra.resize(static_cast<Eigen::Index>(reply.tetrahedra), 4);
@@ -111,7 +112,7 @@ Filling parse(const std::vector<char>& bytes) {
   if (filling.tetrahedra.rows() == 0)
     unusable("there are no tetrahedra in it; the surface may be open");
   if (filling.tetrahedra.minCoeff() < 0 || filling.tetrahedra.maxCoeff() >= filling.points.rows())
-    unusable("a tetrahedron has a corner that does not exist");
+    unusable(diagnostic("a tetrahedron has a corner that does not exist"));
   return filling;
 }
 
@@ -166,7 +167,7 @@ coordinates::SolidMesh solidOf(const geometry::TriangleMesh& surface, const Witn
       ++found;
     }
   if (found != known)
-    unusable(phrase("%n {point of the surface is|points of the surface are} missing", known - found));
+    unusable(diagnostic("%n {point of the surface is|points of the surface are} missing", known - found));
   solid.points.resize(mesh.points.rows(), 3);
   Eigen::Index next = known;
   for (std::size_t i = 0; i < names.size(); ++i) {
@@ -210,7 +211,7 @@ WitnessMesh ordered(const Filling& filling) {
 
 } // namespace
 
-TetrahedraError::TetrahedraError(Reason reason, std::string what, std::string tryThis)
+TetrahedraError::TetrahedraError(Reason reason, Text what, Text tryThis)
     : Error(kDataErrorCode, std::move(what), {}, std::move(tryThis)), reason_(reason) {}
 
 std::filesystem::path installedTetgenWorker() {
@@ -250,7 +251,7 @@ WitnessMesh tetrahedralise(const geometry::TriangleMesh& surface, const Tetrahed
   const double filled = tetrahedronVolumes(mesh.points, mesh.tetrahedra).sum();
   if (report.components == 1 &&
       !(std::abs(filled - std::abs(report.volumeMm3)) <= kVolumeTolerance * std::abs(report.volumeMm3)))
-    unusable("its volume differs from that of the surface");
+    unusable(diagnostic("its volume differs from that of the surface"));
   if (mesh.witnesses > 0) // No witness is correct for a coarse surface; the caller decides.
     requireUsable(mesh, "TetGen's tetrahedra");
   return mesh;

@@ -28,12 +28,12 @@ void requireClosed(const LockedSurface& surface) {
     throw DataError(
         phrase("the surface is open (%n boundary {edge|edges}), so it has no volume that could be locked",
                report.boundaryEdges),
-        surface.name, "close its holes first");
+        named(surface.name), "close its holes first");
 }
 
 void requireTarget(const LockedSurface& surface) {
   if (!(surface.targetMm3 > 0) || !std::isfinite(surface.targetMm3))
-    throw DataError("a locked volume must be positive", surface.name,
+    throw DataError("a locked volume must be positive", named(surface.name),
                     "turn the surface outward, or choose a target above 0 ml");
 }
 
@@ -288,7 +288,7 @@ RestoredPose VolumeLock::restore(const Points& wanted, const std::vector<int>& f
                                  const RestorationModel& model, double limitMm) const {
   PosedSurfaces posed(surfaces_.size()), posedNext(surfaces_.size());
   RestoredPose result{wanted, false, 0, measuredError(wanted, posed), {}};
-  const auto fail = [&](const std::string& reason) {
+  const auto fail = [&](const Text& reason) {
     result.reason = reason;
     return result;
   };
@@ -347,7 +347,7 @@ void restoreVolume(Deformer& deformer, double targetMm3, const std::vector<int>&
   std::vector<int> free = compensating;
   std::sort(free.begin(), free.end());
   if (free.front() < 0 || free.back() >= deformer.pose().rows())
-    throw UsageError(phrase("there is no handle %1", free.front() < 0 ? free.front() : free.back()),
+    throw UsageError(misuse("there is no handle %1", free.front() < 0 ? free.front() : free.back()),
                      "compensating handles");
   const VolumeLock lock({{"organ", deformer.sharedRest(), deformer.sharedBinding(), targetMm3}});
   const double limit = boundsOf(deformer.restHandles()).diagonal();

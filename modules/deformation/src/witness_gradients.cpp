@@ -88,7 +88,7 @@ void WitnessGradients::evaluate(std::span<const Points> poses, std::span<StressM
     const Points& pose = poses[i];
     if (pose.rows() != handles_)
       throw DataError(
-          phrase("a pose of %1 handles does not fit witness points of %2", pose.rows(), handles_));
+          misuse("a pose of %1 handles does not fit witness points of %2", pose.rows(), handles_));
     for (Values* values :
          {&maps[i].rotationalStress, &maps[i].volumeRatio, &maps[i].stretchMax, &maps[i].stretchMin})
       values->resize(count);

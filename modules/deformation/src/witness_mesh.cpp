@@ -99,14 +99,14 @@ void requireUsable(const WitnessMesh& mesh, const std::string& where) {
     throw DataError("no witness point lies inside", where);
   for (Eigen::Index i = 0; i < mesh.points.rows(); ++i)
     if (!mesh.points.row(i).allFinite())
-      throw DataError(phrase("witness point %1 has a coordinate that is not finite", i), where);
+      throw DataError(misuse("witness point %1 has a coordinate that is not finite", i), where);
   const Bounds box = boundsOf(mesh.points);
   const double smallest = kFlatTetrahedron * (box.high - box.low).prod();
   for (Eigen::Index t = 0; t < mesh.tetrahedra.rows(); ++t) {
     if (mesh.tetrahedra.row(t).minCoeff() < 0 || mesh.tetrahedra.row(t).maxCoeff() >= mesh.points.rows())
-      throw DataError(phrase("tetrahedron %1 has a corner that does not exist", t), where);
+      throw DataError(misuse("tetrahedron %1 has a corner that does not exist", t), where);
     if (!(signedVolume(mesh.points, mesh.tetrahedra, t) > smallest))
-      throw DataError(phrase("tetrahedron %1 is flat or turned around", t), where);
+      throw DataError(misuse("tetrahedron %1 is flat or turned around", t), where);
   }
 }
 

@@ -9,17 +9,18 @@
 namespace viscera::document {
 namespace {
 
-std::string titleOf(const std::string& parameter) {
+Text titleOf(const std::string& parameter) {
   const auto& infos = circulation::parameterInfos();
   const auto found =
       std::find_if(infos.begin(), infos.end(), [&](const auto& info) { return info.name == parameter; });
-  return found == infos.end() ? parameter : found->title;
+  return named(found == infos.end() ? parameter : found->title);
 }
 
 } // namespace
 
-std::string nameOf(const CirculationChoice& choice) {
-  const std::string name = choice.fitted ? "Fitted circulation" : circulation::scenario(choice.scenario).name;
+Text nameOf(const CirculationChoice& choice) {
+  const Text name =
+      choice.fitted ? Text("Fitted circulation") : named(circulation::scenario(choice.scenario).name);
   const circulation::Parameters chosen =
       choice.fitted ? *choice.fitted : circulation::scenarioParameters(choice.scenario);
   return choice.parameters == chosen ? name : phrase("%1, changed", name);
@@ -32,7 +33,7 @@ Command driveHeart(bool byCirculation) {
 }
 
 Command chooseScenario(const std::string& id) {
-  const std::string name = circulation::scenario(id).name;
+  const Text name = named(circulation::scenario(id).name);
   return edit::onPart(phrase("Circulation: %1", name), &DocumentState::circulation,
                       [id](CirculationChoice& choice) {
                         choice.drives = true;
@@ -52,9 +53,9 @@ Command setCirculationParameter(const std::string& name, double value) {
       "circulation." + name);
 }
 
-Command takeCirculation(const std::string& title, const circulation::Parameters& parameters) {
+Command takeCirculation(Text title, const circulation::Parameters& parameters) {
   circulation::checkParameters(parameters);
-  return edit::onPart(title, &DocumentState::circulation, [parameters](CirculationChoice& choice) {
+  return edit::onPart(std::move(title), &DocumentState::circulation, [parameters](CirculationChoice& choice) {
     choice.drives = true;
     choice.scenario = "rest";
     choice.parameters = parameters;

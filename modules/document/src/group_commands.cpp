@@ -115,7 +115,7 @@ DocumentState regrouped(const GroupingChoice& choice, const DocumentState& befor
 
 Command addGroup(std::string name, Vec3 color, std::vector<HandleId> handles) {
   return edit::onPart(
-      phrase("Add group %1", name), &DocumentState::rig,
+      phrase("Add group %1", named(name)), &DocumentState::rig,
       [name, color, handles = std::move(handles)](Rig& rig, const DocumentState&, IdSource& ids) {
         rig.groups.push_back({ids.next<GroupId>(), name, color, inOrder(rig, handles)});
       });
@@ -165,8 +165,8 @@ GroupingChoice::By groupingFromName(const std::string& name) {
        {std::pair{By::organ, "organ"}, std::pair{By::axis, "axis"}, std::pair{By::cluster, "cluster"}})
     if (name == text)
       return by;
-  throw UsageError(phrase("there is no way \"%1\" to make groups", name), {},
-                   "choose organ, axis or cluster");
+  throw UsageError(misuse("there is no way \"%1\" to make groups", name), {},
+                   misuse("choose organ, axis or cluster"));
 }
 
 Vec3 groupColor(std::size_t number) {

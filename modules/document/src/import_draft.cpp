@@ -156,7 +156,7 @@ ImportDraft draftOf(OpenedFiles files, Progress& progress) {
     const auto i = static_cast<std::size_t>(place);
     const NewOrgan& item = draft.files.organs[i];
     progress.report(static_cast<double>(done++) / static_cast<double>(count),
-                    phrase("Checking %1", item.organ.name));
+                    phrase("Checking %1", named(item.organ.name)));
     const auto known = draft.files.surfaces.find(i);
     DraftOrgan& organ = draft.organs[i];
     organ.name = item.organ.name;
@@ -176,7 +176,7 @@ ImportDraft repaired(ImportDraft draft, const std::vector<std::size_t>& organs, 
   for (std::size_t done = 0; done < organs.size(); ++done) {
     DraftOrgan& organ = draft.organs.at(organs[done]);
     progress.report(static_cast<double>(done) / static_cast<double>(organs.size()),
-                    phrase("Repairing %1", organ.name));
+                    phrase("Repairing %1", named(organ.name)));
     try {
       DraftOrgan mended = organ;
       repair(mended, what, progress);

@@ -86,7 +86,7 @@ Command replaceKey(KeyId key) {
 }
 
 Command removeKeys(std::vector<KeyId> keys) {
-  const std::string name = phrase("Remove {key|%n keys}", keys.size());
+  const Text name = phrase("Remove {key|%n keys}", keys.size());
   return edit::onPart(name, &DocumentState::keySequence, [keys = std::move(keys)](KeySequence& keySequence) {
     edit::remove(keySequence.keys, keys, kKeyKind);
   });

@@ -84,10 +84,10 @@ std::optional<MeasurementKind> measurementKindFromName(const std::string& name) 
 
 MeasuredPoint surfacePoint(const Organ& organ, int triangle, const Vec3& weights) {
   if (triangle < 0 || triangle >= organ.mesh->triangles.rows())
-    throw DataError(phrase("there is no triangle %1", triangle), organ.name,
+    throw DataError(misuse("there is no triangle %1", triangle), named(organ.name),
                     "pick the point on the surface again");
   if (!(weights.minCoeff() >= -kPlaceTolerance && std::abs(weights.sum() - 1) <= kPlaceTolerance))
-    throw DataError("barycentric weights must be at least 0 and sum to 1", organ.name,
+    throw DataError(misuse("barycentric weights must be at least 0 and sum to 1"), named(organ.name),
                     "pick the point on the surface again");
   MeasuredPoint point;
   point.organ = organ.id;

@@ -61,9 +61,9 @@ Command addMeasurement(Measurement wanted) {
       phrase("Measure %1", nameOf(wanted.kind)), &DocumentState::measurements,
       [wanted = std::move(wanted)](MeasurementList& measurements, const DocumentState& state, IdSource& ids) {
         if (wanted.points.size() != pointCount(wanted.kind))
-          throw UsageError("An angle needs three points, any other measurement two");
+          throw UsageError(misuse("An angle needs three points, any other measurement two"));
         if (wanted.axis < 0 || wanted.axis > 2)
-          throw UsageError("A rectangle lies in an axial, coronal or sagittal slice");
+          throw UsageError(misuse("A rectangle lies in an axial, coronal or sagittal slice"));
         Measurement made = wanted;
         if (made.kind != MeasurementKind::rectangle)
           made.axis = Measurement().axis;
@@ -83,7 +83,7 @@ Command moveMeasuredPoint(MeasurementId measurement, std::size_t index, Measured
       [=](MeasurementList& measurements, const DocumentState& state, IdSource&) {
         Measurement& changed = edit::require(measurements, measurement, kMeasurementKind);
         if (index >= changed.points.size())
-          throw UsageError("There is no such point", changed.name);
+          throw UsageError(misuse("There is no such point"), changed.name);
         const Vec3 by = point.rest - changed.points[index].rest;
         changed.points[index] = isRegion(changed.kind) ? point : sound(state, point);
         if (changed.kind == MeasurementKind::sphere && index == 0)
@@ -103,7 +103,7 @@ Command renameMeasurement(MeasurementId measurement, std::string name) {
 }
 
 Command removeMeasurements(std::vector<MeasurementId> ids) {
-  const std::string name = phrase("Remove {measurement|%n measurements}", ids.size());
+  const Text name = phrase("Remove {measurement|%n measurements}", ids.size());
   return edit::onPart(name, &DocumentState::measurements,
                       [ids = std::move(ids)](MeasurementList& measurements) {
                         edit::remove(measurements, ids, kMeasurementKind);

@@ -82,12 +82,12 @@ void requireKnown(const std::filesystem::path& file, Sessions sessions) {
   for (const auto* list : {&extensions, &medical_io::labelMapExtensions()})
     for (const std::string& extension : *list)
       known += ", " + extension;
-  throw UsageError("This kind of file is not supported", file.string(), phrase("use one of %1", known));
+  throw UsageError("This kind of file is not supported", file.string(), phrase("use one of: %1", known));
 }
 
-void addWarnings(std::vector<std::string>& all, const std::filesystem::path& file,
-                 const std::vector<std::string>& warnings) {
-  for (const std::string& warning : warnings)
+void addWarnings(std::vector<Text>& all, const std::filesystem::path& file,
+                 const std::vector<Text>& warnings) {
+  for (const Text& warning : warnings)
     all.push_back(phrase("%1: %2", file.filename().string(), warning));
 }
 
@@ -122,7 +122,7 @@ std::pair<NewOrgan, ReadSurface> readBoth(medical_io::SurfaceFile surface, const
   organ.file = file;
   organ.origin.fileHash = sha256OfFile(file);
   // Both looked at the surface and say the same of it; only the file knows of units and axes.
-  for (std::string& warning : organ.warnings)
+  for (Text& warning : organ.warnings)
     if (std::find(surface.warnings.begin(), surface.warnings.end(), warning) == surface.warnings.end())
       surface.warnings.push_back(std::move(warning));
   organ.warnings = std::move(surface.warnings);
@@ -268,9 +268,9 @@ void addLabels(OpenedFiles& opened, medical_io::LabelMap map, const std::filesys
                Progress& progress, const ArrivingOrganListener& arrives) {
   const auto before = static_cast<int>(opened.organs.size());
   for (NewOrgan& item : labelBatch(std::move(map), file, {}, progress, arrives)) {
-    for (const std::string& warning : item.organ.warnings)
+    for (const Text& warning : item.organ.warnings)
       opened.warnings.push_back(
-          phrase("%1: %2", phrase("%1: %2", file.filename().string(), item.organ.name), warning));
+          phrase("%1: %2", phrase("%1: %2", file.filename().string(), named(item.organ.name)), warning));
     if (item.parentInBatch >= 0)
       item.parentInBatch += before;
     opened.organs.push_back(std::move(item));
@@ -406,7 +406,7 @@ Command OpenedFiles::command() const {
   return combined(name, std::move(commands));
 }
 
-Command openCommand(std::string name, OpenedFiles files, bool replacing, PlaceHandles place) {
+Command openCommand(Text name, OpenedFiles files, bool replacing, PlaceHandles place) {
   return {std::move(name), [files = std::move(files), replacing,
                             place = std::move(place)](DocumentState state, IdSource& ids) {
             const bool organs = !files.organs.empty();
@@ -436,7 +436,7 @@ NewRig rigFrom(const medical_io::HandleFile& file, const std::string& where) {
         rig.handles.push_back(
             {p, std::nullopt, record.label, record.description, record.locked, record.visible});
       if (!inList.insert(found->second).second)
-        throw DataError("Two handles are at one place",
+        throw DataError("two handles are at one place",
                         phrase("%1, handles %2 and %3", where,
                                rig.handles[static_cast<std::size_t>(found->second)].label, record.label),
                         "remove one of them from the file");

@@ -17,9 +17,9 @@ bool isPaintedAlike(const geometry::TriangleMesh& mesh) {
 }
 
 void requireTriangles(const geometry::TriangleMesh& mesh, const std::string& name) {
-  geometry::requireValid(mesh, name);
+  geometry::requireValid(mesh, named(name));
   if (mesh.triangles.rows() == 0)
-    throw DataError("The surface has no triangle", name, "choose a file with a triangle surface");
+    throw DataError("The surface has no triangle", named(name), "choose a file with a triangle surface");
 }
 
 } // namespace

@@ -18,7 +18,7 @@ bool hasName(const OrganList& organs, const std::string& name) {
                      [&name](const auto& organ) { return organ->name == name; });
 }
 
-Command onOrgan(std::string name, OrganId id, std::function<void(Organ&)> change, std::string mergeKey = {}) {
+Command onOrgan(Text name, OrganId id, std::function<void(Organ&)> change, std::string mergeKey = {}) {
   return edit::onPart(
       std::move(name), &DocumentState::organs,
       [id, change = std::move(change)](OrganList& organs, const DocumentState& state, IdSource&) {
@@ -35,20 +35,21 @@ DocumentState added(DocumentState state, IdSource& ids, const std::vector<NewOrg
   const auto present = organs.size();
   for (const NewOrgan& item : newOrgans) {
     if (!item.organ.mesh)
-      throw UsageError("An organ needs a surface", item.organ.name);
+      throw UsageError(misuse("An organ needs a surface"), named(item.organ.name));
     Organ organ = item.organ;
     organ.id = ids.next<OrganId>();
-    for (std::string& warning : organ.warnings)
-      warning = toUtf8(std::move(warning));
+    for (Text& warning : organ.warnings)
+      if (const std::string english = warning.english(); !isUtf8(english))
+        warning = toUtf8(english);
     organ.name = edit::freeName(organ.name.empty() ? "Organ" : toUtf8(organ.name),
                                 [&organs](const std::string& name) { return hasName(organs, name); });
     if (item.parentInBatch >= 0) {
       const std::size_t parent = present + static_cast<std::size_t>(item.parentInBatch);
       if (parent >= organs.size())
-        throw UsageError("A cavity must follow the organ that contains it", organ.name);
+        throw UsageError(misuse("A cavity must follow the organ that contains it"), named(organ.name));
       organ.parent = organs[parent]->id;
     } else if (organ.parent && !state.organ(organ.parent)) {
-      throw UsageError("The organ that this cavity is in is not there any more", organ.name);
+      throw UsageError("The organ that this cavity is in is not there any more", named(organ.name));
     }
     organs.push_back(std::make_shared<const Organ>(std::move(organ)));
   }
@@ -124,10 +125,11 @@ Organ withoutHoles(const Organ& open) {
   closed.parent = open.parent;
   closed.file = open.file;
   // Warnings about the file stay; those about the surface are replaced by the findings on the new one.
-  const std::vector<std::string> outdated = geometry::faults(geometry::checkSurface(*open.mesh));
-  std::vector<std::string> warnings = open.warnings;
-  std::erase_if(warnings, [&outdated](const std::string& warning) {
-    return std::find(outdated.begin(), outdated.end(), warning) != outdated.end();
+  const std::vector<std::string> outdated = // From a session, warnings are verbatim.
+      inEnglish(geometry::faults(geometry::checkSurface(*open.mesh)));
+  std::vector<Text> warnings = open.warnings;
+  std::erase_if(warnings, [&outdated](const Text& warning) {
+    return std::find(outdated.begin(), outdated.end(), warning.english()) != outdated.end();
   });
   warnings.push_back(phrase("its surface was closed by %n {cap|caps}", filled.holes));
   warnings.insert(warnings.end(), closed.warnings.begin(), closed.warnings.end());
@@ -138,15 +140,15 @@ Organ withoutHoles(const Organ& open) {
 } // namespace
 
 Command addOrgans(std::vector<NewOrgan> organs) {
-  const std::string name = organs.size() == 1 ? phrase("Add %1", organs.front().organ.name)
-                                              : phrase("Add %n {organ|organs}", organs.size());
+  const Text name = organs.size() == 1 ? phrase("Add %1", named(organs.front().organ.name))
+                                       : phrase("Add %n {organ|organs}", organs.size());
   return {name, [organs = std::move(organs)](const DocumentState& state, IdSource& ids) {
             return added(state, ids, organs);
           }};
 }
 
 Command removeOrgans(std::vector<OrganId> organs) {
-  const std::string name = phrase("Remove {organ|%n organs}", organs.size());
+  const Text name = phrase("Remove {organ|%n organs}", organs.size());
   return {name, [organs = std::move(organs)](const DocumentState& state, IdSource&) {
             return removed(state, organs);
           }};
@@ -174,7 +176,7 @@ Command setVolumeLocked(OrganId organ, bool locked) {
       throw DataError(
           phrase("the surface is open (%n boundary {edge|edges}), so it has no volume that could be locked",
                  changed.boundaryEdges),
-          changed.name, "close its holes first");
+          named(changed.name), "close its holes first");
     changed.volumeLocked = locked;
   });
 }

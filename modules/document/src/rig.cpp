@@ -62,10 +62,10 @@ int Rig::cornerCount() const {
   return static_cast<int>(corners.size());
 }
 
-std::string describe(const Rig& rig, const std::vector<HandleId>& handles) {
+Text describe(const Rig& rig, const std::vector<HandleId>& handles) {
   if (handles.size() == 1)
     if (const int row = rig.indexOf(handles.front()); row >= 0)
-      return phrase("handle %1", rig.handles[static_cast<std::size_t>(row)].label);
+      return phrase("handle %1", named(rig.handles[static_cast<std::size_t>(row)].label));
   return phrase("%n {handle|handles}", handles.size());
 }
 

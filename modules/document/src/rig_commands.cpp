@@ -89,7 +89,7 @@ DocumentState withEnclosingGroup(const DocumentState& state, OrganId id, const s
   if (vertices.empty() || *std::min_element(vertices.begin(), vertices.end()) < 0 ||
       *std::max_element(vertices.begin(), vertices.end()) >= points.rows())
     throw UsageError(
-        "The list of vertices to enclose is empty or names vertices that the organ does not have",
+        misuse("The list of vertices to enclose is empty or names vertices that the organ does not have"),
         organ->name);
   const Bounds box = boundsOf(points(vertices, Eigen::all));
   const double grow = kEnclosingMargin * boundsOf(points).diagonal();
@@ -147,7 +147,7 @@ DocumentState withNewRig(const DocumentState& state, const NewRig& replacement, 
     const std::set<int> members(item.handles.begin(), item.handles.end());
     for (const int index : members) {
       if (index < 0 || index >= static_cast<int>(added.size()))
-        throw UsageError("A group refers to a handle that does not exist", item.name);
+        throw UsageError(misuse("A group refers to a handle that does not exist"), item.name);
       group.handles.push_back(added[static_cast<std::size_t>(index)]);
     }
     rig.groups.push_back(std::move(group));
@@ -156,7 +156,7 @@ DocumentState withNewRig(const DocumentState& state, const NewRig& replacement, 
   return edit::withRig(state, std::move(rig), std::move(pose));
 }
 
-std::string nameOf(const HandleEdit& change, std::size_t count) {
+Text nameOf(const HandleEdit& change, std::size_t count) {
   if (change.label)
     return "Rename handle";
   if (change.locked)
@@ -181,7 +181,7 @@ std::vector<NewHandle> newHandles(const Points& positions) {
 }
 
 Command addHandles(std::vector<NewHandle> handles, GroupId group) {
-  const std::string name = phrase("Add {handle|%n handles}", handles.size());
+  const Text name = phrase("Add {handle|%n handles}", handles.size());
   return {name, [handles = std::move(handles), group](const DocumentState& state, IdSource& ids) {
             Rig rig = *state.rig;
             Points pose = *state.pose;
@@ -206,27 +206,27 @@ Command addEnclosingGroup(OrganId organ, std::vector<int> vertices) {
 }
 
 Command removeHandles(std::vector<HandleId> handles) {
-  const std::string name = phrase("Remove {handle|%n handles}", handles.size());
+  const Text name = phrase("Remove {handle|%n handles}", handles.size());
   return {name, [handles = std::move(handles)](const DocumentState& state, IdSource&) {
             return withoutHandles(state, handles);
           }};
 }
 
 Command moveRestHandles(std::vector<HandleId> handles, Points positions) {
-  const std::string name = phrase("Move {handle|%n handles} at rest", handles.size());
+  const Text name = phrase("Move {handle|%n handles} at rest", handles.size());
   return {name,
           [handles = std::move(handles), positions = std::move(positions)](
               const DocumentState& state, IdSource&) { return movedAtRest(state, handles, positions); }};
 }
 
-Command replaceRig(NewRig rig, std::string name) {
+Command replaceRig(NewRig rig, Text name) {
   return {std::move(name), [rig = std::move(rig)](const DocumentState& state, IdSource& ids) {
             return withNewRig(state, rig, ids);
           }};
 }
 
 Command editHandles(std::vector<HandleId> handles, HandleEdit change) {
-  const std::string name = nameOf(change, handles.size());
+  const Text name = nameOf(change, handles.size());
   return edit::onPart(name, &DocumentState::rig,
                       [handles = std::move(handles), change = std::move(change)](Rig& rig) {
                         for (const HandleId id : handles) {
@@ -241,7 +241,7 @@ Command editHandles(std::vector<HandleId> handles, HandleEdit change) {
 }
 
 Command moveHandles(std::vector<HandleId> handles, Points positions) {
-  const std::string name = phrase("Move {handle|%n handles}", handles.size());
+  const Text name = phrase("Move {handle|%n handles}", handles.size());
   return edit::onPart(name, &DocumentState::pose,
                       [handles = std::move(handles), positions = std::move(positions)](
                           Points& pose, const DocumentState& state, IdSource&) {
@@ -251,12 +251,12 @@ Command moveHandles(std::vector<HandleId> handles, Points positions) {
                       });
 }
 
-Command setPose(std::shared_ptr<const Points> pose, std::string name) {
+Command setPose(std::shared_ptr<const Points> pose, Text name) {
   return {std::move(name), [pose = std::move(pose)](DocumentState state, IdSource&) {
             if (pose->rows() != state.pose->rows())
               throw DataError(
-                  phrase("The pose has %1 handles, the document %2", pose->rows(), state.pose->rows()), {},
-                  "use a pose of the same handles");
+                  misuse("The pose has %1 handles, the document %2", pose->rows(), state.pose->rows()), {},
+                  misuse("use a pose of the same handles"));
             state.pose = pose;
             return state;
           }};
@@ -271,7 +271,7 @@ Command resetPose() {
 void requireFits(const Rig& rig, const sequences::Sequence& sequence) {
   const Points& own = sequence.restHandles();
   const Points rest = rig.restPositions();
-  const std::string advice = "take the sequence's own handles";
+  const Text advice = "take the sequence's own handles";
   if (own.rows() != rest.rows())
     throw DataError(phrase("The sequence moves %1 handles, but there are %2", own.rows(), rest.rows()),
                     sequence.name(), advice);
@@ -280,7 +280,8 @@ void requireFits(const Rig& rig, const sequences::Sequence& sequence) {
     if (!((own.row(i) - rest.row(i)).norm() <= kSameRest * size))
       throw DataError(
           "The sequence was made for another place of a handle",
-          phrase("%1, handle %2", sequence.name(), rig.handles[static_cast<std::size_t>(i)].label), advice);
+          phrase("%1, handle %2", sequence.name(), named(rig.handles[static_cast<std::size_t>(i)].label)),
+          advice);
 }
 
 NewRig rigOf(const sequences::Sequence& sequence) {
@@ -293,7 +294,7 @@ NewRig rigOf(const sequences::Sequence& sequence) {
       rig.handles[static_cast<std::size_t>(handle)].label = group.name + " " + std::to_string(++number);
   }
   if (rig.groups.empty()) {
-    NewGroup all{sequence.name(), {1.0, 0.5, 0.2}, {}};
+    NewGroup all{sequence.name().english(), {1.0, 0.5, 0.2}, {}};
     for (std::size_t i = 0; i < rig.handles.size(); ++i)
       all.handles.push_back(static_cast<int>(i));
     rig.groups.push_back(std::move(all));

@@ -23,12 +23,12 @@ constexpr double kInsidePart = 0.5;
 constexpr std::size_t kNamed = 3;
 
 /// Its voxels and the middle of all of them.
-std::string described(const std::array<int, 3>& size, const Eigen::Affine3d& indexToLps) {
+Text described(const std::array<int, 3>& size, const Eigen::Affine3d& indexToLps) {
   const Vec3 spacing = indexToLps.linear().colwise().norm();
   const Vec3 middle = indexToLps * (0.5 * Vec3(size[0] - 1, size[1] - 1, size[2] - 1));
   return phrase("%1 x %2 x %3 voxels of %4 x %5 x %6 mm around %7, %8, %9", size[0], size[1], size[2],
-                significant(spacing.x()), significant(spacing.y()), significant(spacing.z()),
-                fixed(middle.x(), 1), fixed(middle.y(), 1), fixed(middle.z(), 1));
+                inDigits(spacing.x()), inDigits(spacing.y()), inDigits(spacing.z()), inFixed(middle.x(), 1),
+                inFixed(middle.y(), 1), inFixed(middle.z(), 1));
 }
 
 /// Whether both have the same voxels, whatever the order of axes in their files and the ends at which these
@@ -56,11 +56,11 @@ bool isSameGrid(const medical_io::ScanSeries& grid, const medical_io::Scan& scan
 
 /// Describes the grid of a label map, from its header, if it differs from the scan's; else empty, also if it
 /// is not known. `known` caches the results.
-std::string otherGridOf(const std::filesystem::path& file, const medical_io::Scan& scan,
-                        std::map<std::filesystem::path, std::string>& known) {
+Text otherGridOf(const std::filesystem::path& file, const medical_io::Scan& scan,
+                 std::map<std::filesystem::path, Text>& known) {
   if (const auto found = known.find(file); found != known.end())
     return found->second;
-  std::string& other = known[file];
+  Text& other = known[file];
   std::error_code error;
   if (!std::filesystem::is_regular_file(file, error) || !medical_io::isLabelMap(file))
     return other;
@@ -86,26 +86,27 @@ bool isOutside(const Organ& organ, const Bounds& scan) {
 }
 
 /// "liver, spleen and 4 more".
-std::string shortList(const std::vector<std::string>& names) {
-  std::string list;
+Text shortList(const std::vector<std::string>& names) {
+  std::vector<Text> first;
   for (std::size_t i = 0; i < std::min(kNamed, names.size()); ++i)
-    list += (i > 0 ? ", " : "") + names[i];
+    first.push_back(named(names[i]));
+  const Text list = listOf(first);
   return names.size() > kNamed ? phrase("%1 and %2 more", list, names.size() - kNamed) : list;
 }
 
 } // namespace
 
-std::vector<std::string> scanFit(const DocumentState& state) {
-  std::vector<std::string> sentences;
+std::vector<Text> scanFit(const DocumentState& state) {
+  std::vector<Text> sentences;
   if (!state.scan)
     return sentences;
   const medical_io::Scan& scan = *state.scan->scan;
   const Bounds box = scan.bounds();
   std::vector<std::string> otherGrid, outside;
-  std::map<std::filesystem::path, std::string> grids; // Those that are others than the scan's.
-  std::string grid;
+  std::map<std::filesystem::path, Text> grids; // Those that are others than the scan's.
+  Text grid;
   for (const auto& organ : *state.organs) {
-    if (const std::string other = otherGridOf(organ->file, scan, grids); !other.empty()) {
+    if (const Text other = otherGridOf(organ->file, scan, grids); !other.empty()) {
       otherGrid.push_back(organ->name);
       grid = other;
     }

@@ -106,7 +106,7 @@ std::optional<ScanItemOrLabels> openImage(const std::filesystem::path& file, Pro
 }
 
 Command openScan(ScanItem item) {
-  const std::string name = phrase("Open scan %1", item.name);
+  const Text name = phrase("Open scan %1", item.name);
   auto shared = std::make_shared<const ScanItem>(std::move(item));
   return {name, [shared](DocumentState state, IdSource&) {
             state.scan = shared;

@@ -110,7 +110,7 @@ public:
     const OrganList& organs = *contents_.state.organs;
     for (std::size_t i = 0; i < organs.size(); ++i) {
       progress.throwIfCancelled();
-      progress.report(static_cast<double>(i) / static_cast<double>(organs.size()), organs[i]->name);
+      progress.report(static_cast<double>(i) / static_cast<double>(organs.size()), named(organs[i]->name));
       list.push_back(organWithSurface(*organs[i], contents_.embedSurfaces, folder));
     }
     for (const MissingOrgan& missing : contents_.missing)
@@ -201,7 +201,7 @@ public:
     SessionContents& contents = opened_.contents;
     const std::string surfaces = reader_.textOf(root, "surfaces", "");
     if (surfaces != kEmbedded && surfaces != kLinked)
-      reader_.fail("It is neither \"embedded\" nor \"linked\"", "surfaces");
+      reader_.fail(diagnostic("It is neither \"embedded\" nor \"linked\""), "surfaces");
     contents.embedSurfaces = surfaces == kEmbedded;
     contents.embedScan = contents.embedSurfaces;
     contents.recovers = reader_.optionalText(root, "recovers", "");
@@ -237,7 +237,7 @@ private:
       const std::string place = SessionReader::at("organs", i);
       records.push_back(reader_.readOrganRecord(list[i], place));
       if (records[i].parent && !earlier.count(records[i].parent))
-        reader_.fail("its parent is not an organ before it", place + ".parent");
+        reader_.fail(diagnostic("its parent is not an organ before it"), place + ".parent");
       earlier.insert(records[i].id);
     }
     requireMeasuredOrgans(earlier);
@@ -269,7 +269,7 @@ private:
   void requireMeasuredOrgans(const std::set<OrganId>& organs) {
     eachMeasuredPoint([&](const MeasuredPoint& point, const std::string& place) {
       if (point.organ && !organs.count(point.organ))
-        reader_.fail(phrase("there is no organ %1", point.organ.value), place + ".organ");
+        reader_.fail(diagnostic("there is no organ %1", point.organ.value), place + ".organ");
     });
   }
 
@@ -277,7 +277,7 @@ private:
     const std::vector<StressProbe>& probes = opened_.contents.state.stressMarks->probes;
     for (std::size_t i = 0; i < probes.size(); ++i)
       if (!organs.count(probes[i].organ))
-        reader_.fail(phrase("there is no organ %1", probes[i].organ.value),
+        reader_.fail(diagnostic("there is no organ %1", probes[i].organ.value),
                      SessionReader::at("stressMarks.probes", i) + ".organ");
   }
 
@@ -337,7 +337,7 @@ private:
                  SurfaceFinding& finding) {
     geometry::TriangleMesh mesh = surfaceFrom(reader_, item.at("surface"), place + ".surface");
     if (surfaceHash(mesh) != hash)
-      reader_.fail(phrase("It is damaged: its SHA-256 is not %1", hash), place + ".surface");
+      reader_.fail(diagnostic("It is damaged: its SHA-256 is not %1", hash), place + ".surface");
     Organ organ;
     try {
       organ = makeOrgan(place, std::move(mesh));
@@ -347,8 +347,8 @@ private:
     organ.warnings.clear();
     for (const ordered_json& warning : reader_.listOf(item, "warnings", place)) {
       if (!warning.is_string())
-        reader_.fail("It is not a text", place + ".warnings");
-      organ.warnings.push_back(warning.get<std::string>());
+        reader_.fail(diagnostic("It is not a text"), place + ".warnings");
+      organ.warnings.push_back(named(warning.get<std::string>()));
     }
     finding.state = State::embedded;
     if (item.contains("source")) {
@@ -440,13 +440,13 @@ private:
       throw;
     } catch (const Error& error) {
       finding.state = State::missing;
-      warn(finding.organ, phrase("cannot be opened: %1", error.what()));
+      warn(finding.organ, phrase("cannot be opened: %1", error.explanation()));
       return std::nullopt;
     }
   }
 
-  void warn(const std::string& organ, const std::string& problem) {
-    opened_.warnings.push_back(phrase("%1: %2", organ, problem));
+  void warn(const std::string& organ, const Text& problem) {
+    opened_.warnings.push_back(phrase("%1: %2", named(organ), problem));
   }
 
   SessionReader reader_;

@@ -36,7 +36,7 @@ ordered_json organJson(const Organ& organ) {
   ordered_json item{{"id", organ.id.value}, {"name", organ.name}};
   if (organ.parent)
     item["parent"] = organ.parent.value;
-  item["look"] = {{"color", listOf(organ.look.color)},
+  item["look"] = {{"color", jsonOf(organ.look.color)},
                   {"vertexColors", organ.look.vertexColors},
                   {"opacity", organ.look.opacity},
                   {"visible", organ.look.visible},
@@ -50,9 +50,9 @@ ordered_json rigJson(const Rig& rig, const Points& pose) {
   for (std::size_t i = 0; i < rig.handles.size(); ++i) {
     const Handle& handle = rig.handles[i];
     const Vec3 posed = pose.row(static_cast<Eigen::Index>(i)).transpose();
-    ordered_json item{{"id", handle.id.value}, {"label", handle.label}, {"rest", listOf(handle.rest)}};
+    ordered_json item{{"id", handle.id.value}, {"label", handle.label}, {"rest", jsonOf(handle.rest)}};
     if (!sameNumbers(posed, handle.rest))
-      item["pose"] = listOf(posed);
+      item["pose"] = jsonOf(posed);
     item["locked"] = handle.locked;
     item["visible"] = handle.visible;
     item["compensates"] = handle.compensates;
@@ -67,7 +67,7 @@ ordered_json rigJson(const Rig& rig, const Points& pose) {
       members.push_back(id.value);
     groups.push_back({{"id", group.id.value},
                       {"name", group.name},
-                      {"color", listOf(group.color)},
+                      {"color", jsonOf(group.color)},
                       {"handles", std::move(members)}});
   }
   ordered_json item{{"handles", std::move(handles)}, {"groups", std::move(groups)}};
@@ -88,7 +88,7 @@ ordered_json keySequenceJson(const KeySequence& keySequence) {
   for (const SequenceKey& key : keySequence.keys) {
     ordered_json displacements = ordered_json::array();
     for (const auto& [handle, moved] : key.displacements)
-      displacements.push_back({{"handle", handle.value}, {"by", listOf(moved)}});
+      displacements.push_back({{"handle", handle.value}, {"by", jsonOf(moved)}});
     keys.push_back({{"id", key.id.value},
                     {"seconds", key.seconds},
                     {"easing", nameOf(key.easing)},
@@ -118,11 +118,11 @@ ordered_json measurementsJson(const MeasurementList& measurements,
   for (const Measurement& measurement : measurements) {
     ordered_json points = ordered_json::array();
     for (const MeasuredPoint& point : measurement.points) {
-      ordered_json item{{"rest", listOf(point.rest)}};
+      ordered_json item{{"rest", jsonOf(point.rest)}};
       if (point.organ && isKnown(point.organ)) {
         item["organ"] = point.organ.value;
         item["triangle"] = point.triangle;
-        item["weights"] = listOf(point.weights);
+        item["weights"] = jsonOf(point.weights);
       }
       points.push_back(std::move(item));
     }
@@ -148,7 +148,7 @@ ordered_json stressMarksJson(const StressMarks& marks, const std::function<bool(
       probes.push_back({{"id", probe.id.value},
                         {"number", probe.number},
                         {"organ", probe.organ.value},
-                        {"rest", listOf(probe.rest)}});
+                        {"rest", jsonOf(probe.rest)}});
   for (const StressLine& line : marks.lines)
     if (kept(line.from) && kept(line.to))
       lines.push_back({{"id", line.id.value}, {"from", line.from.value}, {"to", line.to.value}});
@@ -209,7 +209,7 @@ std::string SessionReader::optionalText(const ordered_json& object, const char* 
   if (found == object.end())
     return {};
   if (!found->is_string())
-    fail(phrase("\"%1\" is not a text", key), place);
+    fail(diagnostic("\"%1\" is not a text", key), place);
   return found->get<std::string>();
 }
 
@@ -217,7 +217,7 @@ void SessionReader::requireValid(const DocumentState& state, const DocumentState
   try {
     validate(state, known);
   } catch (const DataError& error) {
-    fail(error.problem(), error.where());
+    fail(error.problem(), error.where().english());
   }
 }
 
@@ -225,9 +225,9 @@ template <class AnyId>
 AnyId SessionReader::newId(const ordered_json& object, const std::string& place) {
   const AnyId id{wholeOf(field(object, "id", place), place + ".id")};
   if (!id || id.value > kLargestId)
-    fail("its id is not a whole number from 1 to 2^52", place);
+    fail(diagnostic("its id is not a whole number from 1 to 2^52"), place);
   if (!ids_.insert(id.value).second)
-    fail(phrase("the id %1 comes twice", id.value), place);
+    fail(diagnostic("the id %1 comes twice", id.value), place);
   return id;
 }
 
@@ -247,7 +247,7 @@ Organ SessionReader::readOrganRecord(const ordered_json& item, const std::string
   organ.look.vertexColors = flagOf(look, "vertexColors", inLook);
   organ.look.opacity = numberOf(field(look, "opacity", inLook), inLook + ".opacity");
   if (!(organ.look.opacity >= 0 && organ.look.opacity <= 1)) // Also of an organ whose file is missing.
-    fail("does not lie between 0 and 1", inLook + ".opacity");
+    fail(diagnostic("does not lie between 0 and 1"), inLook + ".opacity");
   organ.look.visible = flagOf(look, "visible", inLook);
   organ.look.tracked = flagOf(look, "tracked", inLook);
   organ.volumeLocked = flagOf(item, "volumeLocked", place);
@@ -282,7 +282,7 @@ void SessionReader::readCage(const ordered_json& list, Rig& rig) const {
   for (std::size_t i = 0; i < list.size(); ++i) {
     const std::string place = at("rig.cage", i);
     if (!list[i].is_array() || list[i].size() != 3)
-      fail("It is not a triangle of three handles", place);
+      fail(diagnostic("It is not a triangle of three handles"), place);
     CageTriangle triangle;
     for (std::size_t k = 0; k < 3; ++k)
       triangle[k] = HandleId{wholeOf(list[i][k], place)};
@@ -335,7 +335,7 @@ SequenceKey SessionReader::readKey(const ordered_json& item, const std::string& 
     takeObject(list[i], {"handle", "by"}, inList);
     const HandleId handle{wholeOf(field(list[i], "handle", inList), inList + ".handle")};
     if (!key.displacements.emplace(handle, vectorOf(field(list[i], "by", inList), inList + ".by")).second)
-      fail(phrase("the handle %1 comes twice", handle.value), inList);
+      fail(diagnostic("the handle %1 comes twice", handle.value), inList);
   }
   return key;
 }
@@ -364,7 +364,7 @@ MeasuredPoint SessionReader::readMeasuredPoint(const ordered_json& item, const s
   point.organ = OrganId{wholeOf(item.at("organ"), place + ".organ")};
   const std::int64_t triangle = wholeOf(field(item, "triangle", place), place + ".triangle");
   if (triangle > std::numeric_limits<int>::max())
-    fail("no surface has so many triangles", place + ".triangle");
+    fail(diagnostic("no surface has so many triangles"), place + ".triangle");
   point.triangle = static_cast<int>(triangle);
   point.weights = vectorOf(field(item, "weights", place), place + ".weights");
   return point;
@@ -422,7 +422,7 @@ void SessionReader::readStressMarks(const ordered_json& root, DocumentState& sta
     probe.id = newId<StressProbeId>(probes[i], place);
     const std::int64_t number = wholeOf(field(probes[i], "number", place), place + ".number");
     if (number < 1 || number > std::numeric_limits<int>::max())
-      fail("its number is not a whole number from 1", place + ".number");
+      fail(diagnostic("its number is not a whole number from 1"), place + ".number");
     probe.number = static_cast<int>(number);
     probe.organ = OrganId{wholeOf(field(probes[i], "organ", place), place + ".organ")};
     probe.rest = vectorOf(field(probes[i], "rest", place), place + ".rest");
@@ -480,7 +480,7 @@ void SessionReader::readCirculation(const ordered_json& root, DocumentState& sta
     const ordered_json& kept = item.at("kept");
     takeObject(kept, {"name", "parameters"}, "circulation.kept");
     choice.kept = {
-        textOf(kept, "name", "circulation.kept"),
+        viscera::named(textOf(kept, "name", "circulation.kept")),
         readParameters(field(kept, "parameters", "circulation.kept"), "circulation.kept.parameters")};
   }
   state.circulation = std::make_shared<const CirculationChoice>(std::move(choice));

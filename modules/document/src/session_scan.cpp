@@ -91,7 +91,7 @@ void readSessionScan(SessionReader& reader, const ordered_json& item, const fs::
     return;
   }
   const std::string hash = reader.optionalText(item, "hash", "scan");
-  const auto missing = [&](const std::string& problem) {
+  const auto missing = [&](const Text& problem) {
     opened.contents.missingScan = item.dump();
     opened.warnings.push_back(phrase("%1: %2", name, problem));
   };
@@ -110,7 +110,7 @@ void readSessionScan(SessionReader& reader, const ordered_json& item, const fs::
   } catch (const Cancelled&) {
     throw;
   } catch (const Error& error) {
-    missing(phrase("the scan cannot be opened: %1", error.what()));
+    missing(phrase("the scan cannot be opened: %1", error.explanation()));
   }
 }
 

@@ -42,18 +42,18 @@ void unpack(const JsonReader& reader, const nlohmann::ordered_json& stored, cons
   const std::string where = place + "." + key;
   const nlohmann::ordered_json& value = reader.field(stored, key, place);
   if (!value.is_string() || value.get_ref<const std::string&>().empty())
-    reader.fail("It has to be a text", where);
+    reader.fail(diagnostic("It has to be a text"), where);
   const auto& text = value.get_ref<const std::string&>(); // Not copied: it may be a gigabyte.
   if (static_cast<std::int64_t>(text.size()) > std::numeric_limits<int>::max())
-    reader.fail("It is too long", where);
+    reader.fail(diagnostic("It is too long"), where);
   const auto decoded =
       QByteArray::fromBase64Encoding(QByteArray::fromRawData(text.data(), static_cast<int>(text.size())),
                                      QByteArray::Base64Encoding | QByteArray::AbortOnBase64DecodingErrors);
   if (!decoded)
-    reader.fail("It is not base64", where);
+    reader.fail(diagnostic("It is not base64"), where);
   const QByteArray& compressed = decoded.decoded;
   if (bytes / kMostCompression > compressed.size())
-    reader.fail(phrase("It holds less than %1", holds), where);
+    reader.fail(diagnostic("It holds less than %1", holds), where);
   auto size = static_cast<uLongf>(bytes);
   const int outcome = uncompress(static_cast<Bytef*>(reserve()), &size,
                                  reinterpret_cast<const Bytef*>(compressed.constData()),
@@ -61,7 +61,7 @@ void unpack(const JsonReader& reader, const nlohmann::ordered_json& stored, cons
   if (outcome == Z_MEM_ERROR)
     throw std::bad_alloc();
   if (outcome != Z_OK || size != static_cast<uLongf>(bytes))
-    reader.fail(phrase("It is damaged: it does not hold %1", holds), where);
+    reader.fail(diagnostic("It is damaged: it does not hold %1", holds), where);
 }
 
 } // namespace viscera::document

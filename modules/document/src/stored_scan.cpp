@@ -80,7 +80,7 @@ public:
     const std::string type = reader_.textOf(stored_, "type", place_);
     if (!readSamples<std::int8_t, std::uint8_t, std::int16_t, std::uint16_t, std::int32_t, std::uint32_t,
                      float>(type))
-      reader_.fail(phrase("There is no type of samples \"%1\"", type), place_);
+      reader_.fail(diagnostic("There is no type of samples \"%1\"", type), place_);
     return std::move(scan_);
   }
 
@@ -94,20 +94,20 @@ private:
     const ordered_json& size = reader_.listOf(stored_, "size", place_);
     const ordered_json& rows = reader_.listOf(stored_, "indexToLps", place_);
     if (size.size() != 3 || rows.size() != 3)
-      reader_.fail("A scan has three axes", place_);
+      reader_.fail(diagnostic("A scan has three axes"), place_);
     for (std::size_t k = 0; k < 3; ++k) {
       const std::int64_t count = reader_.wholeOf(size[k], at("size"));
       if (count < 1 || count > kLongestSide)
-        reader_.fail(phrase("No scan has %1 voxels along an axis", count), at("size"));
+        reader_.fail(diagnostic("No scan has %1 voxels along an axis", count), at("size"));
       scan_.size[k] = static_cast<int>(count);
       if (!rows[k].is_array() || rows[k].size() != 4)
-        reader_.fail("A row has four numbers", at("indexToLps"));
+        reader_.fail(diagnostic("A row has four numbers"), at("indexToLps"));
       for (std::size_t column = 0; column < 4; ++column)
         scan_.indexToLps(static_cast<Eigen::Index>(k), static_cast<Eigen::Index>(column)) =
             reader_.numberOf(rows[k][column], at("indexToLps"));
     }
     if (!scan_.indexToLps.linear().fullPivLu().isInvertible())
-      reader_.fail("Its axes lie in one plane", at("indexToLps"));
+      reader_.fail(diagnostic("Its axes lie in one plane"), at("indexToLps"));
   }
 
   void readPhases() {
@@ -126,7 +126,7 @@ private:
     scan_.window = {reader_.numberOf(reader_.field(window, "level", at("window")), at("window")),
                     reader_.numberOf(reader_.field(window, "width", at("window")), at("window"))};
     if (!(scan_.window->width > 0))
-      reader_.fail("The width has to be positive", at("window"));
+      reader_.fail(diagnostic("The width has to be positive"), at("window"));
   }
 
   void readFindings() {
@@ -139,7 +139,7 @@ private:
       for (std::size_t k = 0; k < kKinds.size(); ++k)
         if (kind == kKinds[k])
           finding.kind = static_cast<medical_io::ScanFinding::Kind>(k);
-      finding.sentence = reader_.textOf(item, "sentence", at("findings"));
+      finding.sentence = named(reader_.textOf(item, "sentence", at("findings")));
       scan_.findings.push_back(finding);
     }
   }
@@ -154,7 +154,7 @@ private:
     // No overflow: a side has at most a million voxels, and 10^18 samples of four bytes are 4 * 10^18.
     const auto voxels = static_cast<std::int64_t>(scan_.voxelCount());
     unpack(reader_, stored_, "samples", place_, voxels * std::int64_t{sizeof(Sample)},
-           phrase("%1 voxels", voxels), [this, voxels]() -> void* {
+           std::to_string(voxels) + " voxels", [this, voxels]() -> void* {
              auto& samples = scan_.samples.emplace<std::vector<Sample>>();
              samples.resize(static_cast<std::size_t>(voxels));
              return samples.data();

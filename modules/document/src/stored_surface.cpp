@@ -33,7 +33,7 @@ template <class Array>
 void unpackRows(const JsonReader& reader, const ordered_json& stored, const char* key, std::int64_t rows,
                 const std::string& place, Array& array) {
   constexpr std::int64_t kRow = 3 * sizeof(*array.data());
-  unpack(reader, stored, key, place, rows * kRow, phrase("%1 rows", rows), [&array, rows]() -> void* {
+  unpack(reader, stored, key, place, rows * kRow, std::to_string(rows) + " rows", [&array, rows]() -> void* {
     array.resize(static_cast<Eigen::Index>(rows), 3);
     return array.data();
   });

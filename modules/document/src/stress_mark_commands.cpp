@@ -64,7 +64,7 @@ Command addStressLine(StressProbeId from, StressProbeId to) {
 }
 
 Command removeStressProbes(std::vector<StressProbeId> probes) {
-  const std::string name = phrase("Remove {stress probe|%n stress probes}", probes.size());
+  const Text name = phrase("Remove {stress probe|%n stress probes}", probes.size());
   return edit::onPart(name, &DocumentState::stressMarks, [probes = std::move(probes)](StressMarks& marks) {
     edit::remove(marks.probes, probes, kProbe);
     std::erase_if(marks.lines, [&marks](const StressLine& line) {

@@ -15,7 +15,7 @@ namespace viscera::document {
 namespace {
 
 DocumentState withCage(const DocumentState& state, const GivenCage& cage, IdSource& ids) {
-  coordinates::requireCage(*cage.mesh, cage.name);
+  coordinates::requireCage(*cage.mesh, named(cage.name));
   if (handlesAtAllVertices(*state.rig, *cage.mesh)) {
     Rig rig = *state.rig;
     rig.cage = edit::cageOf(rig, coordinates::cageOver(rig.restPositions(), *cage.mesh));
@@ -60,7 +60,7 @@ bool handlesAtAllVertices(const Rig& rig, const geometry::TriangleMesh& cage) {
 }
 
 Command takeCage(GivenCage cage) {
-  return {phrase("Take the cage %1", cage.name),
+  return {phrase("Take the cage %1", named(cage.name)),
           [cage](const DocumentState& state, IdSource& ids) { return withCage(state, cage, ids); }};
 }
 

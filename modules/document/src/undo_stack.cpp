@@ -140,7 +140,7 @@ void UndoStack::forgetOldest() {
   entries_.erase(entries_.begin(), oldest);
 }
 
-UndoStack::Step::Step(UndoStack& undo, const std::string& name) : undo_(&undo) {
+UndoStack::Step::Step(UndoStack& undo, const Text& name) : undo_(&undo) {
   undo.beginStep(name);
   number_ = undo.stepNumber_;
 }
@@ -168,7 +168,7 @@ void UndoStack::Step::cancel() {
     undo->cancelStep();
 }
 
-void UndoStack::beginStep(const std::string& name) {
+void UndoStack::beginStep(const Text& name) {
   document_.requireNoChangeUnderWay();
   endStep();
   stepBefore_ = document_.state();
@@ -220,16 +220,16 @@ void UndoStack::goTo(std::size_t steps) {
   change(std::move(state));
 }
 
-std::string UndoStack::undoName() const {
-  return canUndo() ? entries_[position_ - 1].name : std::string();
+Text UndoStack::undoName() const {
+  return canUndo() ? entries_[position_ - 1].name : Text();
 }
 
-std::string UndoStack::redoName() const {
-  return canRedo() ? entries_[position_].name : std::string();
+Text UndoStack::redoName() const {
+  return canRedo() ? entries_[position_].name : Text();
 }
 
-std::vector<std::string> UndoStack::names() const {
-  std::vector<std::string> list;
+std::vector<Text> UndoStack::names() const {
+  std::vector<Text> list;
   for (const Entry& entry : entries_)
     list.push_back(entry.name);
   return list;

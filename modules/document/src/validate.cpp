@@ -19,53 +19,59 @@ constexpr double kWeightSumTolerance = 1e-6;
 /// Handles nearer to each other than this part of the rig's diagonal (of 1 mm at least) are at one place.
 constexpr double kSamePlace = 1e-9;
 
-void require(bool holds, const char* problem, const std::string& where, const char* tryThis = "") {
+void require(bool holds, const Text& problem, const Text& where, const Text& tryThis = {}) {
   if (!holds)
     throw DataError(problem, where, tryThis);
 }
 
-void requireName(const std::string& name, const std::string& where) {
+void requireName(const std::string& name, const Text& where) {
   require(!name.empty(), "it has no name", where, "give it one");
-  require(isUtf8(name), "its name is not UTF-8", where, "give it another one");
+  require(isUtf8(name), diagnostic("its name is not UTF-8"), where, "give it another one");
 }
 
-void requireColor(const Vec3& color, const std::string& where) {
+void requireColor(const Vec3& color, const Text& where) {
   require((color.array() >= 0 && color.array() <= 1).all(),
-          "the parts of its colour do not lie between 0 and 1", where);
+          diagnostic("the parts of its colour do not lie between 0 and 1"), where);
+}
+
+/// For places that are checked at each movement of a drag, before their names are made.
+template <class Place>
+bool isPlace(const Place& place) {
+  return (place.array().abs() <= kFarthestMm).all(); // Not of what is no number.
 }
 
 template <class Place>
-void requirePlace(const Place& place, const char* which, const std::string& where) {
+void requirePlace(const Place& place, const Text& which, const Text& where) {
   if (!place.allFinite())
-    throw DataError(phrase("%1 is not a finite number", which), where);
-  if (!(place.array().abs() <= kFarthestMm).all())
-    throw DataError(phrase("%1 is farther away than a thousand kilometres", which), where,
+    throw DataError(diagnostic("%1 is not a finite number", which), where);
+  if (!isPlace(place))
+    throw DataError(diagnostic("%1 is farther away than a thousand kilometres", which), where,
                     "check its unit; coordinates are in mm");
 }
 
-void requireId(std::int64_t id, const std::string& where) {
-  require(id > 0 && id <= kLargestId, "its id is not a whole number from 1 to 2^52", where);
+void requireId(std::int64_t id, const Text& where) {
+  require(id > 0 && id <= kLargestId, diagnostic("its id is not a whole number from 1 to 2^52"), where);
 }
 
 void validateIds(const DocumentState& state) {
   std::set<std::int64_t> taken;
-  const auto take = [&taken](std::int64_t id, const std::string& where) {
+  const auto take = [&taken](std::int64_t id, const Text& where) {
     requireId(id, where);
-    require(taken.insert(id).second, "another item has the same id", where);
+    require(taken.insert(id).second, diagnostic("another item has the same id"), where);
   };
   for (const auto& organ : *state.organs)
-    take(organ->id.value, phrase("organ %1", organ->name));
+    take(organ->id.value, phrase("organ %1", named(organ->name)));
   for (const Handle& handle : state.rig->handles)
-    take(handle.id.value, phrase("handle %1", handle.label));
+    take(handle.id.value, phrase("handle %1", named(handle.label)));
   for (const Group& group : state.rig->groups)
-    take(group.id.value, phrase("group %1", group.name));
+    take(group.id.value, phrase("group %1", named(group.name)));
   for (const SequenceKey& key : state.keySequence->keys) {
-    take(key.id.value, "a keyframe");
+    take(key.id.value, diagnostic("a keyframe"));
     for (const auto& [handle, moved] : key.displacements)
-      requireId(handle.value, "a handle of a keyframe");
+      requireId(handle.value, diagnostic("a handle of a keyframe"));
   }
   for (const Measurement& measurement : *state.measurements)
-    take(measurement.id.value, phrase("measurement %1", measurement.name));
+    take(measurement.id.value, phrase("measurement %1", named(measurement.name)));
   for (const StressProbe& probe : state.stressMarks->probes)
     take(probe.id.value, phrase("stress probe %1", probe.number));
   for (const StressLine& line : state.stressMarks->lines)
@@ -73,18 +79,18 @@ void validateIds(const DocumentState& state) {
 }
 
 void validateOrgan(const Organ& organ, const DocumentState& known) {
-  const std::string where = phrase("organ %1", organ.name);
+  const Text where = phrase("organ %1", named(organ.name));
   requireName(organ.name, where);
   requireColor(organ.look.color, where);
-  require(organ.look.opacity >= 0 && organ.look.opacity <= 1, "its opacity does not lie between 0 and 1",
-          where);
+  require(organ.look.opacity >= 0 && organ.look.opacity <= 1,
+          diagnostic("its opacity does not lie between 0 and 1"), where);
   require(!organ.volumeLocked || organ.closed(),
           "its surface is open, so it has no volume that could be locked", where, "close its holes first");
-  for (const std::string& warning : organ.warnings)
-    require(isUtf8(warning), "a remark on it is not UTF-8", where);
+  for (const Text& warning : organ.warnings)
+    require(isUtf8(warning.english()), diagnostic("a remark on it is not UTF-8"), where);
   const auto before = known.organ(organ.id);
   if (!before || before->mesh != organ.mesh)
-    requirePlace(organ.mesh->points, "a point of its surface", where);
+    requirePlace(organ.mesh->points, diagnostic("a point of its surface"), where);
 }
 
 void validateOrgans(const DocumentState& state, const DocumentState& known) {
@@ -92,8 +98,8 @@ void validateOrgans(const DocumentState& state, const DocumentState& known) {
   for (const auto& organ : *state.organs) {
     if (known.organ(organ->id) != organ)
       validateOrgan(*organ, known);
-    require(earlier.count(organ->parent) > 0, "the organ that it is a cavity of is not before it",
-            phrase("organ %1", organ->name));
+    require(earlier.count(organ->parent) > 0, diagnostic("the organ that it is a cavity of is not before it"),
+            phrase("organ %1", named(organ->name)));
     earlier.insert(organ->id);
   }
 }
@@ -109,8 +115,9 @@ void requireApart(const Rig& rig) {
     for (std::size_t j = i + 1; j < order.size() && rest(order[j], 0) - rest(order[i], 0) <= apart; ++j)
       if ((rest.row(order[i]) - rest.row(order[j])).norm() <= apart)
         throw DataError("two handles are at one place",
-                        phrase("handles %1 and %2", rig.handles[static_cast<std::size_t>(order[i])].label,
-                               rig.handles[static_cast<std::size_t>(order[j])].label),
+                        phrase("handles %1 and %2",
+                               named(rig.handles[static_cast<std::size_t>(order[i])].label),
+                               named(rig.handles[static_cast<std::size_t>(order[j])].label)),
                         "move or remove one of them");
 }
 
@@ -118,15 +125,15 @@ void validateRig(const Rig& rig) {
   std::map<HandleId, int> rows;
   std::set<std::string> labels, names;
   for (const Handle& handle : rig.handles) {
-    const std::string where = phrase("handle %1", handle.label);
+    const Text where = phrase("handle %1", named(handle.label));
     requireName(handle.label, where);
     require(labels.insert(handle.label).second, "two handles have this label", where, "choose another one");
-    require(isUtf8(handle.description), "its description is not UTF-8", where);
-    requirePlace(handle.rest, "its position at rest", where);
+    require(isUtf8(handle.description), diagnostic("its description is not UTF-8"), where);
+    requirePlace(handle.rest, diagnostic("its position at rest"), where);
     rows.emplace(handle.id, static_cast<int>(rows.size()));
   }
   for (const Group& group : rig.groups) {
-    const std::string where = phrase("group %1", group.name);
+    const Text where = phrase("group %1", named(group.name));
     requireName(group.name, where);
     require(names.insert(group.name).second, "two groups have this name", where, "choose another one");
     requireColor(group.color, where);
@@ -134,42 +141,45 @@ void validateRig(const Rig& rig) {
     for (const HandleId id : group.handles) {
       const auto row = rows.find(id);
       require(row != rows.end() && row->second > last,
-              "its handles are not handles of the rig, each once and in their order", where);
+              diagnostic("its handles are not handles of the rig, each once and in their order"), where);
       last = row->second;
     }
   }
   for (const CageTriangle& corners : rig.cage) {
     require(std::all_of(corners.begin(), corners.end(), [&rows](HandleId id) { return rows.count(id) > 0; }),
-            "a triangle refers to a handle that does not exist", "cage");
+            diagnostic("a triangle refers to a handle that does not exist"), "cage");
     require(corners[0] != corners[1] && corners[1] != corners[2] && corners[2] != corners[0],
-            "a triangle has a handle at two corners", "cage");
+            diagnostic("a triangle has a handle at two corners"), "cage");
   }
   requireApart(rig);
 }
 
 void validatePose(const DocumentState& state) {
   require(state.pose->rows() == static_cast<Eigen::Index>(state.rig->handles.size()),
-          "the pose has another number of handles than the document", "pose");
+          diagnostic("the pose has another number of handles than the document"), "pose");
+  if (isPlace(*state.pose))
+    return;
   for (std::size_t i = 0; i < state.rig->handles.size(); ++i)
-    requirePlace(state.pose->row(static_cast<Eigen::Index>(i)), "its position",
-                 phrase("handle %1", state.rig->handles[i].label));
+    requirePlace(state.pose->row(static_cast<Eigen::Index>(i)), diagnostic("its position"),
+                 phrase("handle %1", named(state.rig->handles[i].label)));
 }
 
 void validateSystem(const SystemChoice& system) {
   requireName(system.id, "coordinates");
   for (const auto& [name, value] : system.parameters.all()) {
-    require(isUtf8(name), "its name is not UTF-8", "parameter");
-    require(std::isfinite(value), "its value is not a finite number", phrase("parameter %1", name));
+    require(isUtf8(name), diagnostic("its name is not UTF-8"), "parameter");
+    require(std::isfinite(value), diagnostic("its value is not a finite number"),
+            diagnostic("parameter %1", name));
   }
 }
 
 void validateKeySequence(const KeySequence& keySequence) {
   requireName(keySequence.name, "recording");
   require(keySequence.periodSeconds >= sequences::kShortestSpan && std::isfinite(keySequence.periodSeconds),
-          "the period is not a positive number of seconds", keySequence.name);
+          diagnostic("the period is not a positive number of seconds"), named(keySequence.name));
   double earliest = 0;
   for (const SequenceKey& key : keySequence.keys) {
-    const std::string where = phrase("%1, key at %2 s", keySequence.name, std::to_string(key.seconds));
+    const Text where = phrase("%1, key at %2 s", named(keySequence.name), inFixed(key.seconds, 6));
     require(&key == keySequence.keys.data() ? key.seconds >= 0
                                             : key.seconds - earliest >= sequences::kShortestSpan,
             "it is not a millisecond at least behind the key before it", where,
@@ -178,29 +188,30 @@ void validateKeySequence(const KeySequence& keySequence) {
             "lengthen the period first");
     earliest = key.seconds;
     for (const auto& [handle, moved] : key.displacements)
-      requirePlace(moved, "a displacement", where);
+      requirePlace(moved, diagnostic("a displacement"), where);
   }
 }
 
 void validateMeasurements(const DocumentState& state) {
   for (const Measurement& measurement : *state.measurements) {
-    const std::string where = phrase("measurement %1", measurement.name);
+    const Text where = phrase("measurement %1", named(measurement.name));
     requireName(measurement.name, where);
     require(measurement.points.size() == pointCount(measurement.kind),
-            "an angle has three points, any other measurement two", where);
-    require(measurement.axis >= 0 && measurement.axis < 3, "there is no such slice", where);
+            diagnostic("an angle has three points, any other measurement two"), where);
+    require(measurement.axis >= 0 && measurement.axis < 3, diagnostic("there is no such slice"), where);
     for (const MeasuredPoint& point : measurement.points) {
-      requirePlace(point.rest, "one of its points", where);
+      requirePlace(point.rest, diagnostic("one of its points"), where);
       if (!point.organ)
         continue;
-      require(!isRegion(measurement.kind), "a rectangle or sphere must not refer to an organ", where);
+      require(!isRegion(measurement.kind), diagnostic("a rectangle or sphere must not refer to an organ"),
+              where);
       requireId(point.organ.value, where);
       const auto organ = state.organ(point.organ);
       require(point.triangle >= 0 && (!organ || point.triangle < organ->mesh->triangles.rows()),
-              "the surface has no such triangle", where, "pick the point on the surface again");
+              diagnostic("the surface has no such triangle"), where, "pick the point on the surface again");
       require(point.weights.allFinite() && point.weights.minCoeff() >= 0 &&
                   std::abs(point.weights.sum() - 1) <= kWeightSumTolerance,
-              "barycentric weights must be at least 0 and sum to 1", where,
+              diagnostic("barycentric weights must be at least 0 and sum to 1"), where,
               "pick the point on the surface again");
     }
   }
@@ -209,16 +220,16 @@ void validateMeasurements(const DocumentState& state) {
 void validateStressMarks(const StressMarks& marks) {
   std::set<int> numbers;
   for (const StressProbe& probe : marks.probes) {
-    const std::string where = phrase("stress probe %1", probe.number);
-    require(probe.number > 0, "its number is not a whole number from 1", where);
-    require(numbers.insert(probe.number).second, "two stress probes have this number", where);
+    const Text where = phrase("stress probe %1", probe.number);
+    require(probe.number > 0, diagnostic("its number is not a whole number from 1"), where);
+    require(numbers.insert(probe.number).second, diagnostic("two stress probes have this number"), where);
     requireId(probe.organ.value, where);
-    requirePlace(probe.rest, "its place at rest", where);
+    requirePlace(probe.rest, diagnostic("its place at rest"), where);
   }
   for (const StressLine& line : marks.lines) {
     const StressProbe *from = marks.probe(line.from), *to = marks.probe(line.to);
     require(from && to && from != to && from->organ == to->organ,
-            "it does not join two stress probes of one organ",
+            diagnostic("it does not join two stress probes of one organ"),
             phrase("stress profile %1", marks.nameOf(line)));
   }
 }
@@ -235,7 +246,7 @@ void validateCirculation(const CirculationChoice& choice) {
     throw DataError(error.problem(), error.where(), error.tryThis());
   }
   if (choice.kept)
-    requireName(choice.kept->name, "circulation that was kept");
+    requireName(choice.kept->name.english(), diagnostic("circulation that was kept"));
 }
 
 } // namespace

@@ -8,6 +8,7 @@
 
 #include "viscera/core/disjoint_sets.h"
 #include "viscera/core/error.h"
+#include "viscera/core/phrase.h"
 #include "viscera/geometry/volume.h"
 
 namespace viscera::geometry {
@@ -79,7 +80,7 @@ std::vector<std::int32_t> representatives(const TriangleMesh& mesh, double edge)
 
 Triangles coarseTriangles(const TriangleMesh& mesh, Eigen::Index vertices) {
   if (vertices < 4)
-    throw UsageError("a coarse surface needs at least four vertices");
+    throw UsageError(misuse("a coarse surface needs at least four vertices"));
   const double edge = std::sqrt(kCubesMet * area(mesh.points, mesh.triangles) / double(vertices));
   if (mesh.points.rows() <= vertices || !(edge > 0) || !std::isfinite(edge))
     return mesh.triangles;

@@ -64,10 +64,10 @@ constexpr double kFlat = 1e-9;
 
 void requireUsable(const Points& points) {
   if (points.rows() < 4)
-    throw DataError(phrase("a convex hull needs at least 4 points, there are %1", points.rows()));
+    throw DataError(misuse("a convex hull needs at least 4 points, there are %1", points.rows()));
   for (Eigen::Index i = 0; i < points.rows(); ++i)
     if (!points.row(i).allFinite())
-      throw DataError(phrase("point %1 has a coordinate that is not a finite number", i));
+      throw DataError(diagnostic("point %1 has a coordinate that is not a finite number", i));
   // The extent along the direction in which the points are thinnest.
   const Points centered = points.rowwise() - points.colwise().mean();
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(centered.transpose() * centered);

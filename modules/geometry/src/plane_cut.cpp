@@ -208,7 +208,7 @@ std::vector<Segment> segmentsOf(const Triangles& triangles, const std::vector<st
 std::vector<std::vector<PlaneCut>> cutSurfaces(const std::vector<SurfaceView>& surfaces,
                                                const std::vector<Plane>& planes, Threads threads) {
   if (planes.size() > kMostPlanes)
-    throw UsageError(phrase("Surfaces are cut by at most 8 planes at once, not by %1", planes.size()));
+    throw UsageError(misuse("Surfaces are cut by at most 8 planes at once, not by %1", planes.size()));
   std::vector<Sides> sides(surfaces.size());
   for (std::size_t s = 0; s < surfaces.size(); ++s)
     sides[s].resize(static_cast<std::size_t>(surfaces[s].points->rows()));

@@ -12,6 +12,7 @@
 
 #include "closest_point.h"
 #include "viscera/core/error.h"
+#include "viscera/core/phrase.h"
 
 namespace viscera::geometry {
 namespace {
@@ -29,7 +30,7 @@ double angleAt(const Vec3& a, const Vec3& b, const Vec3& c) {
 SignedDistance::SignedDistance(std::shared_ptr<const TriangleMesh> mesh) : mesh_(std::move(mesh)) {
   const Eigen::Index count = mesh_->triangles.rows();
   if (count == 0)
-    throw DataError("a surface without triangles has no inside", "surface");
+    throw DataError(misuse("a surface without triangles has no inside"), "surface");
   Points middles(count, 3);
   faceNormals_.resize(count, 3);
   vertexNormals_ = Points::Zero(mesh_->points.rows(), 3);

@@ -6,6 +6,7 @@
 
 #include "closest_point.h"
 #include "viscera/core/error.h"
+#include "viscera/core/phrase.h"
 #include "viscera/geometry/winding_number.h"
 
 namespace viscera::geometry {
@@ -29,7 +30,8 @@ SignedDistanceGrid emptyGrid(const Bounds& box, double spacing) {
     const double count = std::ceil(extent / spacing) + 1 + 2 * kMargin;
     nodes *= count;
     if (!(nodes <= kMostNodes))
-      throw DataError("a distance grid of this spacing is too large", "surface", "choose a larger spacing");
+      throw DataError(misuse("a distance grid of this spacing is too large"), "surface",
+                      misuse("choose a larger spacing"));
     grid.size[axis] = static_cast<int>(count);
   }
   grid.values.assign(static_cast<std::size_t>(nodes), static_cast<float>(kDistanceBand * spacing));

@@ -52,8 +52,8 @@ SurfaceReport checkSurface(const TriangleMesh& mesh) {
   return report;
 }
 
-std::vector<std::string> faults(const SurfaceReport& report) {
-  std::vector<std::string> list;
+std::vector<Text> faults(const SurfaceReport& report) {
+  std::vector<Text> list;
   if (report.boundaryEdges > 0)
     list.push_back(
         phrase("%n boundary {edge|edges}: the surface is open and has no volume", report.boundaryEdges));

@@ -35,16 +35,16 @@ VertexTriangles vertexTriangles(Eigen::Index vertexCount, const Triangles& trian
   return around;
 }
 
-void requireValid(const TriangleMesh& mesh, const std::string& where) {
+void requireValid(const TriangleMesh& mesh, const Text& where) {
   for (Eigen::Index v = 0; v < mesh.points.rows(); ++v)
     if (!mesh.points.row(v).allFinite())
-      throw DataError(phrase("vertex %1 has a coordinate that is not a finite number", v), where,
+      throw DataError(diagnostic("vertex %1 has a coordinate that is not a finite number", v), where,
                       "export the surface again");
   for (Eigen::Index t = 0; t < mesh.triangles.rows(); ++t)
     for (int k = 0; k < 3; ++k)
       if (mesh.triangles(t, k) < 0 || mesh.triangles(t, k) >= mesh.points.rows())
-        throw DataError(phrase("triangle %1 refers to vertex %2, but there are %3", t, mesh.triangles(t, k),
-                               mesh.points.rows()),
+        throw DataError(diagnostic("triangle %1 refers to vertex %2, but there are %3", t,
+                                   mesh.triangles(t, k), mesh.points.rows()),
                         where, "export the surface again");
 }
 

@@ -62,7 +62,7 @@ BindingTarget makeTarget(const document::DocumentState& state, const coordinates
     target.parameters.requireWithin(target.system->parameters());
   } catch (const Error& error) {
     target.system.reset();
-    target.problem = error.what();
+    target.problem = error.explanation();
   }
   return target;
 }
@@ -105,7 +105,7 @@ BindingResult bindToTarget(const document::Organ& organ, const BindingTarget& ta
   } catch (const Cancelled&) {
     throw;
   } catch (const deformation::UnboundVertices& error) {
-    result.failure = BindingStatus{State::failed, error.what()};
+    result.failure = BindingStatus{State::failed, error.explanation()};
     if (error.cageCounts())
       result.failure->outsideCage = static_cast<int>(error.vertices().size());
     else
@@ -113,7 +113,7 @@ BindingResult bindToTarget(const document::Organ& organ, const BindingTarget& ta
     if (error.groupsCount())
       result.failure->inNoRegion = error.vertices();
   } catch (const DataError& error) {
-    result.failure = BindingStatus{State::failed, error.what()};
+    result.failure = BindingStatus{State::failed, error.explanation()};
     if (!usesGivenCage(target)) // Adding handles that are not corners of the cage would not help.
       result.failure->outsideHull = countOutside(target.handles.positions, organ.mesh->points);
   } catch (const std::exception& error) {
@@ -246,8 +246,8 @@ Values BoundOrgan::weightsAt(Eigen::Index vertex, const std::vector<document::Ha
 
 const deformation::Deformer* BoundOrgan::bound() const {
   if (status.state == State::binding || status.state == State::stale)
-    throw DataError("its volume can be kept only after it is bound to the present handles", organ->name,
-                    status.state == State::binding ? "wait a moment" : "bind it first");
+    throw DataError("its volume can be kept only after it is bound to the present handles",
+                    named(organ->name), status.state == State::binding ? "wait a moment" : "bind it first");
   return status.state == State::bound ? deformer.get() : nullptr;
 }
 
@@ -269,7 +269,7 @@ const BoundOrgan& BoundOrgans::require(document::OrganId id) const {
 void BoundOrgans::requirePose(const Points& pose) const {
   const auto handles = static_cast<Eigen::Index>(target->ids.size());
   if (pose.rows() != handles)
-    throw DataError(phrase("The pose has %1 handles, the document %2", pose.rows(), handles));
+    throw DataError(misuse("The pose has %1 handles, the document %2", pose.rows(), handles));
   if (!(pose.array().abs() <= document::kFarthestMm).all())
     throw DataError("The pose has a position that is not a finite number, or too far away");
 }

@@ -9,6 +9,7 @@
 
 #include "viscera/coordinates/coordinate_system.h"
 #include "viscera/coordinates/registry.h"
+#include "viscera/core/phrase.h"
 #include "viscera/core/progress.h"
 #include "viscera/deformation/deformer.h"
 #include "viscera/deformation/pose_together.h"
@@ -21,7 +22,7 @@ namespace viscera::live {
 /// The handles, system and parameters to which all organs of a document are bound.
 struct BindingTarget {
   std::shared_ptr<const coordinates::CoordinateSystem> system; ///< Null when there is none of that id.
-  std::string problem;                                         ///< Why there is none.
+  Text problem;                                                ///< Why there is none.
   coordinates::ParameterValues parameters;
   coordinates::HandleSet handles;
   std::vector<document::HandleId> ids; ///< Of the rows of `handles.positions`.

@@ -10,6 +10,7 @@
 #include "viscera/circulation/periodic_state.h"
 #include "viscera/circulation/scenario.h"
 #include "viscera/core/error.h"
+#include "viscera/core/phrase.h"
 #include "viscera/document/rig_commands.h"
 #include "viscera/live/motion_recipe.h"
 
@@ -87,7 +88,7 @@ std::vector<heart::ValveInstants> valvesOf(const circulation::Parameters& parame
 
 } // namespace
 
-heart::HeartCourse heartCourse(const std::string& name, const circulation::Parameters& parameters,
+heart::HeartCourse heartCourse(Text name, const circulation::Parameters& parameters,
                                const circulation::Beat& beat, const circulation::Indices& indices,
                                double leftMuscle) {
   heart::HeartCourse course{name, beat.period, {}, phasesOf(parameters, beat, indices)};
@@ -188,7 +189,7 @@ SequenceSetup CirculatingHeart::setup(heart::HeartCourse course, Progress& progr
   return setup;
 }
 
-SequenceSetup circulatingHeart(const sample_organs::SampleLibrary& library, const std::string& name,
+SequenceSetup circulatingHeart(const sample_organs::SampleLibrary& library, const Text& name,
                                const circulation::Parameters& parameters,
                                sample_organs::Resolution resolution, Progress& progress, Threads threads) {
   Progress quiet;
@@ -198,9 +199,9 @@ SequenceSetup circulatingHeart(const sample_organs::SampleLibrary& library, cons
     throw DataError(found.failureReason, name);
   const circulation::Indices indices = circulation::indicesOf(parameters, found.beat);
   const CirculatingHeart heart(library, resolution, progress, threads);
-  return heart.setup(
-      heartCourse("Heartbeat: " + name, parameters, found.beat, indices, circulation::leftMuscleOf(name)),
-      progress);
+  return heart.setup(heartCourse(phrase("Heartbeat: %1", name), parameters, found.beat, indices,
+                                 circulation::leftMuscleOf(name.english())),
+                     progress);
 }
 
 } // namespace viscera::live

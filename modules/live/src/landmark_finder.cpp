@@ -28,11 +28,8 @@ constexpr double kLeastLineDepth = 0.02;
 /// Of the length: the line leads at least that far beyond the pylorus, so that rings fit around it.
 constexpr double kBeyondPylorus = 0.035;
 
-std::string millimeters(double mm) {
-  std::ostringstream text;
-  text.precision(3);
-  text << mm << " mm";
-  return text.str();
+Text millimeters(double mm) {
+  return phrase("%1 mm", inDigits(mm));
 }
 
 std::vector<double> arcsOf(const std::vector<Vec3>& points) {
@@ -65,14 +62,14 @@ LandmarkFinder::LandmarkFinder(std::string sequence, const document::Organ& orga
   const geometry::SurfaceReport report = geometry::checkSurface(*mesh_);
   if (!report.closed())
     throw DataError(
-        phrase("the organ is open: %n boundary {edge|edges}", report.boundaryEdges), name_,
+        phrase("the organ is open: %n boundary {edge|edges}", report.boundaryEdges), named(name_),
         "close its holes, as viscera convert IN OUT --fill-holes does; an open surface has no volume to "
         "keep");
   if (report.components != 1)
-    throw DataError(phrase("the organ is in %1 pieces", report.components), name_,
+    throw DataError(phrase("the organ is in %1 pieces", report.components), named(name_),
                     "keep the largest, as viscera convert IN OUT --keep-largest does");
   if (!report.outward())
-    throw DataError("the organ is inside out or flat", name_,
+    throw DataError("the organ is inside out or flat", named(name_),
                     "turn its triangles around, as viscera convert IN OUT --orient does");
   distance_ = std::make_shared<geometry::SignedDistance>(mesh_);
 }
@@ -82,8 +79,8 @@ Landmarks LandmarkFinder::complete(const Landmarks& given) const {
   for (const Landmark& landmark : given.points) {
     if (std::none_of(roles.begin(), roles.end(),
                      [&](const LandmarkRole& role) { return role.role == landmark.role; }))
-      throw UsageError(phrase("\"%1\" is not a landmark of the sequence %2", landmark.role, sequence_),
-                       name_);
+      throw UsageError(misuse("\"%1\" is not a landmark of the sequence %2", landmark.role, sequence_),
+                       named(name_));
     requireNear(landmark);
   }
   if (sequence_ == "heartbeat")
@@ -93,11 +90,13 @@ Landmarks LandmarkFinder::complete(const Landmarks& given) const {
 
 void LandmarkFinder::requireNear(const Landmark& landmark) const {
   if (!landmark.position.allFinite())
-    throw DataError("the landmark's position is not a finite number", name_ + ", " + landmark.role);
+    throw DataError("the landmark's position is not a finite number",
+                    phrase("%1, %2", named(name_), named(landmark.role)));
   const double outside = depth(landmark.position);
   if (outside > kOutside * size_)
     throw DataError(phrase("the landmark lies %1 outside the organ", millimeters(outside)),
-                    name_ + ", " + landmark.role, "choose it on the organ; check the axes (RAS or LPS) too");
+                    phrase("%1, %2", named(name_), named(landmark.role)),
+                    "choose it on the organ; check the axes (RAS or LPS) too");
 }
 
 void LandmarkFinder::requireBothOrNone(const Landmarks& given, const std::string& one,
@@ -106,8 +105,8 @@ void LandmarkFinder::requireBothOrNone(const Landmarks& given, const std::string
   const bool second = given.find(other) != nullptr;
   if (first != second)
     throw DataError(
-        phrase("too few landmarks: there is %1 but no %2", first ? one : other, first ? other : one), name_,
-        "give both, or none to have them computed");
+        phrase("too few landmarks: there is %1 but no %2", first ? one : other, first ? other : one),
+        named(name_), "give both, or none to have them computed");
 }
 
 void LandmarkFinder::requireApart(const Landmark& one, const Landmark& other) const {
@@ -115,13 +114,13 @@ void LandmarkFinder::requireApart(const Landmark& one, const Landmark& other) co
   if (distance < kAtOnePlace * size_)
     throw DataError(
         phrase("%1 and %2 are at one place: %3 from each other", one.role, other.role, millimeters(distance)),
-        name_, "choose the two ends of the organ");
+        named(name_), "choose the two ends of the organ");
 }
 
 Landmarks LandmarkFinder::heart(Landmarks landmarks) const {
   requireBothOrNone(landmarks, "apex", "base");
   if (landmarks.find("right") && !landmarks.find("apex"))
-    throw DataError("too few landmarks: there is right but neither apex nor base", name_,
+    throw DataError("too few landmarks: there is right but neither apex nor base", named(name_),
                     "give apex and base too");
   if (landmarks.find("apex"))
     requireApart(*landmarks.find("apex"), *landmarks.find("base"));
@@ -157,15 +156,15 @@ Landmarks LandmarkFinder::stomach(Landmarks landmarks) const {
   requireBothOrNone(landmarks, "fundus", "pylorus");
   for (const char* role : {"centreline", "body"})
     if (landmarks.find(role) && !landmarks.find("fundus"))
-      throw DataError(phrase("too few landmarks: there is %1 but neither fundus nor pylorus", role), name_,
-                      "give fundus and pylorus too");
+      throw DataError(phrase("too few landmarks: there is %1 but neither fundus nor pylorus", role),
+                      named(name_), "give fundus and pylorus too");
   if (landmarks.find("fundus"))
     requireApart(*landmarks.find("fundus"), *landmarks.find("pylorus"));
   for (const Vec3& place : landmarks.all("centreline"))
     if (depth(place) >= 0)
       throw DataError(
-          phrase("a point of the centreline lies %1 outside the organ", millimeters(depth(place))), name_,
-          "put it into the middle of the stomach");
+          phrase("a point of the centreline lies %1 outside the organ", millimeters(depth(place))),
+          named(name_), "put it into the middle of the stomach");
   if (!landmarks.find("centreline"))
     addCenterline(landmarks);
   return landmarks;
@@ -182,7 +181,7 @@ Vec3 LandmarkFinder::drawnInside(const Vec3& place) const {
     if (depth(wall + step * away) < -0.7 * step)
       return wall + step * away;
   if (depth(place) >= 0)
-    throw DataError("the computed centreline leaves the organ", name_,
+    throw DataError("the computed centreline leaves the organ", named(name_),
                     "give points of the centreline yourself");
   return place;
 }

@@ -54,8 +54,8 @@ const std::vector<LandmarkRole>& landmarkRoles(const std::string& sequence) {
       {"breathing", {}}};
   const auto found = roles.find(sequence);
   if (found == roles.end())
-    throw UsageError(phrase("there is no sequence \"%1\" for other organs", sequence), {},
-                     "use one of: heartbeat, peristalsis, breathing");
+    throw UsageError(misuse("there is no sequence \"%1\" for other organs", sequence), {},
+                     misuse("use one of: heartbeat, peristalsis, breathing"));
   return found->second;
 }
 

@@ -166,7 +166,7 @@ void LiveBinding::Impl::bindLater(BoundOrgan& organ) {
     if (const auto alive = weak.lock())
       (*alive)->arrived(id, ticket, std::move(result));
   };
-  jobs.submit<BindingResult>(phrase("Binding %1", organ.organ->name), organ.slot(), work, done);
+  jobs.submit<BindingResult>(phrase("Binding %1", named(organ.organ->name)), organ.slot(), work, done);
 }
 
 /// Takes a result from the queue, which may be for an organ or a target that has been replaced: each job has
@@ -182,7 +182,7 @@ void LiveBinding::Impl::arrived(document::OrganId id, std::int64_t ticket, JobRe
     organ.setState(State::stale);
   } else {
     if (result.error && last)
-      organ.fail({State::failed, result.error->what()});
+      organ.fail({State::failed, result.error->explanation()});
     if (result.value && (last || result.value->deformer)) // Errors of outdated bindings are not reported.
       take(organ, std::move(*result.value), of);
     if (!last) {

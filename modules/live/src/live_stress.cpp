@@ -89,7 +89,7 @@ struct LiveStress::Impl {
   deformation::StressStatistics statistics;
   std::shared_ptr<const CycleStress> cycle;
   bool findingCycle = false;
-  std::string cycleMessage;
+  Text cycleMessage;
   StressEvent pending;
   Signal<const StressEvent&> events;
   std::int64_t ticket = 0;
@@ -97,7 +97,7 @@ struct LiveStress::Impl {
   std::vector<Subscription> subscriptions;
   std::shared_ptr<Impl*> self = std::make_shared<Impl*>(this);
 
-  void setState(StressState state, std::string message = {});
+  void setState(StressState state, Text message = {});
   std::vector<std::shared_ptr<const geometry::TriangleMesh>> cavitiesOf(document::OrganId parent) const;
   void refresh();
   void sampleLater();
@@ -119,7 +119,7 @@ struct LiveStress::Impl {
   void boundArrived(JobResult<BoundWitnesses> result);
 };
 
-void LiveStress::Impl::setState(StressState state, std::string message) {
+void LiveStress::Impl::setState(StressState state, Text message) {
   status.state = state;
   status.message = std::move(message);
   pending.status = true;
@@ -141,7 +141,7 @@ bool LiveStress::Impl::failedOrCancelled(const JobResult<Value>& result) {
   if (result.value)
     return false;
   if (result.error)
-    setState(StressState::failed, result.error->what());
+    setState(StressState::failed, result.error->explanation());
   else
     setState(StressState::cancelled);
   return true;
@@ -198,7 +198,7 @@ void LiveStress::Impl::sampleLater() {
         std::make_shared<const deformation::WitnessInterpolation>(*sample.mesh, mesh->points, wanted.threads);
     return SampledOrgan{std::move(sample), std::move(toSurface)};
   };
-  jobs.submit<SampledOrgan>(phrase("Witness points of %1", item->name), kSampleSlot, work,
+  jobs.submit<SampledOrgan>(phrase("Witness points of %1", named(item->name)), kSampleSlot, work,
                             ending<SampledOrgan>(&Impl::sampled));
 }
 
@@ -240,7 +240,7 @@ void LiveStress::Impl::refreshBinding() {
     ++ticket;
     dropBinding();
     return setState(StressState::failed,
-                    failure->message.empty() ? "An organ needs handles around it" : failure->message);
+                    failure->message.empty() ? Text("An organ needs handles around it") : failure->message);
   }
   const double expected =
       secondsEach * static_cast<double>(mesh->points.rows()) * static_cast<double>(target->ids.size());
@@ -290,7 +290,7 @@ void LiveStress::Impl::dropCycle() {
     pending.cycle = true;
   cycle.reset();
   findingCycle = false;
-  cycleMessage.clear();
+  cycleMessage = {};
 }
 
 void LiveStress::Impl::cycleArrived(JobResult<CycleStress> result) {
@@ -298,7 +298,7 @@ void LiveStress::Impl::cycleArrived(JobResult<CycleStress> result) {
   if (result.value)
     cycle = std::make_shared<const CycleStress>(std::move(*result.value));
   else if (result.error)
-    cycleMessage = result.error->what();
+    cycleMessage = result.error->explanation();
   pending.cycle = !result.cancelled();
 }
 
@@ -457,7 +457,7 @@ void LiveStress::findCycle(PosedCycle cycle, CycleParts parts) {
     (*alive)->tell();
   };
   impl.findingCycle = true;
-  impl.cycleMessage.clear();
+  impl.cycleMessage = {};
   impl.jobs.submit<CycleStress>("Stress over the cycle", kCycleSlot, work, done);
 }
 
@@ -472,7 +472,7 @@ std::shared_ptr<const CycleStress> LiveStress::cycle() const {
 bool LiveStress::findingCycle() const {
   return impl_->findingCycle;
 }
-const std::string& LiveStress::cycleMessage() const {
+const Text& LiveStress::cycleMessage() const {
   return impl_->cycleMessage;
 }
 

@@ -52,7 +52,7 @@ struct LiveWarp::Impl {
   BoundMap bound = {};
   std::shared_ptr<const Points> pose = {}; ///< That the map is in; null: none.
   std::uint64_t revision = 0;
-  std::string problem = {};
+  Text problem = {};
 
   bool posed() const {
     const Points rest = document.rig().restPositions();
@@ -77,7 +77,7 @@ void LiveWarp::Impl::follow() {
     return;
   bound = {};
   ++revision;
-  problem.clear();
+  problem = {};
   target = now;
   if (!now.system) {
     problem = now.problem;
@@ -116,7 +116,7 @@ void LiveWarp::Impl::take(const JobResult<BoundMap>& result) {
   if (result.value)
     bound = *result.value;
   if (result.error)
-    problem = result.error->what();
+    problem = result.error->explanation();
   pose.reset();
   ++revision;
   follow(); // For changes in the meantime.
@@ -172,7 +172,7 @@ std::uint64_t LiveWarp::revision() const {
   return impl_->revision;
 }
 
-const std::string& LiveWarp::problem() const {
+const Text& LiveWarp::problem() const {
   return impl_->problem;
 }
 

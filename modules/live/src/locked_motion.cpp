@@ -145,7 +145,7 @@ bool LockedMotion::compensate(const Points& wanted) {
 
 const Points& LockedMotion::translate(const Vec3& wanted) {
   const Vec3 by = inPlane(wanted);
-  obstacle_.clear();
+  obstacle_ = {};
   if (translations_ == Way::free) {
     take(moved(by));
     return *pose_;
@@ -169,7 +169,7 @@ const Points& LockedMotion::scale(const Vec3& center, const Vec3& factors) {
 }
 
 const Points& LockedMotion::reach(const Points& wanted) {
-  obstacle_.clear();
+  obstacle_ = {};
   if (!setup_.lock) {
     take(wanted);
     return *pose_;

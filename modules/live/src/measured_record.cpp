@@ -49,7 +49,7 @@ TrackedPhase phaseFrom(const JsonReader& reader, const ordered_json& item, const
       quality.dice = std::min(quality.dice.value_or(1), *dice);
   });
   if (quality.surfaces.size() != record.series.names.size())
-    throw DataError("a phase lacks a surface", "measured motion");
+    throw DataError(diagnostic("a phase lacks a surface"), diagnostic("measured motion"));
   quality.meanMm = reader.valueOf<double>(item, "meanMm", place);
   quality.p95Mm = reader.valueOf<double>(item, "p95Mm", place);
   quality.maxMm = reader.valueOf<double>(item, "maxMm", place);
@@ -72,7 +72,8 @@ MeasuredRecord recordFrom(const JsonReader& reader, const ordered_json& root) {
   });
   if (record.organs.empty() || record.organs.size() != record.series.names.size() ||
       record.motion.phases.empty())
-    throw DataError("it has no organ for each surface, or no phases", "measured motion");
+    throw DataError(diagnostic("it has no organ for each surface, or no phases"),
+                    diagnostic("measured motion"));
   record.series.times = tracking::PhaseTimes::even(record.motion.phases.size(),
                                                    reader.valueOf<double>(root, "periodSeconds", ""),
                                                    reader.valueOf<bool>(root, "loop", ""));
@@ -112,11 +113,11 @@ std::string toJson(const MeasuredRecord& record) {
 }
 
 MeasuredRecord measuredRecordFrom(const std::string& text) {
-  const JsonReader reader("measured motion", std::string());
+  const JsonReader reader(diagnostic("measured motion").english(), Text());
   try {
     return recordFrom(reader, reader.parse(text));
   } catch (const JsonError& error) {
-    throw DataError("it is not a record of a measured motion", error.where());
+    throw DataError(diagnostic("it is not a record of a measured motion"), error.where());
   }
 }
 

@@ -60,7 +60,7 @@ std::shared_ptr<const sequences::Sequence> makeMotion(const std::string& recipe,
     return setUpSequence(library, id, resolution, progress).sequence;
   } catch (const JsonError&) {
     throw DataError("the motion of an organ cannot be made again: nothing is known of how it was made",
-                    organ.name, "choose it again in Play mode");
+                    named(organ.name), "choose it again in Play mode");
   }
 }
 

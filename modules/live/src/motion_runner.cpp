@@ -19,7 +19,7 @@ void MotionRunner::setSequence(std::shared_ptr<const sequences::Sequence> sequen
   sequence_ = std::move(sequence);
   rate_ = sequence_ ? sequence_->standardRatePerMinute() : 0;
   prescribed_.reset();
-  obstacle_.clear();
+  obstacle_ = {};
   ++revision_;
 }
 
@@ -30,12 +30,13 @@ void MotionRunner::prescribe(std::optional<PrescribedVolume> volume) {
 
 void MotionRunner::setRatePerMinute(double rate) {
   if (!sequence_)
-    throw UsageError("There is no sequence whose rate could be set", {}, "choose a sequence first");
+    throw UsageError(misuse("There is no sequence whose rate could be set"), {},
+                     misuse("choose a sequence first"));
   const double low = sequence_->lowestRatePerMinute();
   const double high = sequence_->highestRatePerMinute();
   if (!(rate >= low && rate <= high))
-    throw UsageError("The rate is out of range", sequence_->name(),
-                     phrase("choose %1 to %2 a minute", significant(low, 6), significant(high, 6)));
+    throw UsageError(misuse("The rate is out of range"), sequence_->name(),
+                     misuse("choose %1 to %2 a minute", inDigits(low, 6), inDigits(high, 6)));
   rate_ = rate;
   ++revision_;
 }
@@ -53,8 +54,8 @@ bool MotionRunner::movable() const {
 
 void MotionRunner::requireMovable() const {
   if (!movable())
-    throw UsageError("There is no sequence that could move these handles", {},
-                     "choose a sequence, and use its handles");
+    throw UsageError(misuse("There is no sequence that could move these handles"), {},
+                     misuse("choose a sequence, and use its handles"));
 }
 
 bool MotionRunner::keepsVolumes() const {
@@ -80,7 +81,7 @@ void MotionRunner::requireReachable() {
     const auto tried = restoredPose(fraction * periodSeconds());
     if (tried.restored)
       continue;
-    std::string wanted = "the locked volumes cannot be kept";
+    Text wanted = "the locked volumes cannot be kept";
     if (prescribed_)
       wanted = phrase("%1 ml cannot be reached", std::lround(prescribed_->milliliters.at(fraction)));
     throw DataError(phrase("%1 at %2 % of the cycle: %3", wanted, std::lround(100 * fraction), tried.reason),
@@ -90,7 +91,7 @@ void MotionRunner::requireReachable() {
 }
 
 std::optional<Points> MotionRunner::poseAt(double seconds) {
-  obstacle_.clear();
+  obstacle_ = {};
   try {
     deformation::RestoredPose kept = restoredPose(seconds);
     if (kept.restored)
@@ -98,13 +99,13 @@ std::optional<Points> MotionRunner::poseAt(double seconds) {
     obstacle_ = std::move(kept.reason);
     return std::nullopt;
   } catch (const DataError& error) {
-    obstacle_ = error.what(); // An organ is still being bound: it moves on as the sequence says.
+    obstacle_ = error.explanation(); // An organ is still being bound: it moves on as the sequence says.
     return pose_;
   }
 }
 
 void MotionRunner::show(double seconds) {
-  obstacle_.clear();
+  obstacle_ = {};
   if (!movable())
     return;
   if (const std::optional<Points> pose = poseAt(seconds))

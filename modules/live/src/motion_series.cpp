@@ -36,12 +36,12 @@ constexpr double kApartLaterMm = 0.01;
 /// Refuses files of which some say RAS and others say nothing.
 void requireStatedAlike(const std::map<std::string, medical_io::SurfaceSeriesFile>& files) {
   bool ras = false;
-  std::string silent;
+  Text silent;
   for (const auto& [name, file] : files)
     for (std::size_t phase = 0; phase < file.spaces.size(); ++phase) {
       ras = ras || file.spaces[phase] == medical_io::Space::ras;
       if (!file.spaceStated[phase] && silent.empty())
-        silent = name + ", " + phaseName(phase);
+        silent = phrase("%1, %2", name, phaseName(phase));
     }
   if (ras && !silent.empty())
     throw DataError("This file does not state its axes, but other files of the series are in RAS", silent,
@@ -57,7 +57,7 @@ void warnOf(const tracking::TidySeries& tidy, MotionSeries& series) {
   if (tidy.mergedApartMm > kApartLaterMm)
     series.warnings.push_back(phrase(
         "%1: points that coincide in the first phase separate by up to %2 mm; Viscera keeps them together",
-        name, fixed(tidy.mergedApartMm, 2)));
+        name, inFixed(tidy.mergedApartMm, 2)));
 }
 
 /// Surfaces of which each phase has triangles of its own.
@@ -94,7 +94,7 @@ SeriesFiles chosenOf(const SeriesFiles& all, const SeriesRequest& request) {
 
 void readSurfaces(const SeriesFiles& files, MotionSeries& series, Progress& progress) {
   std::map<std::string, medical_io::SurfaceSeriesFile> read;
-  std::string differs;
+  Text differs;
   for (const auto& [name, list] : files.files) {
     series.names.push_back(name);
     const auto& file = read[name] = medical_io::readSurfaceSeries(list, progress);
@@ -126,7 +126,7 @@ public:
   MaskReader(const SeriesRequest& request, MotionSeries& series)
       : surfaces_(request.surfaces), series_(series) {}
 
-  void add(const LabelMap& map, const std::string& where) {
+  void add(const LabelMap& map, const Text& where) {
     const std::size_t phase = series_.masks.size();
     if (phase == 0)
       begin(map, where);
@@ -176,25 +176,25 @@ public:
         throw DataError(
             phrase("%1 touches the edge of the image in %2 and not in others, so that its volumes would be "
                    "cut off",
-                   surfaces_[i].name, phaseName(first)),
+                   named(surfaces_[i].name), phaseName(first)),
             "series", "use images that show all of it in every phase");
       series_.warnings.push_back(
           always ? phrase("%1 touches the edge of the image in every phase: what lies beyond is not in its "
                           "volume",
-                          surfaces_[i].name)
+                          named(surfaces_[i].name))
                  : phrase("%1 touches the edge of the image in %2: what lies beyond is not in its volume",
-                          surfaces_[i].name, phaseName(first)));
+                          named(surfaces_[i].name), phaseName(first)));
     }
   }
 
 private:
   static constexpr const char* kMissingAdvice = "label it in every phase, or leave this phase out";
 
-  static std::string missing(const std::string& label, std::size_t phase) {
+  static Text missing(const std::string& label, std::size_t phase) {
     return phrase("The label \"%1\" is missing in %2", label, phaseName(phase));
   }
 
-  void begin(const LabelMap& map, const std::string& where) {
+  void begin(const LabelMap& map, const Text& where) {
     if (surfaces_.empty() && map.segments.size() == 1)
       surfaces_.push_back({map.segments.front().name, {map.segments.front().name}});
     if (surfaces_.empty()) {
@@ -227,11 +227,11 @@ private:
     all_.assign(surfaces_.size(), {map.size, {-1, -1, -1}});
     atEdge_.resize(surfaces_.size());
     ranges_.resize(surfaces_.size());
-    for (const std::string& warning : map.warnings)
-      series_.warnings.push_back(where + ": " + warning);
+    for (const Text& warning : map.warnings)
+      series_.warnings.push_back(phrase("%1: %2", where, warning));
   }
 
-  void requireGrid(const LabelMap& map, std::size_t phase, const std::string& where) const {
+  void requireGrid(const LabelMap& map, std::size_t phase, const Text& where) const {
     const Eigen::Affine3d between = grid_.inverse() * map.indexToLps;
     const Vec3 last(size_[0] - 1, size_[1] - 1, size_[2] - 1);
     if (map.size != size_ || !((between * Vec3::Zero()).norm() < kSameGridVoxels) ||
@@ -241,7 +241,7 @@ private:
   }
 
   static tracking::Mask maskOf(const LabelMap& map, const LabelledSurface& surface, std::size_t phase,
-                               const std::string& where) {
+                               const Text& where) {
     tracking::Mask mask{map.size, map.indexToLps, std::vector<std::uint8_t>(map.voxelCount(), 0)};
     std::vector<std::size_t> segments;
     for (const std::string& label : surface.labels)
@@ -274,7 +274,7 @@ SeriesTimes readMasks(const SeriesFiles& files, MaskReader& reader, Progress& pr
   const std::vector<fs::path>& list = files.files.at("");
   if (files.kind == SeriesFiles::Kind::volumes)
     return medical_io::readLabelSeries(list.front(), progress, [&](std::size_t phase, LabelMap&& map) {
-      reader.add(map, list.front().string() + ", " + phaseName(phase));
+      reader.add(map, phrase("%1, %2", list.front().string(), phaseName(phase)));
     });
   for (std::size_t phase = 0; phase < list.size(); ++phase) {
     progress.report(static_cast<double>(phase) / static_cast<double>(list.size()),
@@ -364,7 +364,7 @@ tracking::PhaseTimes timesOf(const SeriesRequest& request, const std::vector<dou
     if (!(seconds >= 0) || !(seconds < period) || (phase > 0 && !(seconds > times.seconds[phase - 1])))
       throw DataError(
           phrase("The times of the phases do not ascend within one period of %1 ms: %2 is at %3 ms",
-                 fixed(1000 * period, 0), phaseName(phase), fixed(1000 * seconds, 1)),
+                 inFixed(1000 * period, 0), phaseName(phase), inFixed(1000 * seconds, 1)),
           "series", "check their order, and the period");
   }
   return times;

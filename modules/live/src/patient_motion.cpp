@@ -40,7 +40,7 @@ constexpr double kLabelSmoothing = 0.5;
 
 /// The surface around a mask, `triangles` at most.
 TriangleMesh surfaceAround(const tracking::Mask& mask, const std::string& name, int triangles,
-                           std::vector<std::string>& warnings, Progress& progress, Threads threads) {
+                           std::vector<Text>& warnings, Progress& progress, Threads threads) {
   const tracking::Mask fine = tracking::betweenSlices(mask);
   medical_io::LabelMap map;
   map.size = fine.size;
@@ -59,15 +59,14 @@ TriangleMesh surfaceAround(const tracking::Mask& mask, const std::string& name, 
   options.smoothing = kLabelSmoothing;
   options.largestPieceOnly = true;
   auto surface = std::move(medical_io::labelSurfaces(map, options, progress, threads).front());
-  for (const std::string& warning : surface.warnings)
-    warnings.push_back(name + ": " + warning);
+  for (const Text& warning : surface.warnings)
+    warnings.push_back(phrase("%1: %2", name, warning));
   return std::move(surface.mesh);
 }
 
 /// Everything at rest, which is the first phase.
 std::vector<TriangleMesh> restSurfaces(const MotionSeries& series, const TrackOptions& options,
-                                       std::vector<std::string>& warnings, Progress& progress,
-                                       Threads threads) {
+                                       std::vector<Text>& warnings, Progress& progress, Threads threads) {
   std::vector<TriangleMesh> rest;
   for (std::size_t i = 0; i < series.names.size(); ++i) {
     if (!series.corresponding.empty())
@@ -252,7 +251,7 @@ SequenceFile sequenceOf(const MotionSeries& series, const MotionRig& rig, const 
 /// Adds the warnings about phases and about the whole motion.
 void warn(PatientMotion& motion) {
   for (std::size_t phase = 0; phase < motion.phases.size(); ++phase)
-    for (const std::string& reason : motion.phases[phase].verdict.reasons)
+    for (const Text& reason : motion.phases[phase].verdict.reasons)
       motion.warnings.push_back(phrase("phase %1: %2", phase + 1, reason));
   // A phase much worse than both its neighbours is likely to be at fault itself.
   const std::size_t count = motion.phases.size();
@@ -266,7 +265,7 @@ void warn(PatientMotion& motion) {
     motion.warnings.push_back(phrase(
         "phase %1 fits much worse than its neighbours (%2 against %3 mm): look at its data, or leave it "
         "out",
-        phase + 1, fixed(own, 1), fixed(around, 1)));
+        phase + 1, inFixed(own, 1), inFixed(around, 1)));
   }
 }
 
@@ -356,7 +355,7 @@ Values MeasuredPhase::apartMm(std::size_t surface, const Points& vertices) const
 MeasuredPhase measuredPhase(const MotionSeries& series, std::size_t phase, Progress& progress,
                             Threads threads) {
   MeasuredPhase measured;
-  std::vector<std::string> unheard; // They were said when the motion was found.
+  std::vector<Text> unheard; // They were said when the motion was found.
   for (std::size_t i = 0; i < series.names.size(); ++i) {
     progress.throwIfCancelled();
     if (!series.corresponding.empty())

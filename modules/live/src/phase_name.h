@@ -8,7 +8,7 @@
 namespace viscera::live {
 
 /// The name of a phase of a series in messages.
-inline std::string phaseName(std::size_t phase) {
+inline Text phaseName(std::size_t phase) {
   return phrase("phase %1", phase + 1);
 }
 

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "viscera/core/error.h"
+#include "viscera/core/phrase.h"
 
 namespace viscera::live {
 namespace {
@@ -12,7 +13,7 @@ constexpr double kFastestSpeed = 10;
 
 void requirePlace(double fraction) {
   if (!(fraction >= 0 && fraction <= 1))
-    throw UsageError("A place in the cycle lies between 0 and 1");
+    throw UsageError(misuse("A place in the cycle lies between 0 and 1"));
 }
 } // namespace
 
@@ -85,12 +86,12 @@ void Player::prescribe(const std::optional<PrescribedVolume>& volume) {
   match();
 }
 
-std::string Player::phase() const {
+Text Player::phase() const {
   if (!sequence())
     return {};
   for (const sequences::Phase& phase : runner_.sequence()->phases(ratePerMinute()))
     if (fraction_ < phase.end)
-      return fraction_ >= phase.begin ? phase.name : std::string();
+      return fraction_ >= phase.begin ? phase.name : Text();
   return {};
 }
 
@@ -178,7 +179,8 @@ void Player::setLoop(bool loop) {
 
 void Player::setSpeed(double speed) {
   if (!(speed > 0 && speed <= kFastestSpeed))
-    throw UsageError("The speed is out of range", {}, "choose more than 0 and up to 10 times");
+    throw UsageError(misuse("The speed is out of range"), {},
+                     misuse("choose more than 0 and up to 10 times"));
   const bool moved = passTime();
   time_->speed = speed;
   if (moved)

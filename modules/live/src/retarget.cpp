@@ -128,8 +128,8 @@ private:
     result.scale = scale_;
     result.restVolumeMl = organ_.restVolumeMm3 / kMm3PerMl;
     if (scale_ > kOddSize || scale_ < 1 / kOddSize) {
-      result.warnings.push_back(phrase("the organ is %1 times as long as that of an adult; check its unit",
-                                       significant(scale_, 3)));
+      result.warnings.push_back(
+          phrase("the organ is %1 times as long as that of an adult; check its unit", inDigits(scale_, 3)));
     }
     return result;
   }
@@ -169,7 +169,7 @@ RetargetedSequence retargetSequence(const std::string& id, const document::Organ
 }
 
 document::Command useRetargeted(const RetargetedSequence& retargeted) {
-  const std::string name = phrase("Take handles of %1", retargeted.sequence->name());
+  const Text name = phrase("Take handles of %1", retargeted.sequence->name());
   return document::combined(
       name, {document::replaceRig(retargeted.rig, name), document::setSystem(retargeted.system)});
 }

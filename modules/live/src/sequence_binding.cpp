@@ -136,8 +136,8 @@ std::shared_ptr<const geometry::TriangleMesh> surfaceOf(const sample_organs::Sam
   for (const sample_organs::SampleSurface& surface : organ.surfaces)
     if (surface.name == name)
       return surface.mesh;
-  throw DataError(phrase("the sample organ has no surface \"%1\"", name), organ.name,
-                  "restore its definition from the installation");
+  throw DataError(misuse("the sample organ has no surface \"%1\"", name), organ.name,
+                  misuse("restore its definition from the installation"));
 }
 
 } // namespace viscera::live

@@ -59,7 +59,7 @@ public:
     try {
       const sequences::KeyframedSequence check(track);
     } catch (const DataError& error) {
-      throw DataError(error.problem(), where() + ", " + error.where(), error.tryThis());
+      throw DataError(error.problem(), phrase("%1, %2", where(), error.where()), error.tryThis());
     }
     return std::move(file_);
   }
@@ -72,11 +72,12 @@ private:
     if (rest.rows() < kFewestKeyedHandles)
       fail(phrase("It has %n {handle|handles}; a sequence needs four at least", list.size()), "handles");
     for (std::size_t i = 0; i < list.size(); ++i) {
-      const std::string place = phrase("handle %1", i + 1);
+      const std::string place = "handle " + std::to_string(i + 1);
       requireObject(list[i], place);
       const std::string label = textOf(list[i], "label", place);
       if (!rows_.emplace(label, static_cast<int>(i)).second)
-        fail(phrase("the label \"%1\" comes twice", label), place, "give every handle a label of its own");
+        fail(diagnostic("the label \"%1\" comes twice", label), place,
+             "give every handle a label of its own");
       rest.row(static_cast<Eigen::Index>(i)) =
           vectorOf(field(list[i], "rest", place), place + " \"" + label + "\"").transpose();
       file_.labels.push_back(label);
@@ -86,7 +87,7 @@ private:
   int rowOf(const ordered_json& label, const std::string& place) const {
     const auto row = label.is_string() ? rows_.find(label.get<std::string>()) : rows_.end();
     if (row == rows_.end())
-      fail(phrase("It names the handle %1, which is not among \"handles\"", label.dump()), place);
+      fail(diagnostic("It names the handle %1, which is not among \"handles\"", label.dump()), place);
     return row->second;
   }
 
@@ -95,7 +96,7 @@ private:
       return;
     std::set<int> grouped;
     for (const ordered_json& item : listOf(root, "groups", "")) {
-      const std::string place = phrase("group %1", file_.track.groups.size() + 1);
+      const std::string place = "group " + std::to_string(file_.track.groups.size() + 1);
       requireObject(item, place);
       sequences::HandleGroup group{textOf(item, "name", place), {1.0, 0.5, 0.2}, {}};
       if (item.contains("color"))
@@ -103,7 +104,7 @@ private:
       for (const ordered_json& label : listOf(item, "handles", place)) {
         group.handles.push_back(rowOf(label, place));
         if (!grouped.insert(group.handles.back()).second)
-          fail(phrase("the handle %1 is in two groups", label.dump()), place);
+          fail(diagnostic("the handle %1 is in two groups", label.dump()), place);
       }
       std::sort(group.handles.begin(), group.handles.end());
       file_.track.groups.push_back(std::move(group));
@@ -120,7 +121,7 @@ private:
     if (item.contains("parameters")) {
       requireObject(item.at("parameters"), "system parameters");
       for (const auto& [name, value] : item.at("parameters").items())
-        choice.parameters.set(name, numberOf(value, phrase("system parameter %1", name)));
+        choice.parameters.set(name, numberOf(value, "system parameter " + name));
     }
     file_.system = std::move(choice);
   }
@@ -129,7 +130,7 @@ private:
     if (!root.contains("organs"))
       return;
     for (const ordered_json& item : listOf(root, "organs", "")) {
-      const std::string place = phrase("organ %1", file_.organs.size() + 1);
+      const std::string place = "organ " + std::to_string(file_.organs.size() + 1);
       requireObject(item, place);
       geometry::TriangleMesh mesh;
       const ordered_json& points = listOf(item, "points", place);
@@ -137,12 +138,12 @@ private:
       mesh.points.resize(static_cast<Eigen::Index>(points.size() / 3), 3);
       mesh.triangles.resize(static_cast<Eigen::Index>(triangles.size() / 3), 3);
       if (points.size() % 3 != 0 || triangles.size() % 3 != 0 || triangles.empty())
-        fail("its points and triangles are no lists of threes", place);
+        fail(diagnostic("its points and triangles are no lists of threes"), place);
       for (std::size_t i = 0; i < points.size(); ++i)
         mesh.points.data()[i] = numberOf(points[i], place + ", points");
       for (std::size_t i = 0; i < triangles.size(); ++i) {
         if (!triangles[i].is_number_unsigned() || triangles[i].get<std::uint64_t>() >= points.size() / 3)
-          fail("a triangle refers to a point that does not exist", place);
+          fail(diagnostic("a triangle refers to a point that does not exist"), place);
         mesh.triangles.data()[i] = triangles[i].get<std::int32_t>();
       }
       geometry::requireValid(mesh, where() + ", " + place);
@@ -153,7 +154,7 @@ private:
 
   void readKeys(const ordered_json& root) {
     for (const ordered_json& item : listOf(root, "keys", "")) {
-      const std::string place = phrase("key %1", file_.track.keys.size() + 1);
+      const std::string place = "key " + std::to_string(file_.track.keys.size() + 1);
       requireObject(item, place);
       sequences::Keyframe key;
       key.seconds = numberOf(field(item, "seconds", place), place + ", seconds");
@@ -164,7 +165,7 @@ private:
       requireObject(pose, place + ", pose");
       for (const auto& [label, position] : pose.items())
         key.pose.row(rowOf(label, place)) =
-            vectorOf(position, phrase("%1, handle \"%2\"", place, label)).transpose();
+            vectorOf(position, place + ", handle \"" + label + "\"").transpose();
       file_.track.keys.push_back(std::move(key));
     }
   }
@@ -178,7 +179,7 @@ ordered_json keyOf(const sequences::Keyframe& key, const SequenceFile& sequence)
   for (std::size_t i = 0; i < sequence.labels.size(); ++i) {
     const auto row = static_cast<Eigen::Index>(i);
     if (key.pose.row(row) != sequence.track.restHandles.row(row))
-      pose[sequence.labels[i]] = listOf(key.pose.row(row).transpose());
+      pose[sequence.labels[i]] = jsonOf(key.pose.row(row).transpose());
   }
   return {{"seconds", key.seconds}, {"easing", nameOf(key.easing)}, {"pose", std::move(pose)}};
 }
@@ -201,10 +202,10 @@ std::string textOf(const SequenceFile& sequence) {
   for (std::size_t i = 0; i < sequence.labels.size(); ++i)
     root["handles"].push_back(
         {{"label", sequence.labels[i]},
-         {"rest", listOf(track.restHandles.row(static_cast<Eigen::Index>(i)).transpose())}});
+         {"rest", jsonOf(track.restHandles.row(static_cast<Eigen::Index>(i)).transpose())}});
   root["groups"] = ordered_json::array();
   for (const sequences::HandleGroup& group : track.groups) {
-    ordered_json item{{"name", group.name}, {"color", listOf(group.color)}};
+    ordered_json item{{"name", group.name}, {"color", jsonOf(group.color)}};
     item["handles"] = ordered_json::array();
     for (const int row : group.handles)
       item["handles"].push_back(sequence.labels[static_cast<std::size_t>(row)]);
@@ -302,7 +303,7 @@ document::NewRig rigOf(const SequenceFile& sequence) {
 }
 
 document::Command openSequence(SequenceFile sequence) {
-  const std::string name = phrase("Open sequence %1", sequence.track.name);
+  const Text name = phrase("Open sequence %1", named(sequence.track.name));
   return {
       name,
       [sequence = std::move(sequence), name](const document::DocumentState& before, document::IdSource& ids) {

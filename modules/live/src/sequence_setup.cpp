@@ -103,7 +103,7 @@ SequenceSetup setUpSequence(const sample_organs::SampleLibrary& library, const s
     }
     known += (known.empty() ? "" : ", ") + maker.about.id;
   }
-  throw UsageError(phrase("there is no sequence \"%1\"", id), {}, phrase("use one of: %1", known));
+  throw UsageError(misuse("there is no sequence \"%1\"", id), {}, misuse("use one of: %1", known));
 }
 
 } // namespace viscera::live

@@ -48,7 +48,7 @@ bool turned(const Vec3& here, const Vec3& there, double size) {
   return (there - here).norm() > 0.75 * size && (back - here).norm() < 0.5 * size;
 }
 
-[[noreturn]] void refuseSpace(const std::string& which, const std::string& other) {
+[[noreturn]] void refuseSpace(const Text& which, const Text& other) {
   throw DataError(
       phrase("It seems to be in RAS where %1 is in LPS, or the other way round: it lies on the opposite "
              "side of the patient's middle",
@@ -104,7 +104,7 @@ void requireSteadyVolumes(const MotionSeries& series) {
       const double here = series.volumesMl[phase][i], there = series.volumesMl[next][i];
       if (std::abs(here - there) > kMostJump * largest)
         throw DataError(phrase("The volume of %1 jumps from %2 to %3 ml between %4 and %5", series.names[i],
-                               fixed(here, 1), fixed(there, 1), phaseName(phase), phaseName(next)),
+                               inFixed(here, 1), inFixed(there, 1), phaseName(phase), phaseName(next)),
                         "series", "check whether one of them is mislabelled, or leave it out");
     }
   }
@@ -144,7 +144,7 @@ void requireCavitiesInside(const MotionSeries& series) {
     }
     if (outside > kMostOutside)
       throw DataError(phrase("The cavity %1 is not inside the outer surface %2: %3 % of it lie outside",
-                             series.names[i], series.names[series.outer], fixed(100 * outside, 0)),
+                             series.names[i], series.names[series.outer], inFixed(100 * outside, 0)),
                       "series",
                       series.masks.empty() ? "track surfaces that are not within each other one by one"
                                            : "give the outer surface the labels of its cavities too, as in "
@@ -160,10 +160,11 @@ void requireOneSpace(const MotionSeries& series) {
       double size = 0, ignored = 0;
       const Vec3 first = middleOf(series, 0, i, size);
       if (turned(first, middleOf(series, phase, i, ignored), size))
-        refuseSpace(phrase("%1, %2", series.names[i], phaseName(phase)), "the first phase");
+        refuseSpace(phrase("%1, %2", named(series.names[i]), phaseName(phase)), "the first phase");
       const Vec3 outer = middleOf(series, phase, series.outer, size);
       if (turned(outer, middleOf(series, phase, i, ignored), size))
-        refuseSpace(phrase("%1, %2", series.names[i], phaseName(phase)), series.names[series.outer]);
+        refuseSpace(phrase("%1, %2", named(series.names[i]), phaseName(phase)),
+                    named(series.names[series.outer]));
     }
 }
 
@@ -183,7 +184,7 @@ void requireClosedLoop(const MotionSeries& series) {
         phrase("The last phase does not lead back to the first: they lie %1 mm apart on average, neighbours "
                "%2 mm "
                "at most",
-               fixed(back, 1), fixed(largest, 1)),
+               inFixed(back, 1), inFixed(largest, 1)),
         "series",
         "if it is not a whole cycle, say that it is to be played once (--once); else add the phases "
         "that are missing");

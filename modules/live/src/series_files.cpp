@@ -66,12 +66,13 @@ bool earlier(const fs::path& a, const fs::path& b) {
 
 std::vector<fs::path> inputFiles(const SeriesRequest& request) {
   if (request.inputs.empty())
-    throw UsageError("There is no series", {}, "name its files, a folder, or a file with several phases");
+    throw UsageError(misuse("There is no series"), {},
+                     "name its files, a folder, or a file with several phases");
   std::vector<fs::path> files;
   for (const fs::path& input : request.inputs) {
     std::error_code error;
     if (!fs::exists(input, error))
-      throw NoInputError("there is no such file or folder", input.string(), "check the path");
+      throw NoInputError("there is no such file or folder", input.string(), "check the name and the folder");
     if (fs::is_directory(input, error)) {
       const std::vector<fs::path> inside = filesIn(input);
       files.insert(files.end(), inside.begin(), inside.end());

@@ -46,7 +46,7 @@ public:
   double millisecondsOf(const std::string& part) const {
     double fraction = 0;
     for (const sequences::Phase& phase : sequence().phases(rate()))
-      fraction += phase.name.find(part) != std::string::npos ? phase.end - phase.begin : 0;
+      fraction += phase.name.english().find(part) != std::string::npos ? phase.end - phase.begin : 0;
     return 1000 * 60 / rate() * fraction;
   }
 
@@ -233,8 +233,8 @@ std::string markdownTable(const std::vector<TaughtQuantity>& quantities, const a
     const anatomy::Range range = anatomy::rangeOf(norm, person);
     table += "| " + norm.subject + ", " + norm.quantity + " | " + row.where + " | " +
              withUnit(numberText(row.here), norm) + " | " + withUnit(rangeText(range), norm) + " | " +
-             verdict(row, range) + " | " + anatomy::meaningOf(norm, person) + "; " + norm.people + " | " +
-             norm.source + " |\n";
+             verdict(row, range) + " | " + anatomy::meaningOf(norm, person).english() + "; " + norm.people +
+             " | " + norm.source + " |\n";
   }
   return table;
 }

@@ -173,7 +173,7 @@ std::vector<Points> surfacesAt(const tracking::MotionRig& rig, const Points& pos
 MotionSeries textbookSeries(const MotionSeries& heart, const TextbookBeat& beat, Progress& progress,
                             Threads threads) {
   if (!(beat.ejectionFraction > kLeastEjection) || !(beat.ejectionFraction < kMostEjection))
-    throw UsageError(phrase("An ejection fraction of %1 is out of range", fixed(beat.ejectionFraction, 2)),
+    throw UsageError(phrase("An ejection fraction of %1 is out of range", inFixed(beat.ejectionFraction, 2)),
                      "--ejection-fraction", "give one between 0.1 and 0.8");
   const MeasuredPhase rest = measuredPhase(heart, 0, progress, threads);
   const document::Organ outer = document::makeOrgan(heart.names[0], rest.surfaces[0]);

@@ -156,10 +156,11 @@ std::shared_ptr<const document::Organ> VolumeKeeper::requireVolume(document::Org
   const auto organ = document::edit::requireOrgan(state_, id);
   if (!organ->closed())
     throw DataError(
-        phrase("the surface is open (%n boundary {edge|edges}), so it has no volume", organ->boundaryEdges),
-        organ->name, "close its holes first");
+        phrase("the surface is open (%n boundary {edge|edges}), so it has no volume that could be locked",
+               organ->boundaryEdges),
+        named(organ->name), "close its holes first");
   if (!organs_.bound(id))
-    throw DataError("it follows no handles, so nothing can change its volume", organ->name,
+    throw DataError("it follows no handles, so nothing can change its volume", named(organ->name),
                     "place handles around it");
   return organ;
 }
@@ -182,8 +183,8 @@ deformation::RestoredPose VolumeKeeper::keep(const Points& wanted, const std::op
 Points VolumeKeeper::poseOfVolume(document::OrganId id, double targetMm3) {
   auto restored = keep(*state_.pose, AskedVolume{id, targetMm3});
   if (!restored.restored)
-    throw DataError(restored.reason, state_.organ(id)->name,
-                    "choose a volume nearer to the present one, or let more handles compensate");
+    throw DataError(restored.reason, named(state_.organ(id)->name),
+                    "let more handles compensate, or ask for a volume nearer to the present one");
   return std::move(restored.pose);
 }
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <optional>
 #include <utility>
 
@@ -48,15 +47,9 @@ void requireInRange(const WitnessOptions& options) {
     throw UsageError(phrase("cannot place %1 witness points", options.wanted), "witnesses",
                      phrase("choose %1 to %2", WitnessOptions::kFewest, WitnessOptions::kMost));
   if (!(options.radiusEdgeRatio >= 1.1 && options.radiusEdgeRatio <= 10))
-    throw UsageError("the quality of tetrahedra is a ratio from 1.1 (best) to 10", "quality");
+    throw UsageError(misuse("the quality of tetrahedra is a ratio from 1.1 (best) to 10"), "quality");
   if (!(options.timeLimitSeconds > 0) || options.memoryLimitBytes == 0)
-    throw UsageError("the limits of time and memory must be above 0", "witnesses");
-}
-
-std::string formatted(const char* format, double value) {
-  char text[40];
-  std::snprintf(text, sizeof text, format, value);
-  return text;
+    throw UsageError(misuse("the limits of time and memory must be above 0"), "witnesses");
 }
 
 /// Fills one surface after another until there are witness points.
@@ -141,7 +134,7 @@ private:
         const double cell = (box.high - box.low).maxCoeff() / cells;
         remarks_.push_back(
             phrase("The surface was repaired before it was filled. %1. Details smaller than %2 mm are lost.",
-                   why.problem(), formatted("%.2g", cell)));
+                   why.problem(), inDigits(cell, 2)));
         return mesh;
       } catch (const TetrahedraError& error) {
         if (error.reason() != TetrahedraError::Reason::refused &&
@@ -233,7 +226,7 @@ private:
 
   const WitnessOptions& options_;
   Progress& progress_;
-  std::vector<std::string> remarks_;
+  std::vector<Text> remarks_;
 };
 
 } // namespace

@@ -28,11 +28,11 @@ std::vector<int> sortedUnique(std::vector<int> list) {
 }
 
 Region makeRegion(const coordinates::HandleGroup& group, const Points& positions, double tolerance) {
-  const std::string where = phrase("group '%1'", group.name);
+  const Text where = phrase("group '%1'", named(group.name));
   const std::vector<int> handles = sortedUnique(group.handles);
   for (const int handle : handles)
     if (handle < 0 || handle >= positions.rows())
-      throw DataError(phrase("It refers to handle %1, but there are %2", handle, positions.rows()), where);
+      throw DataError(misuse("It refers to handle %1, but there are %2", handle, positions.rows()), where);
   if (handles.size() < 4)
     throw DataError(phrase("It has %n {handle|handles}; a region needs at least 4", handles.size()), where,
                     "add handles to it");
@@ -149,7 +149,7 @@ void RegionLayout::boundOffsets(const coordinates::HandleSet& handles, double of
     if (region.offset < offset)
       notes_.push_back(
           phrase("the offset of region '%1' is cut to %2 mm, the distance of its nearest handle from a zone",
-                 region.name, std::to_string(region.offset).substr(0, 5)));
+                 named(region.name), inDigits(region.offset)));
   }
 }
 

@@ -30,10 +30,8 @@ constexpr double kCrumb = 0.02;
 constexpr double kBesideMiddleMm = 15;
 constexpr double kWithinBodyMm = 250;
 
-std::string sizeText(const Vec3& size) {
-  char buffer[96];
-  std::snprintf(buffer, sizeof buffer, "%.3g x %.3g x %.3g mm", size.x(), size.y(), size.z());
-  return buffer;
+Text sizeText(const Vec3& size) {
+  return phrase("%1 x %2 x %3 mm", inDigits(size.x()), inDigits(size.y()), inDigits(size.z()));
 }
 
 /// One assessment on its way; each member looks at one thing and appends one finding or two.
@@ -72,7 +70,7 @@ public:
 private:
   const SurfaceReport& report() const { return result_.report; }
 
-  void add(FindingSeverity severity, std::string text, std::vector<std::string> repairs = {}) {
+  void add(FindingSeverity severity, Text text, std::vector<std::string> repairs = {}) {
     result_.findings.push_back({severity, std::move(text), std::move(repairs), subject_});
   }
 
@@ -97,7 +95,8 @@ private:
       return;
     }
     if (origin_.statedSpace)
-      add(FindingSeverity::good, phrase("the file states its axes: %1", spaceName(*origin_.statedSpace)));
+      add(FindingSeverity::good,
+          phrase("the file states its axes: %1", named(spaceName(*origin_.statedSpace))));
     else
       add(FindingSeverity::note, "the file does not state its axes: LPS is assumed",
           {"ras-to-lps", "mirror", "y-up"});
@@ -170,7 +169,7 @@ private:
     const double whole = report().areaMm2;
     const auto crumbs =
         std::count_if(areas.begin(), areas.end(), [&](double area) { return area < kCrumb * whole; });
-    std::string text = phrase("the surface consists of %1 separate pieces", report().components);
+    Text text = phrase("the surface consists of %1 separate pieces", report().components);
     if (crumbs == 0)
       return add(FindingSeverity::note, std::move(text), {"keep-largest"});
     add(FindingSeverity::doubt,

@@ -29,8 +29,8 @@ public:
   /// The next `count` bytes. Throws `DataError` when there are fewer.
   std::string_view takeBytes(std::uint64_t count, std::string_view part) {
     if (count > remaining())
-      file_.fail(phrase("the file is cut off: %1 should have %2 bytes, but only %3 are left", part, count,
-                        remaining()));
+      file_.fail(diagnostic("the file is cut off: %1 should have %2 bytes, but only %3 are left", part, count,
+                            remaining()));
     const std::string_view taken = data_.substr(at_, static_cast<std::size_t>(count));
     at_ += static_cast<std::size_t>(count);
     return taken;

@@ -54,7 +54,7 @@ void writeDisplacements(const std::filesystem::path& file, const geometry::Trian
     throw CannotCreateError("displacements are written as .vtp only", file.string(),
                             "choose a name that ends in .vtp");
   if (moved.rows() != rest.points.rows())
-    throw DataError(phrase("It has %1 moved points for %2 vertices", moved.rows(), rest.points.rows()),
+    throw DataError(misuse("It has %1 moved points for %2 vertices", moved.rows(), rest.points.rows()),
                     file.string());
   geometry::requireValid(rest, file.string());
   const auto data = polyDataOf(rest);

@@ -76,7 +76,7 @@ private:
   /// Slicer wrote numbers before it wrote names.
   void readSpace(std::string_view value) {
     if (value != "LPS" && value != "RAS" && value != "0" && value != "1")
-      scanner_.fail(phrase("the coordinate system %1 is not LPS or RAS", inQuotes(value)));
+      scanner_.fail(diagnostic("the coordinate system %1 is not LPS or RAS", inQuotes(value)));
     ras_ = value == "RAS" || value == "0";
     spaceStated_ = true;
   }
@@ -91,7 +91,8 @@ private:
     const std::string text = cell(row, column);
     const std::optional<double> value = parseNumber(text);
     if (!value || !std::isfinite(*value))
-      scanner_.fail(phrase("expected %2, found %1", inQuotes(text), phrase("the coordinate %1", column)));
+      scanner_.fail(
+          diagnostic("expected %2, found %1", inQuotes(text), diagnostic("the coordinate %1", column)));
     return *value;
   }
 

@@ -32,7 +32,7 @@ void requireReadable(const std::filesystem::path& file) {
 
 } // namespace
 
-void FileBytes::fail(const std::string& problem, const std::string& tryThis) const {
+void FileBytes::fail(const Text& problem, const Text& tryThis) const {
   throw DataError(problem, name(), tryThis);
 }
 
@@ -50,7 +50,7 @@ FileBytes readUpTo(const std::filesystem::path& file, std::size_t most, std::str
   try {
     result.bytes.resize(static_cast<std::size_t>(std::min<std::uint64_t>(most, result.length)));
   } catch (const std::bad_alloc&) {
-    result.fail("does not fit into memory", "reduce the surface first");
+    result.fail("it does not fit into memory", "reduce the surface first");
   }
   const std::size_t held = known.copy(result.bytes.data(), result.bytes.size());
   const auto missing = static_cast<std::streamsize>(result.bytes.size() - held);

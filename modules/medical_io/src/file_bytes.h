@@ -9,6 +9,8 @@
 #include <string>
 #include <string_view>
 
+#include "viscera/core/phrase.h"
+
 namespace viscera::medical_io {
 
 /// What to try for a damaged file.
@@ -24,7 +26,7 @@ struct FileBytes {
   std::string_view view() const { return bytes; }
   std::string name() const { return file.string(); }
   /// Throws `DataError` for this file.
-  [[noreturn]] void fail(const std::string& problem, const std::string& tryThis = kUsualAdvice) const;
+  [[noreturn]] void fail(const Text& problem, const Text& tryThis = kUsualAdvice) const;
 };
 
 /// Reads a regular file. Throws `NoInputError` when it is missing, a folder or not readable, `DataError` when

@@ -155,15 +155,17 @@ FileKind fileKind(Signature signature) {
   return kindOf(signature).kind;
 }
 
-std::string looksLike(const std::string& problem, Signature found) {
-  return found == Signature::unknown ? problem
-                                     : phrase("%1; it looks like %2", problem, kindOf(found).description);
+Text looksLike(const Text& problem, Signature found) {
+  return found == Signature::unknown
+             ? problem
+             : phrase("%1; it looks like %2", problem, named(kindOf(found).description));
 }
 
-void failAsAnotherKind(const FileBytes& file, Signature found, const std::string& otherwise) {
+void failAsAnotherKind(const FileBytes& file, Signature found, const Text& otherwise) {
   const Kind& kind = kindOf(found);
-  file.fail(phrase("It is named %1 but looks like %2", extensionOf(file.file), kind.description),
-            kind.extension.empty() ? otherwise : phrase("rename it to end in %1", kind.extension));
+  file.fail(phrase("It is named %1 but looks like %2", extensionOf(file.file), named(kind.description)),
+            kind.extension.empty() ? otherwise
+                                   : phrase("rename it to end in %1", std::string(kind.extension)));
 }
 
 } // namespace viscera::medical_io

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "file_bytes.h"
+#include "viscera/core/phrase.h"
 #include "viscera/medical_io/file_kind.h"
 
 namespace viscera::medical_io {
@@ -40,10 +41,10 @@ FileKind fileKind(Signature signature);
 
 /// The problem, followed by the format that the file seems to have: "It is not a handle file; it looks like
 /// an STL surface". The problem alone for a file of no recognisable kind.
-std::string looksLike(const std::string& problem, Signature found);
+Text looksLike(const Text& problem, Signature found);
 
 /// Throws `DataError` for a file whose name promises another kind. `otherwise` says what to try when its kind
 /// has no usual ending.
-[[noreturn]] void failAsAnotherKind(const FileBytes& file, Signature found, const std::string& otherwise);
+[[noreturn]] void failAsAnotherKind(const FileBytes& file, Signature found, const Text& otherwise);
 
 } // namespace viscera::medical_io

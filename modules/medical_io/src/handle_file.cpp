@@ -118,11 +118,11 @@ HandleFile readHandles(const std::filesystem::path& file) {
   try {
     HandleFile result = readAny(bytes);
     if (result.count() == 0)
-      bytes.fail("It holds no points", "place some points and save them again");
+      bytes.fail(diagnostic("It holds no points"), "place some points and save them again");
     LabelMender(result).run();
     return result;
   } catch (const std::bad_alloc&) {
-    bytes.fail("does not fit into memory");
+    bytes.fail("it does not fit into memory");
   }
 }
 
@@ -142,7 +142,7 @@ void writeHandles(const std::filesystem::path& file, const HandleFile& handles, 
   });
 }
 
-std::vector<std::string> fcsvLoses(const HandleFile& handles) {
+std::vector<Text> fcsvLoses(const HandleFile& handles) {
   if (handles.groups.size() < 2)
     return {};
   return {

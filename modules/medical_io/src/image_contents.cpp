@@ -162,7 +162,7 @@ ScanOrLabels readUndecided(const std::filesystem::path& file, Progress& progress
     if (image.header.image.layers == 1)
       return labelMapOf(std::move(image), std::move(undecided.layer()), progress);
   } catch (const std::bad_alloc&) {
-    image.begin.fail("does not fit into memory", "crop the image to the organs");
+    image.begin.fail("it does not fit into memory", "crop the image to the organs");
   }
   return readLabelMap(file, progress); // All layers of it.
 }

@@ -124,7 +124,7 @@ public:
   explicit Packer(std::ostream& out) : out_(out), buffer_(kWrittenBlock) {
     constexpr int kGzip = MAX_WBITS + 16;
     if (deflateInit2(&stream_, Z_BEST_SPEED, Z_DEFLATED, kGzip, 8, Z_DEFAULT_STRATEGY) != Z_OK)
-      throw CannotCreateError("It cannot be packed: zlib does not start");
+      throw CannotCreateError(misuse("It cannot be packed: zlib does not start"));
   }
   ~Packer() { deflateEnd(&stream_); }
   Packer(const Packer&) = delete;

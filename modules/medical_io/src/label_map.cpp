@@ -177,7 +177,7 @@ LabelMap readLabelFile(const std::filesystem::path& file, Progress& progress) {
     warnOfEmptySegments(map, stated);
     return map;
   } catch (const std::bad_alloc&) {
-    begin.fail("does not fit into memory", "crop the image to the organs");
+    begin.fail("it does not fit into memory", "crop the image to the organs");
   }
 }
 

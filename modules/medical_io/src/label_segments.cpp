@@ -187,7 +187,7 @@ int addToFreeLayer(std::vector<LabelLayer>& layers, const LabelLayer& mask, std:
 }
 
 std::vector<std::size_t> segmentsNamed(const LabelMap& map, const std::vector<std::string>& names,
-                                       const std::string& where) {
+                                       const Text& where) {
   std::set<std::size_t> chosen;
   for (const std::string& name : names) {
     const auto number = parseInteger(trimmed(name));
@@ -198,8 +198,8 @@ std::vector<std::size_t> segmentsNamed(const LabelMap& map, const std::vector<st
         known = true;
       }
     if (!known)
-      throw UsageError(phrase("It has no label %1", inQuotes(name)), where,
-                       phrase("it has %1", someNames(map)));
+      throw UsageError(misuse("It has no label %1", inQuotes(name)), where,
+                       misuse("it has %1", someNames(map)));
   }
   for (std::size_t s = 0; s < map.segments.size() && names.empty(); ++s)
     chosen.insert(s);

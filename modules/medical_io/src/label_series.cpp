@@ -98,7 +98,7 @@ SeriesTimes readLabelSeries(const std::filesystem::path& file, Progress& progres
     const auto count = static_cast<std::size_t>(raw.layers);
     for (std::size_t volume = 0; volume < count; ++volume) {
       progress.report(static_cast<double>(volume) / static_cast<double>(count),
-                      "volume " + std::to_string(volume + 1));
+                      named("volume " + std::to_string(volume + 1)));
       progress.throwIfCancelled();
       RawImage one;
       one.size = raw.size;
@@ -121,7 +121,7 @@ SeriesTimes readLabelSeries(const std::filesystem::path& file, Progress& progres
     progress.report(1);
     return timesOf(raw.times.value_or(RawTimes{}), count);
   } catch (const std::bad_alloc&) {
-    bytes.fail("does not fit into memory", "crop the images to the organ");
+    bytes.fail("it does not fit into memory", "crop the image to the organs");
   }
 }
 

@@ -71,10 +71,10 @@ void correctVolume(TriangleMesh& mesh, double target, const Eigen::Matrix3d& vox
 }
 
 /// Warnings about a label before its surface is made.
-std::vector<std::string> warningsOf(const LabelMap& map, std::size_t index, const VoxelPieces& pieces,
-                                    bool largestOnly) {
+std::vector<Text> warningsOf(const LabelMap& map, std::size_t index, const VoxelPieces& pieces,
+                             bool largestOnly) {
   const Segment& segment = map.segments[index];
-  std::vector<std::string> warnings;
+  std::vector<Text> warnings;
   if (pieces.count > 1)
     warnings.push_back(largestOnly ? phrase("%2 pieces, %n {voxel|voxels} besides the largest left out",
                                             segment.voxels - pieces.largest, pieces.count)
@@ -126,8 +126,8 @@ std::vector<std::size_t> requestedSegments(const LabelMap& map, const LabelSurfa
   }
   for (const std::size_t segment : list)
     if (segment >= map.segments.size())
-      throw UsageError(phrase("the label map has no segment number %1", segment), {},
-                       phrase("it has %n {segment|segments}", map.segments.size()));
+      throw UsageError(misuse("the label map has no segment number %1", segment), {},
+                       misuse("it has %n {segment|segments}", map.segments.size()));
   return list;
 }
 
@@ -154,7 +154,7 @@ std::vector<LabelSurface> labelSurfaces(const LabelMap& map, const LabelSurfaceO
       made(surfaces[place]);
     }
     progress.report(static_cast<double>(++done) / static_cast<double>(order.size()),
-                    map.segments[segments[place]].name);
+                    named(map.segments[segments[place]].name));
   });
   return surfaces;
 }

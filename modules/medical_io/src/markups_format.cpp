@@ -33,7 +33,7 @@ public:
     const auto document = parseJson<OrderedJson>(file_.view(), file_.name(), kUsualAdvice);
     const auto lists = document.is_object() ? document.find("markups") : document.end();
     if (!document.is_object() || lists == document.end() || !lists->is_array())
-      file_.fail("It holds no \"markups\": it is no 3D Slicer markups file",
+      file_.fail(diagnostic("It holds no \"markups\": it is no 3D Slicer markups file"),
                  "save the points from Slicer as .mrk.json");
     for (std::size_t i = 0; i < lists->size(); ++i)
       readList((*lists)[i], i);
@@ -43,7 +43,7 @@ public:
 private:
   void readList(const OrderedJson& list, std::size_t number) {
     if (!list.is_object())
-      file_.fail(phrase("markup list %1 is not a JSON object", number + 1));
+      file_.fail(diagnostic("markup list %1 is not a JSON object", number + 1));
     HandleGroupRecord group;
     group.name = textIn(list, "name");
     if (group.name.empty())
@@ -63,7 +63,7 @@ private:
     const bool listVisible = flagIn(shown, "visibility", true);
     const auto points = list.find("controlPoints");
     if (points != list.end() && !points->is_array())
-      file_.fail(phrase("list %1: its points are no JSON array", inQuotes(group.name)));
+      file_.fail(diagnostic("list %1: its points are no JSON array", inQuotes(group.name)));
     for (std::size_t i = 0; points != list.end() && i < points->size(); ++i)
       readPoint((*points)[i], i, frame, group);
     for (HandleRecord& handle : group.handles) {
@@ -100,9 +100,9 @@ private:
                                 : system->is_number_unsigned() ? std::to_string(system->get<unsigned>())
                                                                : std::string();
       if (value != "LPS" && value != "RAS" && value != "0" && value != "1")
-        file_.fail(
-            phrase("list %1: its coordinate system %2 is not LPS or RAS", inQuotes(name), inQuotes(value)),
-            "save the points from Slicer in LPS");
+        file_.fail(diagnostic("list %1: its coordinate system %2 is not LPS or RAS", inQuotes(name),
+                              inQuotes(value)),
+                   "save the points from Slicer in LPS");
       frame.ras = value == "RAS" || value == "0";
     }
     const std::string unit = textIn(list, "coordinateUnits");
@@ -118,9 +118,9 @@ private:
   }
 
   void readPoint(const OrderedJson& point, std::size_t number, const Frame& frame, HandleGroupRecord& group) {
-    const std::string where = phrase("list %1, point %2", inQuotes(group.name), number + 1);
+    const Text where = diagnostic("list %1, point %2", inQuotes(group.name), number + 1);
     if (!point.is_object())
-      file_.fail(phrase("%1 is not a JSON object", where));
+      file_.fail(diagnostic("%1 is not a JSON object", where));
     const std::string status = textIn(point, "positionStatus");
     if (!status.empty() && status != "defined") {
       result_.warnings.push_back(phrase("%1 has no place (%2) and was left out", where, status));
@@ -135,21 +135,21 @@ private:
     group.handles.push_back(std::move(handle));
   }
 
-  Vec3 readPosition(const OrderedJson& point, const std::string& where, const Frame& frame) const {
+  Vec3 readPosition(const OrderedJson& point, const Text& where, const Frame& frame) const {
     const auto position = point.find("position");
     if (position == point.end() || !position->is_array() || position->size() != 3)
-      file_.fail(phrase("%1 has no position of three numbers", where));
+      file_.fail(diagnostic("%1 has no position of three numbers", where));
     Vec3 mm;
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const std::optional<double> coordinate = finiteNumber((*position)[axis]);
       if (!coordinate)
-        file_.fail(phrase("%1 has a coordinate that is not a finite number", where));
+        file_.fail(diagnostic("%1 has a coordinate that is not a finite number", where));
       mm[static_cast<Eigen::Index>(axis)] = *coordinate;
     }
     if (frame.mm != 1)
       mm *= frame.mm;
     if (!mm.allFinite())
-      file_.fail(phrase("%1 is too far away", where));
+      file_.fail(diagnostic("%1 is too far away", where));
     return frame.ras ? lpsFromRas(mm) : mm;
   }
 

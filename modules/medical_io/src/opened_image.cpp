@@ -118,7 +118,7 @@ Scan scanOf(OpenedImage&& opened, int phase, SampleCollector& collector) {
   scan.slope = image.slope;
   scan.intercept = image.intercept;
   scan.space = image.space;
-  for (const std::string& warning : image.warnings)
+  for (const Text& warning : image.warnings)
     scan.findings.push_back({ScanFinding::Kind::other, warning});
   scan.phaseTimesMs = phaseTimes(image, scan.findings);
   scan.phase = phase;

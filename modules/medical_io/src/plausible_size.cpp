@@ -23,10 +23,8 @@ constexpr double kTypicalHighMm = 600;
 constexpr double kAwayFromSpread = 1.5;
 constexpr double kAwayFromAverages = 3;
 
-std::string roundedText(double value) {
-  char buffer[64];
-  std::snprintf(buffer, sizeof buffer, "%.3g", value);
-  return value >= 1000 && value < 1e6 ? std::to_string(std::lround(value)) : buffer;
+Text roundedText(double value) {
+  return value >= 1000 && value < 1e6 ? Text(std::lround(value)) : inDigits(value);
 }
 
 /// The organ that a name means, and its normal volume.
@@ -60,7 +58,7 @@ std::string oneOf(const anatomy::Part& organ) {
 }
 
 /// "19 of 20 adults have 814 to 1906 ml".
-std::string whatAdultsHave(const anatomy::Norm& norm) {
+Text whatAdultsHave(const anatomy::Norm& norm) {
   const anatomy::Range range = anatomy::rangeOf(norm);
   return norm.kind == anatomy::Kind::averages
              ? phrase("women and men have on average %1 to %2 ml", roundedText(range.low),
@@ -74,11 +72,11 @@ bool isTypical(double diagonalMm) {
 
 } // namespace
 
-std::optional<std::string> doubtAboutVolume(std::string_view name, double volumeMl) {
+std::optional<Text> doubtAboutVolume(std::string_view name, double volumeMl) {
   const auto expected = expectedOf(name);
   if (!expected || awayFrom(*expected, volumeMl) <= 1)
     return std::nullopt;
-  return phrase("%1 of %2 ml is not life-sized: %3", oneOf(expected->organ), roundedText(volumeMl),
+  return phrase("%1 of %2 ml is not life-sized: %3", named(oneOf(expected->organ)), roundedText(volumeMl),
                 whatAdultsHave(*expected->volume));
 }
 
@@ -113,12 +111,12 @@ std::vector<LengthUnit> unitsThatFit(std::string_view name, double diagonalMm, d
   return fitting;
 }
 
-std::optional<std::string> doubtAboutSize(std::string_view name, double diagonalMm) {
+std::optional<Text> doubtAboutSize(std::string_view name, double diagonalMm) {
   if (diagonalMm >= kSmallestDiagonalMm && diagonalMm <= kLargestDiagonalMm)
     return std::nullopt;
-  std::string units;
+  Text units;
   for (const LengthUnit& unit : unitsThatFit(name, diagonalMm, 0))
-    units = units.empty() ? std::string(unit.name) : phrase("%1 / %2", units, unit.name);
+    units = units.empty() ? named(unit.name) : phrase("%1 / %2", units, named(unit.name));
   return units.empty() ? phrase("the size of %1 mm is implausible for an organ; coordinates are assumed to "
                                 "be in millimetres",
                                 roundedText(diagonalMm))

@@ -101,13 +101,13 @@ namespace {
 /// pieces; its size is none that an organ has in mm, with the units that would explain it; its volume is far
 /// from the normal one of the organ that its name says. O(m log m).
 void appendSurfaceWarnings(SurfaceFile& surface) {
-  const auto append = [&](std::optional<std::string> doubt) {
+  const auto append = [&](std::optional<Text> doubt) {
     if (doubt)
       surface.warnings.push_back(std::move(*doubt));
   };
   append(doubtAboutSize(surface.name, boundsOf(surface.mesh.points).diagonal()));
   surface.report = geometry::checkSurface(surface.mesh);
-  for (std::string& fault : geometry::faults(surface.report))
+  for (Text& fault : geometry::faults(surface.report))
     surface.warnings.push_back(std::move(fault));
   if (surface.report.closed())
     append(doubtAboutVolume(surface.name, std::abs(surface.report.volumeMm3) / kMm3PerMl));
@@ -133,7 +133,7 @@ public:
   }
 
 private:
-  [[noreturn]] void fail(const std::string& problem, const char* tryThis = kExportAgain) const {
+  [[noreturn]] void fail(const Text& problem, const char* tryThis = kExportAgain) const {
     throw DataError(problem, file_, tryThis);
   }
 
@@ -153,8 +153,8 @@ private:
       for (; at < raw_.ends[polygon]; ++at) {
         const std::int64_t point = raw_.corners[at];
         if (point < 0 || point >= count)
-          fail(phrase("polygon %1 refers to point %2, but there are %3 (counted from 0)", polygon, point,
-                      count));
+          fail(diagnostic("polygon %1 refers to point %2, but there are %3 (counted from 0)", polygon, point,
+                          count));
         target_[static_cast<std::size_t>(point)] = 0;
       }
   }
@@ -164,9 +164,9 @@ private:
       for (std::size_t axis = 0; axis < 3 && target_[point] != kNone; ++axis) {
         const double value = raw_.coordinates[3 * point + axis];
         if (!std::isfinite(value))
-          fail(phrase("point %1 has a coordinate that is not a finite number", point));
+          fail(diagnostic("point %1 has a coordinate that is not a finite number", point));
         if (std::abs(value) > kFarthestCornerMm)
-          fail(phrase("point %1 lies more than 1000 km away: the file is damaged", point));
+          fail(diagnostic("point %1 lies more than 1000 km away: the file is damaged", point));
       }
   }
 
@@ -229,7 +229,8 @@ private:
     dropped_ +=
         std::erase_if(triangles_, [](const auto& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; });
     if (triangles_.empty())
-      fail("It holds no triangle that has three different corners", "check its scale and its number format");
+      fail(diagnostic("It holds no triangle that has three different corners"),
+           "check its scale and its number format");
   }
 
   /// Points may have lost their last triangle.

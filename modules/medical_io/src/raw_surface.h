@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "viscera/core/phrase.h"
 #include "viscera/medical_io/surface_file.h"
 
 namespace viscera::medical_io {
@@ -23,7 +24,7 @@ struct RawSurface {
   std::string name;                  ///< Empty: the file does not say.
   std::optional<Space> space;        ///< Empty: the file does not say.
   bool pointsAreShared = true;       ///< False for STL, in which every triangle repeats its points.
-  std::vector<std::string> warnings;
+  std::vector<Text> warnings;
   std::uint64_t ignoredCells = 0; ///< Lines and points among the cells of a VTK file.
 
   std::size_t pointCount() const { return coordinates.size() / 3; }

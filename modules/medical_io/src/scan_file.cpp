@@ -18,7 +18,7 @@ Scan readImageScan(const std::filesystem::path& path, const ScanOptions& options
   OpenedImage image = openImage(path);
   const int phases = image.header.image.layers;
   if (!options.series.empty())
-    throw UsageError(phrase("It has no series %1; it is one scan", options.series), path.string());
+    throw UsageError(misuse("It has no series %1; it is one scan", options.series), path.string());
   if (options.phase < 0 || options.phase >= phases)
     throw UsageError(phrase("It has no phase %1; it has %2", options.phase, phases), path.string(),
                      "the first one is 0");
@@ -30,7 +30,7 @@ Scan readImageScan(const std::filesystem::path& path, const ScanOptions& options
           collector.take(bytes, count, scalar, order);
         });
   } catch (const std::bad_alloc&) {
-    image.begin.fail("does not fit into memory", "crop the scan to the organs");
+    image.begin.fail("it does not fit into memory", "crop the image to the organs");
   }
   progress.report(1);
   return scanOf(std::move(image), options.phase, collector);

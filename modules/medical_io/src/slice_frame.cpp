@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "viscera/core/error.h"
+#include "viscera/core/phrase.h"
 
 namespace viscera::medical_io {
 
@@ -17,7 +18,8 @@ SliceDirection sliceDirection(const std::string& id) {
   const auto found = std::find_if(all.begin(), all.end(),
                                   [&id](const SliceDirection& direction) { return direction.id == id; });
   if (found == all.end())
-    throw UsageError("There is no such slice", "\"" + id + "\"", "take axial, coronal or sagittal");
+    throw UsageError(misuse("There is no such slice"), "\"" + id + "\"",
+                     misuse("take axial, coronal or sagittal"));
   return *found;
 }
 

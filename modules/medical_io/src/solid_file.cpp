@@ -72,7 +72,7 @@ vtkSmartPointer<vtkUnstructuredGrid> gridOf(const Points& points, const deformat
   for (const SolidArray& array : arrays) {
     const auto values = std::visit(ToVtk(), array.values);
     if (values->GetNumberOfTuples() != points.rows())
-      throw DataError(phrase("the array %1 has %2 values for %3 points", array.name,
+      throw DataError(misuse("the array %1 has %2 values for %3 points", array.name,
                              values->GetNumberOfTuples(), points.rows()),
                       file.string());
     values->SetName(array.name.c_str());

@@ -47,7 +47,7 @@ std::string_view spaceName(Space space) {
   return space == Space::lps ? "LPS" : "RAS";
 }
 
-std::optional<Space> findSpace(std::string_view comment, std::vector<std::string>& warnings) {
+std::optional<Space> findSpace(std::string_view comment, std::vector<Text>& warnings) {
   for (std::size_t at = comment.find(kSpaceTag); at != comment.npos; at = comment.find(kSpaceTag, at + 1)) {
     if (at > 0 && isLetter(comment[at - 1]))
       continue;

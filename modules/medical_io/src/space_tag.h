@@ -6,13 +6,14 @@
 
 #include <optional>
 
+#include "viscera/core/phrase.h"
 #include "viscera/medical_io/surface_file.h"
 
 namespace viscera::medical_io {
 
 /// Parses the axes in a comment of a file: `SPACE=RAS` or `SPACE=LPS`, as 3D Slicer writes it. Unknown axes
 /// add a warning.
-std::optional<Space> findSpace(std::string_view comment, std::vector<std::string>& warnings);
+std::optional<Space> findSpace(std::string_view comment, std::vector<Text>& warnings);
 
 /// The one-line comment that Viscera writes: program, name and axes. Line ends in the name become spaces, and
 /// the name is cut so that the comment has at most `longest` bytes.

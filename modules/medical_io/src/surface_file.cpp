@@ -60,7 +60,7 @@ void requireKind(const FileBytes& file, const SurfaceFormat& format) {
   const Signature found = signatureOf(file);
   if (found == Signature::unknown || found == format.signature)
     return;
-  failAsAnotherKind(file, found, "export it as a surface");
+  failAsAnotherKind(file, found, "export it as a surface of triangles");
 }
 
 geometry::TriangleMesh inSpace(const geometry::TriangleMesh& mesh, Space space) {
@@ -84,7 +84,7 @@ RawSurface readRawSurface(const std::filesystem::path& file) {
   try {
     return format->read(bytes);
   } catch (const std::bad_alloc&) {
-    bytes.fail("does not fit into memory", "reduce the surface first");
+    bytes.fail("it does not fit into memory", "reduce the surface first");
   }
 }
 
@@ -93,7 +93,7 @@ SurfaceFile readSurface(const std::filesystem::path& file) {
   try {
     return assembleSurface(std::move(raw), file);
   } catch (const std::bad_alloc&) {
-    throw DataError("It does not fit into memory", file.string(), "reduce the surface first");
+    throw DataError("it does not fit into memory", file.string(), "reduce the surface first");
   }
 }
 
@@ -107,7 +107,7 @@ std::vector<SurfacePart> readSurfaces(const std::filesystem::path& file) {
         parts.push_back(
             {assembleSurface(std::move(raw.surface), file), raw.color, raw.opacity, raw.cavityOf});
     } catch (const std::bad_alloc&) {
-      bytes.fail("does not fit into memory", "reduce the surfaces first");
+      bytes.fail("it does not fit into memory", "reduce the surface first");
     }
   }
   if (parts.empty())

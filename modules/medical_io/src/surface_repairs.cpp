@@ -47,7 +47,7 @@ constexpr int kFewestTriangles = 500, kMostTriangles = 20'000;
 
 /// A repair that takes no time worth reporting.
 template <class Function>
-SurfaceRepair quick(std::string id, std::string does, Function function) {
+SurfaceRepair quick(std::string id, Text does, Function function) {
   return {std::move(id), std::move(does),
           [function](const TriangleMesh& mesh, Progress& progress, Threads) -> TriangleMesh {
             progress.throwIfCancelled();
@@ -87,7 +87,8 @@ std::vector<SurfaceRepair> allRepairs() {
             stoodUp)};
   for (const LengthUnit& unit : lengthUnits())
     if (unit.mm != 1)
-      list.push_back(quick("unit-" + std::string(unit.id), phrase("takes the coordinates as %1", unit.name),
+      list.push_back(quick("unit-" + std::string(unit.id),
+                           phrase("takes the coordinates as %1", named(unit.name)),
                            [mm = unit.mm](const TriangleMesh& mesh) { return geometry::scaled(mesh, mm); }));
   return list;
 }
@@ -121,7 +122,7 @@ DataError nothingEnclosed(const TriangleMesh& mesh, double spacing) {
   if (geometry::connectedPieces(mesh).count > 1 &&
       (largest.high - largest.low).maxCoeff() < kFewestCells * spacing)
     return DataError(phrase("every piece of the surface is smaller than the %1 mm that remeshing resolves",
-                            significant(kFewestCells * spacing, 2)),
+                            inDigits(kFewestCells * spacing, 2)),
                      "surface", "keep the largest piece first");
   return DataError("the surface encloses nothing", "surface",
                    "check that its triangles face outward and that its holes are small");
@@ -168,7 +169,7 @@ const SurfaceRepair& surfaceRepair(std::string_view id) {
       return repair;
     known += (known.empty() ? "" : ", ") + repair.id;
   }
-  throw UsageError(phrase("there is no repair \"%1\"", id), {}, phrase("there are: %1", known));
+  throw UsageError(misuse("there is no repair \"%1\"", std::string(id)), {}, misuse("there are: %1", known));
 }
 
 TriangleMesh repairSurface(const TriangleMesh& mesh, const RepairOptions& options, Progress& progress,
@@ -222,11 +223,11 @@ SurfaceChange surfaceChange(const TriangleMesh& before, const TriangleMesh& afte
           any ? distances.maxCoeff() : 0};
 }
 
-std::string inWords(const SurfaceChange& change) {
+Text inWords(const SurfaceChange& change) {
   return phrase(
       "%1 triangles instead of %2; the old surface lies %3 mm from the new one on average, %4 mm at most",
-      change.trianglesAfter, change.trianglesBefore, significant(change.meanMm, 2),
-      significant(change.maximumMm, 2));
+      change.trianglesAfter, change.trianglesBefore, inDigits(change.meanMm, 2),
+      inDigits(change.maximumMm, 2));
 }
 
 } // namespace viscera::medical_io

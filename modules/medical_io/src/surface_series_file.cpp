@@ -15,7 +15,7 @@ Points pointsIn(const RawSurface& raw, const std::filesystem::path& file) {
   Points points = Eigen::Map<const Points>(raw.coordinates.data(), count, 3);
   for (Eigen::Index i = 0; i < count; ++i)
     if (!points.row(i).allFinite())
-      throw DataError(phrase("point %1 has a coordinate that is not a finite number", i), file.string(),
+      throw DataError(diagnostic("point %1 has a coordinate that is not a finite number", i), file.string(),
                       "export the surface again");
   if (raw.space == Space::ras)
     points.leftCols<2>() = (0.0 - points.leftCols<2>().array()).matrix();
@@ -32,9 +32,9 @@ Triangles trianglesOf(const RawSurface& raw, const Points& points, const std::fi
     for (; at < end; ++at) {
       const std::int64_t corner = raw.corners[at];
       if (corner < 0 || corner >= points.rows())
-        throw DataError(
-            phrase("a polygon refers to point %1, but there are %2 (counted from 0)", corner, points.rows()),
-            file.string(), "export the surface again");
+        throw DataError(diagnostic("a polygon refers to point %1, but there are %2 (counted from 0)", corner,
+                                   points.rows()),
+                        file.string(), "export the surface again");
       polygon.push_back(static_cast<std::int32_t>(corner));
     }
     if (polygon.size() >= 3)

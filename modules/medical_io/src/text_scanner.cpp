@@ -121,7 +121,7 @@ double TextScanner::number(std::string_view part) {
     failAtEnd(part);
   const std::optional<double> value = parseNumber(token);
   if (!value)
-    fail(phrase("expected %2, found %1", inQuotes(token), part));
+    fail(diagnostic("expected %2, found %1", inQuotes(token), part));
   return *value;
 }
 
@@ -131,36 +131,38 @@ std::int64_t TextScanner::integer(std::string_view part) {
     failAtEnd(part);
   const std::optional<std::int64_t> value = parseInteger(token);
   if (!value)
-    fail(phrase("expected %2, found %1", inQuotes(token), part));
+    fail(diagnostic("expected %2, found %1", inQuotes(token), part));
   return *value;
 }
 
 std::uint64_t TextScanner::count(std::string_view part, std::uint64_t bytesEach) {
   const std::int64_t value = integer(part);
   if (value < 0)
-    fail(phrase("%1 is negative", part));
+    fail(diagnostic("%1 is negative", part));
   if (saturatedProduct(static_cast<std::uint64_t>(value), bytesEach) > remaining() + bytesEach)
-    fail(phrase("%1 is %2, more than the %3 bytes that are left can hold", part, value, remaining()));
+    fail(diagnostic("%1 is %2, more than the %3 bytes that are left can hold", part, value, remaining()));
   return static_cast<std::uint64_t>(value);
 }
 
-void TextScanner::fail(const std::string& problem) const {
+void TextScanner::fail(const Text& problem) const {
   const std::size_t at = static_cast<std::size_t>(text_.data() - file_.bytes.data()) + start_;
   const auto lines =
       std::count(file_.bytes.begin(),
                  file_.bytes.begin() + static_cast<std::ptrdiff_t>(std::min(at, file_.bytes.size())), '\n');
-  file_.fail(phrase("line %1: %2", lines + 1, problem));
+  file_.fail(diagnostic("line %1: %2", lines + 1, problem));
 }
 
 void TextScanner::failAtEnd(std::string_view part) const {
-  fail(phrase("the file is cut off: it ends where %1 should stand", part));
+  fail(diagnostic("the file is cut off: it ends where %1 should stand", part));
 }
 
-std::string inQuotes(std::string_view text) {
-  std::string result = "\"";
+Text inQuotes(std::string_view text) {
+  std::string shown;
   for (const char c : text.substr(0, kLongestQuote))
-    result += c >= ' ' && c <= '~' ? c : '?';
-  return result + (text.size() > kLongestQuote ? "...\"" : "\"");
+    shown += c >= ' ' && c <= '~' ? c : '?';
+  if (text.size() > kLongestQuote)
+    shown += "...";
+  return phrase("\"%1\"", shown);
 }
 
 } // namespace viscera::medical_io

@@ -8,6 +8,8 @@
 
 #include "file_bytes.h"
 
+#include "viscera/core/phrase.h"
+
 namespace viscera::medical_io {
 
 /// Parses `token` as a number ("1", "-2.5e3", "nan", "inf"), independently of the locale; empty if it is
@@ -55,7 +57,7 @@ public:
   std::string_view rest() const { return text_.substr(at_); }
 
   /// Throws `DataError` that names the line last read from.
-  [[noreturn]] void fail(const std::string& problem) const;
+  [[noreturn]] void fail(const Text& problem) const;
   /// The same for a text that ends too early.
   [[noreturn]] void failAtEnd(std::string_view part) const;
 
@@ -69,6 +71,6 @@ private:
 };
 
 /// `text` shortened and made printable, in quotes, for messages.
-std::string inQuotes(std::string_view text);
+Text inQuotes(std::string_view text);
 
 } // namespace viscera::medical_io

@@ -127,7 +127,7 @@ void countAgain(LabelMap& map, Progress& progress) {
   std::vector<Segment> kept;
   for (std::size_t s = 0; s < map.segments.size(); ++s) {
     if (map.segments[s].voxels == 0) {
-      map.warnings.push_back(phrase("%1 has no voxels any more", map.segments[s].name));
+      map.warnings.push_back(phrase("%1 has no voxels any more", named(map.segments[s].name)));
       continue;
     }
     kept.push_back(map.segments[s]);

@@ -88,9 +88,9 @@ XmlTree parseXml(std::string_view document) {
 
   XmlTree tree;
   if (parser->tooDeep)
-    tree.error = "its XML is nested too deeply";
+    tree.error = diagnostic("its XML is nested too deeply");
   else if (quiet.failed() || !good || parser->top.children.empty())
-    tree.error = quiet.failed() ? quiet.error() : "its XML is not complete";
+    tree.error = quiet.failed() ? Text(quiet.error()) : diagnostic("its XML is not complete");
   else
     tree.root = std::move(parser->top.children.front());
   return tree;

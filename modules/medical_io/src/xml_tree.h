@@ -5,6 +5,8 @@
 #include <utility>
 #include <vector>
 
+#include "viscera/core/phrase.h"
+
 namespace viscera::medical_io {
 
 /// One element of an XML document with all below it.
@@ -23,7 +25,7 @@ struct XmlElement {
 /// A parsed document, or what is wrong with it.
 struct XmlTree {
   XmlElement root;
-  std::string error; ///< Empty: none.
+  Text error; ///< Empty: none.
 };
 
 /// Parses a document with VTK's expat. Deeper than 64 levels is an error. Prints nothing.

@@ -34,7 +34,7 @@ auto behindWall(const std::string& id, const std::string& file, const Call& call
   } catch (const std::exception& error) {
     if (reportsShortMemory(error)) // No fault of the plugin.
       throw;
-    throw Error(kInternalError, phrase("system \"%1\" failed: %2", id, error.what()), file,
+    throw Error(kInternalError, phrase("system \"%1\" failed: %2", id, explanationOf(error)), file,
                 "choose another system");
   } catch (...) {
     throw Error(kInternalError, phrase("system \"%1\" failed", id), file, "choose another system");
@@ -93,17 +93,17 @@ PluginManifest manifestOf(const QJsonObject& metaData) {
 }
 
 /// Why a file with this metadata must not be loaded; empty when it may.
-std::string objection(const QJsonObject& metaData, const PluginManifest& manifest) {
+Text objection(const QJsonObject& metaData, const PluginManifest& manifest) {
   const QString iid = metaData.value("IID").toString();
   if (iid.isEmpty())
-    return "it is not a Viscera plugin, or it is damaged";
+    return diagnostic("it is not a Viscera plugin, or it is damaged");
   if (iid.section('/', 0, 0) != kIidName)
-    return phrase("it is a plugin for another program (%1)", iid.toStdString());
+    return diagnostic("it is a plugin for another program (%1)", iid.toStdString());
   if (iid != kIid)
     return phrase("it was made for version %1 of the plugin interface, this program has %2",
                   iid.section('/', 1).toStdString(), kIid.section('/', 1).toStdString());
   if (manifest.id.empty() || manifest.name.empty() || manifest.version.empty())
-    return "its manifest lacks id, name or version";
+    return diagnostic("its manifest lacks id, name or version");
   return {};
 }
 
@@ -118,7 +118,7 @@ void addSystems(const CoordinateSystemPlugin& plugin, coordinates::Registry& reg
       registry.add(guarded, file);
       report.systems.push_back(guarded->id());
     } catch (const Error& error) {
-      report.problem = error.what();
+      report.problem = error.explanation();
     }
   }
 }
@@ -140,14 +140,14 @@ PluginReport loadOne(const fs::path& file, coordinates::Registry& registry) {
       return report;
     auto* plugin = qobject_cast<CoordinateSystemPlugin*>(loader.instance());
     if (plugin == nullptr) {
-      report.problem = phrase("it cannot be loaded: %1", loader.errorString().toStdString());
+      report.problem = diagnostic("it cannot be loaded: %1", loader.errorString().toStdString());
       return report;
     }
     addSystems(*plugin, registry, report);
   } catch (const std::exception& error) {
-    report.problem = phrase("it failed while loading: %1", explanationOf(error));
+    report.problem = diagnostic("it failed while loading: %1", explanationOf(error));
   } catch (...) {
-    report.problem = "it failed while loading";
+    report.problem = diagnostic("it failed while loading");
   }
   return report;
 }

@@ -131,13 +131,13 @@ CurvePanel loopPanel(const ShownCirculation& shown, const ShownCirculation* befo
   double top = highest(shown, ventricle);
   double fullest = shown.indices.of(ventricle).edvMl;
   if (before) {
-    panel.curves.push_back({before->name, kBefore, before->beat.volumeOf(ventricle),
+    panel.curves.push_back({before->name.english(), kBefore, before->beat.volumeOf(ventricle),
                             before->beat.pressureOf(ventricle), 2, true});
     top = std::max(top, highest(*before, ventricle));
     fullest = std::max(fullest, before->indices.of(ventricle).edvMl);
   }
   panel.curves.push_back(
-      {shown.name, color, shown.beat.volumeOf(ventricle), shown.beat.pressureOf(ventricle), 2.5F});
+      {shown.name.english(), color, shown.beat.volumeOf(ventricle), shown.beat.pressureOf(ventricle), 2.5F});
   const double pericardium = shown.beat.pericardium.front();
   top *= 1.12;
   fullest *= 1.08;
@@ -156,7 +156,7 @@ CurvePanel loopPanel(const ShownCirculation& shown, const ShownCirculation* befo
 
 std::string numbers(const ShownCirculation& shown) {
   const auto& indices = shown.indices;
-  return shown.name + ": EF " + fixed(indices.of(Compartment::lv).ef, 2) + ", stroke volume " +
+  return shown.name.english() + ": EF " + fixed(indices.of(Compartment::lv).ef, 2) + ", stroke volume " +
          fixed(indices.of(Compartment::lv).svMl, 0) + " ml, " + fixed(indices.cardiacOutputLMin, 1) +
          " l/min, aorta " + fixed(indices.aorta.systolic, 0) + "/" + fixed(indices.aorta.diastolic, 0) +
          " mmHg";

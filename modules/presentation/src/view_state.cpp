@@ -42,9 +42,9 @@ Vec3 unit(const Vec3& normal) {
 }
 
 ordered_json cameraJson(const Camera& camera) {
-  return {{"position", listOf(camera.position)},
-          {"focus", listOf(camera.focus)},
-          {"up", listOf(camera.up)},
+  return {{"position", jsonOf(camera.position)},
+          {"focus", jsonOf(camera.focus)},
+          {"up", jsonOf(camera.up)},
           {"angleDegrees", camera.angleDegrees},
           {"parallel", camera.parallel},
           {"parallelScaleMm", camera.parallelScaleMm}};
@@ -129,7 +129,7 @@ ordered_json stressJson(StressLook look) {
   ordered_json item = {{"quantity", live::describe(look.quantity).id},
                        {"range", {look.range.low, look.range.high}},
                        {"cutStyle", kCutStyles[static_cast<std::size_t>(look.style)]},
-                       {"normal", listOf(look.normal)},
+                       {"normal", jsonOf(look.normal)},
                        {"glyphs", kGlyphNames[static_cast<std::size_t>(look.glyphs)]}};
   visitStress(look, [&](const char* key, const auto& value) { item[key] = value; });
   return item;
@@ -179,7 +179,7 @@ StressLook stressFromSettings(const JsonReader& json, const ordered_json& settin
     std::istringstream numbers(item.at("normal").get<std::string>());
     Vec3 normal = Vec3::Zero();
     numbers >> normal[0] >> normal[1] >> normal[2];
-    item["normal"] = listOf(normal);
+    item["normal"] = jsonOf(normal);
   }
   return stressFrom(json, item, "stress");
 }
@@ -213,7 +213,7 @@ ordered_json scanJson(ScanLook look) {
     item.erase("width");
   }
   if (look.focus)
-    item["focus"] = listOf(*look.focus);
+    item["focus"] = jsonOf(*look.focus);
   for (SliceFraming& framing : look.framings) {
     ordered_json one;
     visitFraming(framing, [&](const char* key, const auto& value) { one[key] = value; });
@@ -327,7 +327,7 @@ OrganCut cutFrom(const JsonReader& json, const ordered_json& item, const std::st
 }
 
 ordered_json cutJson(const OrganCut& cut) {
-  return {{"on", cut.on}, {"normal", listOf(cut.normal)}, {"offset", cut.offset}};
+  return {{"on", cut.on}, {"normal", jsonOf(cut.normal)}, {"offset", cut.offset}};
 }
 
 ordered_json organsJson(const OrgansSeen& organs) {
@@ -386,7 +386,7 @@ Slide slideFrom(const JsonReader& json, const ordered_json& item, const std::str
 ordered_json rowsOf(const Points& points) {
   ordered_json rows = ordered_json::array();
   for (const auto& row : points.rowwise())
-    rows.push_back(listOf(row.transpose()));
+    rows.push_back(jsonOf(row.transpose()));
   return rows;
 }
 

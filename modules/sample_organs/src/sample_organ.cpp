@@ -52,7 +52,7 @@ OrganDefinition definitionOf(const SampleLibrary& library, const std::string& or
   const std::vector<std::string> names = sampleNames(library);
   if (std::find(names.begin(), names.end(), organ) == names.end()) {
     const std::set<std::string> known(names.begin(), names.end());
-    throw UsageError(phrase("there is no sample organ \"%1\"", organ), library.definitions.string(),
+    throw UsageError(misuse("there is no sample organ \"%1\"", organ), library.definitions.string(),
                      phrase("there are %1", listed(known)));
   }
   return readDefinition(library.definitions / (organ + ".json"));
@@ -111,7 +111,7 @@ Resolution resolutionFromName(const std::string& name) {
   for (const auto& [resolution, known] : kNames)
     if (name == known)
       return resolution;
-  throw UsageError(phrase("there is no resolution \"%1\"", name), {}, "use low, medium or high");
+  throw UsageError(misuse("there is no resolution \"%1\"", name), {}, misuse("use low, medium or high"));
 }
 
 std::string nameOf(Resolution resolution) {

@@ -93,7 +93,7 @@ const ColorMap& colorMapByName(const std::string& name) {
       return map;
     names += (names.empty() ? "" : ", ") + map.name;
   }
-  throw UsageError("there is no colour map of this name", name, phrase("use one of %1", names));
+  throw UsageError(misuse("there is no colour map of this name"), name, misuse("use one of %1", names));
 }
 
 ValueRange rangeOf(const Values& values) {

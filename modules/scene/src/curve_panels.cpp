@@ -24,6 +24,7 @@
 #include <vtkWeakPointer.h>
 
 #include "viscera/core/error.h"
+#include "viscera/core/phrase.h"
 #include "viscera/scene/legend.h"
 #include "viscera/scene/organ_view.h"
 
@@ -200,7 +201,7 @@ void CurvePanels::setPanels(std::vector<CurvePanel> panels) {
   for (const CurvePanel& panel : panels)
     for (const PanelCurve& curve : panel.curves)
       if (curve.x.size() != curve.y.size())
-        throw UsageError("a curve needs one y for each x", curve.name);
+        throw UsageError(misuse("a curve needs one y for each x"), curve.name);
   p.actor->GetScene()->ClearItems();
   p.panels.clear();
   for (CurvePanel& wanted : panels) {

@@ -113,7 +113,7 @@ void GhostOutline::setPoints(const Points& points, const geometry::Normals& norm
   auto& p = *parts_;
   if (points.rows() != p.mesh->points.rows() || normals.rows() != points.rows())
     throw UsageError(
-        phrase("the outline of %1 vertices cannot follow %2", p.mesh->points.rows(), points.rows()));
+        misuse("the outline of %1 vertices cannot follow %2", p.mesh->points.rows(), points.rows()));
   if (!p.posed) {
     p.posed = std::make_shared<geometry::TriangleMesh>(*p.mesh);
     p.mesh = p.posed;

@@ -317,7 +317,7 @@ bool ffmpegInstalled() {
 
 std::unique_ptr<ImageSink> imageSink(const fs::path& file, const MovieOptions& options) {
   if (!(options.framesPerSecond > 0) || !std::isfinite(options.framesPerSecond))
-    throw UsageError("the frame rate has to be positive", std::to_string(options.framesPerSecond));
+    throw UsageError(misuse("the frame rate has to be positive"), std::to_string(options.framesPerSecond));
   std::string extension = file.extension().string();
   std::transform(extension.begin(), extension.end(), extension.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });

@@ -120,7 +120,7 @@ void MovieWriter::add(vtkSmartPointer<vtkImageData> frame) {
     p.size[1] = size[1];
   } else if (size[0] != p.size[0] || size[1] != p.size[1]) {
     throw UsageError(
-        phrase("the frames of a movie have to be of one size: this one is %1 x %2, the first was %3 x %4",
+        misuse("the frames of a movie have to be of one size: this one is %1 x %2, the first was %3 x %4",
                size[0], size[1], p.size[0], p.size[1]));
   }
   std::unique_lock lock(p.mutex);

@@ -196,7 +196,7 @@ void OrganActor::setPoints(std::shared_ptr<const Points> points) {
     points = std::shared_ptr<const Points>(parts_->mesh, &parts_->mesh->points);
   if (points->rows() != parts_->mesh->points.rows())
     throw UsageError(
-        phrase("the points to show are %1, the surface has %2", points->rows(), parts_->mesh->points.rows()));
+        misuse("the points to show are %1, the surface has %2", points->rows(), parts_->mesh->points.rows()));
   parts_->points = std::move(points);
   pointsChanged();
 }
@@ -282,7 +282,7 @@ bool OrganActor::cutsAway(const Vec3& place) const {
 void OrganActor::showScalars(std::shared_ptr<const Values> values, const ColorMap& map, ValueRange range) {
   auto& p = *parts_;
   if (values->size() != p.mesh->points.rows())
-    throw UsageError(phrase("the values to show are %1, the surface has %2 vertices", values->size(),
+    throw UsageError(misuse("the values to show are %1, the surface has %2 vertices", values->size(),
                             p.mesh->points.rows()));
   p.values = std::move(values);
   p.valueArray->SetName(kScalarsName);

@@ -14,6 +14,7 @@
 
 #include "viscera/core/atomic_file.h"
 #include "viscera/core/error.h"
+#include "viscera/core/phrase.h"
 
 namespace viscera::scene {
 namespace {
@@ -83,26 +84,26 @@ void savePicture(vtkRenderWindow* window, const std::filesystem::path& file) {
 vtkSmartPointer<vtkImageData> readPng(const std::filesystem::path& file) {
   std::error_code unreachable;
   if (!std::filesystem::exists(file, unreachable))
-    throw NoInputError("the picture does not exist", file.string());
+    throw NoInputError(misuse("the picture does not exist"), file.string());
   vtkNew<vtkPNGReader> reader;
   if (!reader->CanReadFile(file.c_str()))
-    throw DataError("this is not a PNG picture", file.string());
+    throw DataError(misuse("this is not a PNG picture"), file.string());
   reader->SetFileName(file.c_str());
   reader->Update();
   auto* picture = reader->GetOutput();
   if (picture->GetScalarType() != VTK_UNSIGNED_CHAR || picture->GetNumberOfScalarComponents() != 3)
-    throw DataError("the picture is not of three channels of 8 bits", file.string());
+    throw DataError(misuse("the picture is not of three channels of 8 bits"), file.string());
   return picture;
 }
 
 vtkSmartPointer<vtkImageData> contactSheet(const std::vector<vtkSmartPointer<vtkImageData>>& pictures,
                                            int columns) {
   if (pictures.empty())
-    throw UsageError("there is no picture to put on the sheet");
+    throw UsageError(misuse("there is no picture to put on the sheet"));
   const int* size = pictures.front()->GetDimensions();
   for (const auto& picture : pictures)
     if (!std::equal(size, size + 2, picture->GetDimensions()))
-      throw UsageError("pictures of different sizes do not fit on one sheet");
+      throw UsageError(misuse("pictures of different sizes do not fit on one sheet"));
   const int count = static_cast<int>(pictures.size());
   columns = std::clamp(columns, 1, count);
   const int rows = (count + columns - 1) / columns;

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "viscera/core/error.h"
+#include "viscera/core/phrase.h"
 
 namespace viscera::scene {
 namespace {
@@ -24,8 +25,8 @@ StandardView standardViewFromName(const std::string& name) {
   for (const auto& [view, text] : kViewNames)
     if (name == text)
       return view;
-  throw UsageError("there is no view of this name", name,
-                   "use anterior, posterior, left, right, superior or inferior");
+  throw UsageError(misuse("there is no view of this name"), name,
+                   misuse("use anterior, posterior, left, right, superior or inferior"));
 }
 
 std::string nameOf(StandardView view) {

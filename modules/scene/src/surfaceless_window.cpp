@@ -24,9 +24,9 @@ namespace {
 
 constexpr int kServiceUnavailable = 69; // sysexits.h: EX_UNAVAILABLE
 
-[[noreturn]] void fail(const std::string& step) {
-  throw Error(kServiceUnavailable, phrase("cannot draw without a display: %1", step), "EGL",
-              "install libegl1 and libgl1-mesa-dri, or run under a display");
+[[noreturn]] void fail(const Text& step) {
+  throw Error(kServiceUnavailable, misuse("cannot draw without a display: %1", step), "EGL",
+              misuse("install libegl1 and libgl1-mesa-dri, or run under a display"));
 }
 
 EGLDisplay displayOf(EGLenum platform, void* native) {
@@ -48,12 +48,12 @@ EGLDisplay openDisplay() {
     if (display != EGL_NO_DISPLAY && eglInitialize(display, nullptr, nullptr))
       return display;
   }
-  fail("no EGL platform works without a window system");
+  fail(misuse("no EGL platform works without a window system"));
 }
 
 EGLContext openContext(EGLDisplay display) {
   if (!eglBindAPI(EGL_OPENGL_API))
-    fail("this EGL knows no desktop OpenGL");
+    fail(misuse("this EGL knows no desktop OpenGL"));
   const EGLint wanted[] = {EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_NONE};
   EGLConfig config = nullptr;
   EGLint count = 0;
@@ -68,10 +68,10 @@ EGLContext openContext(EGLDisplay display) {
                             EGL_NONE};
   const EGLContext context = eglCreateContext(display, config, EGL_NO_CONTEXT, version);
   if (context == EGL_NO_CONTEXT)
-    fail("no OpenGL 3.2 context");
+    fail(misuse("no OpenGL 3.2 context"));
   if (!eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context)) {
     eglDestroyContext(display, context);
-    fail("the context cannot be used without a surface");
+    fail(misuse("the context cannot be used without a surface"));
   }
   return context;
 }
@@ -156,7 +156,7 @@ SurfacelessWindow::SurfacelessWindow(int width, int height, double pixelRatio)
   p.window->SetDPI(static_cast<int>(kLogicalDpi * pixelRatio + 0.5));
   p.window->OpenGLInitContext();
   if (!p.window->ready())
-    fail("the driver's OpenGL is older than 3.2");
+    fail(misuse("the driver's OpenGL is older than 3.2"));
   p.window->OpenGLInit();
 }
 

@@ -223,7 +223,7 @@ TissueActor::TissueActor(std::shared_ptr<const Tetrahedra> tetrahedra, std::shar
     : parts_(std::make_unique<Parts>()) {
   auto& p = *parts_;
   if (tetrahedra->size() > 0 && (tetrahedra->minCoeff() < 0 || tetrahedra->maxCoeff() >= points->rows()))
-    throw UsageError(phrase("a tetrahedron has a corner that is none of the %1 points", points->rows()));
+    throw UsageError(misuse("a tetrahedron has a corner that is none of the %1 points", points->rows()));
   p.tetrahedra = std::move(tetrahedra);
   p.allFaces = tetraFaces(*p.tetrahedra, *points);
   p.ghostActor->SetMapper(p.faceSheet.mapper);
@@ -260,7 +260,7 @@ void TissueActor::setValues(std::shared_ptr<const Values> values) {
   auto& p = *parts_;
   if (values->size() != p.points->rows())
     throw UsageError(
-        phrase("the values to show are %1, the tissue has %2 points", values->size(), p.points->rows()));
+        misuse("the values to show are %1, the tissue has %2 points", values->size(), p.points->rows()));
   p.values = std::move(values);
   p.faceSheet.checkValues(p.values->data(), static_cast<std::size_t>(p.values->size()));
   p.facesOld = p.facesOld || p.range;

@@ -27,6 +27,7 @@
 #include <vtkWeakPointer.h>
 
 #include "viscera/core/error.h"
+#include "viscera/core/phrase.h"
 #include "viscera/scene/legend.h"
 #include "viscera/scene/organ_view.h"
 
@@ -483,7 +484,7 @@ void VolumeChart::clear() {
 
 void VolumeChart::setCurve(int line, std::vector<double> times, std::vector<double> values) {
   if (times.size() != values.size())
-    throw UsageError("a curve needs one number for each time");
+    throw UsageError(misuse("a curve needs one number for each time"));
   Curve& curve = *parts_->curves.at(std::size_t(line));
   curve.ownTimes = std::move(times);
   curve.values = std::move(values);

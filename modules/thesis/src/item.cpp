@@ -29,7 +29,7 @@ Result made(const Item& item, const Bench& bench, Progress& progress) {
   } catch (const Cancelled&) {
     throw;
   } catch (const std::exception& error) {
-    result.problem = explanationOf(error);
+    result.problem = explanationOf(error).english();
   }
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return result;
@@ -61,7 +61,7 @@ std::vector<Result> makeAll(const std::vector<Item>& items, const Bench& bench, 
     progress.report(static_cast<double>(results.size()) / static_cast<double>(items.size()), item.name());
     Progress* running = nullptr;
     // A figure binds many times; its own fraction would run to and fro.
-    Progress part([&](double, const std::string&) {
+    Progress part([&](double, const Text&) {
       if (progress.cancelled())
         running->cancel();
     });

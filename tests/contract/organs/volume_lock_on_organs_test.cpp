@@ -160,7 +160,7 @@ TEST(VolumeLockOnOpenSurface, RefusesTheBunnyWithTheNumberOfItsBoundaryEdges) {
     FAIL() << "an open surface was locked";
   } catch (const DataError& error) {
     EXPECT_THAT(error.what(), testing::HasSubstr(std::to_string(edges) + " boundary edges"));
-    EXPECT_THAT(error.tryThis(), testing::HasSubstr("close"));
+    EXPECT_THAT(error.tryThis().english(), testing::HasSubstr("close"));
   }
 }
 

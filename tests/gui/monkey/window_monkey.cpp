@@ -85,7 +85,7 @@ constexpr std::array<Kind, 12> kKinds = {{{"open", 3},
 std::string workOf(app::Workspace& workspace) {
   std::string work;
   for (const JobInfo& job : workspace.jobs().jobs())
-    work += "; " + job.name + (job.running ? " runs" : " waits");
+    work += "; " + job.name.english() + (job.running ? " runs" : " waits");
   return work + (workspace.live().busy() ? "; an organ is being bound" : "");
 }
 

@@ -42,7 +42,7 @@ bool tryReading(const std::filesystem::path& file) {
     EXPECT_TRUE(scan.indexToLps.matrix().allFinite());
     return true;
   } catch (const Error& error) {
-    EXPECT_GT(error.problem().size(), 10U);
+    EXPECT_GT(error.problem().english().size(), 10U);
     EXPECT_FALSE(error.where().empty()) << error.what();
     return false;
   }

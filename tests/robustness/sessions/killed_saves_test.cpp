@@ -235,7 +235,7 @@ TEST(FullDisk, AnAutosaveThatFindsNoRoomSaysSoAndKeepsTheOldRecovery) {
     const auto save = [&](const SessionContents& contents) {
       std::optional<std::string> outcome;
       autosave.write(contents, [&](const std::shared_ptr<const Error>& error) {
-        outcome = error ? error->tryThis() : std::string();
+        outcome = error ? error->tryThis().english() : std::string();
       });
       box.runUntil([&] { return outcome.has_value(); });
       return *outcome;

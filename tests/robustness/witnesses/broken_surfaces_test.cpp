@@ -37,8 +37,8 @@ TEST_P(BrokenSurfaces, GiveAMapAndTheUserIsTold) {
     EXPECT_NEAR(volume, GetParam().volume, GetParam().tolerance * GetParam().volume);
   }
   std::string remarks;
-  for (const std::string& remark : sample.remarks)
-    remarks += remark + "\n";
+  for (const Text& remark : sample.remarks)
+    remarks += remark.english() + "\n";
   EXPECT_NE(remarks.find(GetParam().says), std::string::npos) << remarks;
 }
 
@@ -125,7 +125,7 @@ TEST(WitnessSampling, TakesTheGridWhenThereIsNoTetGen) {
   EXPECT_EQ(sample.origin, WitnessOrigin::grid);
   deformation::requireUsable(*sample.mesh, "grid");
   ASSERT_EQ(sample.remarks.size(), 1u);
-  EXPECT_NE(sample.remarks.front().find("/nonexistent/worker"), std::string::npos);
+  EXPECT_NE(sample.remarks.front().english().find("/nonexistent/worker"), std::string::npos);
 }
 
 TEST(WitnessSampling, StaysWithinItsLimitsAndEndsWithTheGrid) {
@@ -146,7 +146,7 @@ TEST(WitnessSampling, EndsWhenCancelledAndChangesNothing) {
   const geometry::TriangleMesh surface = tests::withHoles(), before = surface;
   for (const double moment : {0.0, 0.2, 0.3}) {
     Progress* line = nullptr;
-    Progress progress([&](double fraction, const std::string&) {
+    Progress progress([&](double fraction, const Text&) {
       if (fraction >= moment)
         line->cancel();
     });

@@ -41,7 +41,7 @@ TEST(Norms, OfEitherSexReachFromTheLowerToTheUpperBoundOfTwoDeviations) {
   EXPECT_DOUBLE_EQ(rangeOf(fraction).high, 61 + 2 * 5);
   EXPECT_DOUBLE_EQ(rangeOf(fraction, {Sex::women, 0}).low, 51);
   EXPECT_DOUBLE_EQ(rangeOf(fraction, {Sex::men, 0}).high, 68);
-  EXPECT_EQ(meaningOf(fraction, {Sex::men, 0}), "men, mean +- 2 standard deviations");
+  EXPECT_EQ(meaningOf(fraction, {Sex::men, 0}).english(), "men, mean +- 2 standard deviations");
 }
 
 TEST(Norms, OfAPersonOfKnownSizeAreThoseASquareMetre) {
@@ -49,7 +49,7 @@ TEST(Norms, OfAPersonOfKnownSizeAreThoseASquareMetre) {
   const Range small = rangeOf(volume, {Sex::women, 1.5});
   EXPECT_DOUBLE_EQ(small.low, 1.5 * (74 - 2 * 12));
   EXPECT_DOUBLE_EQ(small.high, 1.5 * (74 + 2 * 12));
-  EXPECT_NE(meaningOf(volume, {Sex::women, 1.5}).find("1.50 m2"), std::string::npos);
+  EXPECT_NE(meaningOf(volume, {Sex::women, 1.5}).english().find("1.50 m2"), std::string::npos);
   const Norm& fraction = norm("lv.ef");
   EXPECT_EQ(rangeOf(fraction, {Sex::women, 1.5}).low, rangeOf(fraction, {Sex::women, 0}).low)
       << "an ejection fraction knows no size";

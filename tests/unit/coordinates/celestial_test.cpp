@@ -175,12 +175,12 @@ TEST_P(CelestialTest, SoftnessTakesTheKinkAtAHandleAway) {
 TEST_P(CelestialTest, ReportsProgressAndStopsWhenCancelled) {
   const Points handles = tests::onSphere(20, 50), points = tests::cloud(20000, 5, 28);
   double last = 0;
-  Progress whole([&](double fraction, const std::string&) { last = fraction; });
+  Progress whole([&](double fraction, const Text&) { last = fraction; });
   GetParam()->solve<3>(handles, points, {0, 0, {2}}, whole);
   EXPECT_EQ(last, 1);
 
   std::atomic<int> reports{0};
-  Progress cancelled([&](double, const std::string&) {
+  Progress cancelled([&](double, const Text&) {
     ++reports;
     cancelled.cancel();
   });

@@ -86,7 +86,7 @@ TEST(PointwiseSystem, ReportsItsProgressWithinTheFirstPointsOfASlowSystem) {
   handles.positions.resize(4, 3);
   handles.positions << 0, 0, 0, 20, 0, 0, 0, 10, 0, 0, 0, 5;
   std::vector<double> reports;
-  Progress progress([&](double fraction, const std::string&) { reports.push_back(fraction); });
+  Progress progress([&](double fraction, const Text&) { reports.push_back(fraction); });
   BindOptions options;
   options.threads = Threads{1};
   slow.bind(handles, Points::Constant(4, 3, 1), options, progress);

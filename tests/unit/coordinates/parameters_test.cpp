@@ -46,13 +46,14 @@ TEST(ParameterValues, ReadNumbersAndChoices) {
 }
 
 TEST(ParameterValues, NameWhatIsAllowed) {
-  EXPECT_THAT(errorOf("height", "1").tryThis(), testing::HasSubstr("width, layers, inside"));
-  EXPECT_THAT(errorOf("width", "21").tryThis(), testing::HasSubstr("from 0.5 to 20 mm"));
-  EXPECT_THAT(errorOf("width", "2mm").tryThis(), testing::HasSubstr("a number"));
-  EXPECT_THAT(errorOf("width", "").tryThis(), testing::HasSubstr("a number"));
-  EXPECT_THAT(errorOf("width", "nan").tryThis(), testing::HasSubstr("a number"));
-  EXPECT_THAT(errorOf("layers", "2.5").tryThis(), testing::HasSubstr("a whole number from 1 to 9"));
-  EXPECT_THAT(errorOf("inside", "wachspress").tryThis(), testing::HasSubstr("mean-value, harmonic"));
+  EXPECT_THAT(errorOf("height", "1").tryThis().english(), testing::HasSubstr("width, layers, inside"));
+  EXPECT_THAT(errorOf("width", "21").tryThis().english(), testing::HasSubstr("from 0.5 to 20 mm"));
+  EXPECT_THAT(errorOf("width", "2mm").tryThis().english(), testing::HasSubstr("a number"));
+  EXPECT_THAT(errorOf("width", "").tryThis().english(), testing::HasSubstr("a number"));
+  EXPECT_THAT(errorOf("width", "nan").tryThis().english(), testing::HasSubstr("a number"));
+  EXPECT_THAT(errorOf("layers", "2.5").tryThis().english(), testing::HasSubstr("a whole number from 1 to 9"));
+  EXPECT_THAT(errorOf("inside", "wachspress").tryThis().english(),
+              testing::HasSubstr("mean-value, harmonic"));
   EXPECT_EQ(errorOf("inside", "1").exitCode(), 64);
 }
 

@@ -156,7 +156,7 @@ TEST(SinglePrecision, ReportSaysHowExactItIs) {
   const auto exact = bindIn(SCelestial(), scene, false), rounded = bindIn(SCelestial(), scene, true);
   EXPECT_TRUE(exact->report().notes.empty());
   ASSERT_EQ(rounded->report().notes.size(), 1u);
-  EXPECT_NE(rounded->report().notes.front().find("single precision"), std::string::npos);
+  EXPECT_NE(rounded->report().notes.front().english().find("single precision"), std::string::npos);
   EXPECT_GT(rounded->report().identityError, 1e-12 * scene.size());
   EXPECT_LT(rounded->report().identityError, 1e-7 * scene.size());
   EXPECT_LT(rounded->report().unityError, 5e-15);

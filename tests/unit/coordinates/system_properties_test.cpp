@@ -122,7 +122,7 @@ TEST(SystemProperties, AreTheSameWithAnyNumberOfThreadsButForTheTime) {
 
 TEST(SystemProperties, CanBeCancelledInTheMiddle) {
   Progress* running = nullptr;
-  Progress progress([&](double fraction, const std::string&) {
+  Progress progress([&](double fraction, const Text&) {
     if (fraction > 0.2)
       running->cancel();
   });

@@ -13,7 +13,7 @@ namespace viscera {
 TEST(Error, JoinsWhereWhatAndWhatToTry) {
   const DataError error("the file is truncated", "liver.stl", "export it again");
   EXPECT_STREQ(error.what(), "liver.stl: The file is truncated (export it again)");
-  EXPECT_EQ(error.problem(), "The file is truncated");
+  EXPECT_EQ(error.problem().english(), "The file is truncated");
 }
 
 TEST(Error, LeavesOutWhatIsNotKnown) {
@@ -23,9 +23,14 @@ TEST(Error, LeavesOutWhatIsNotKnown) {
 TEST(Error, LeavesWhatIsNoSmallLetterAsItIs) {
   EXPECT_STREQ(DataError("\"keys\" is missing").what(), "\"keys\" is missing");
   EXPECT_STREQ(DataError("3 handles are too few").what(), "3 handles are too few");
-  EXPECT_STREQ(DataError("\u00e4u\u00dfere Form").what(), "\u00e4u\u00dfere Form")
+  EXPECT_STREQ(DataError("\u0151si betegs\u00e9g").what(), "\u0151si betegs\u00e9g")
       << "no byte of another letter";
   EXPECT_STREQ(DataError("").what(), "");
+}
+
+TEST(Error, BeginsWithACapitalOfAnotherLanguage) {
+  EXPECT_STREQ(DataError("\u00e4u\u00dfere Form").what(), "\u00c4u\u00dfere Form");
+  EXPECT_STREQ(DataError("\u00f7 is no letter").what(), "\u00f7 is no letter");
 }
 
 TEST(Error, CarriesTheExitCodesOfSysexits) {
@@ -49,9 +54,9 @@ TEST(ShortMemory, IsReportedByEveryExceptionOfTheStandardLibraryThatMeansIt) {
 }
 
 TEST(ShortMemory, IsExplainedInPlainWords) {
-  EXPECT_EQ(explanationOf(std::bad_alloc()), notEnoughMemory().what());
-  EXPECT_EQ(explanationOf(std::bad_alloc()).find("bad_alloc"), std::string::npos);
-  EXPECT_EQ(explanationOf(std::out_of_range("row 7 of 5")), "row 7 of 5");
+  EXPECT_EQ(explanationOf(std::bad_alloc()).english(), notEnoughMemory().what());
+  EXPECT_EQ(explanationOf(std::bad_alloc()).english().find("bad_alloc"), std::string::npos);
+  EXPECT_EQ(explanationOf(std::out_of_range("row 7 of 5")).english(), "row 7 of 5");
 }
 
 TEST(ShortMemory, BecomesAnErrorThatNamesWhatNeedsTheMemory) {
@@ -60,8 +65,8 @@ TEST(ShortMemory, BecomesAnErrorThatNamesWhatNeedsTheMemory) {
     explainingShortMemory("liver.stl", [] { throw std::bad_alloc(); });
     FAIL();
   } catch (const Error& error) {
-    EXPECT_EQ(error.where(), "liver.stl");
-    EXPECT_EQ(error.problem(), "There is not enough memory");
+    EXPECT_EQ(error.where().english(), "liver.stl");
+    EXPECT_EQ(error.problem().english(), "There is not enough memory");
     EXPECT_EQ(error.exitCode(), 70);
   }
   EXPECT_THROW(explainingShortMemory("liver.stl", [] { throw DataError("torn"); }), DataError);

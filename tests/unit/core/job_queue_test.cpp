@@ -76,7 +76,7 @@ TEST(JobQueue, BringsTheValueToTheThreadThatAsked) {
         value = result.value.value();
       });
   ASSERT_EQ(q.jobs.jobs().size(), 1u);
-  EXPECT_EQ(q.jobs.jobs()[0].name, "Answer");
+  EXPECT_EQ(q.jobs.jobs()[0].name.english(), "Answer");
   q.finishAll();
   EXPECT_EQ(value, 42);
   EXPECT_EQ(receiver, std::this_thread::get_id());
@@ -102,7 +102,7 @@ TEST(JobQueue, TurnsExceptionsIntoResults) {
   q.finishAll();
   ASSERT_EQ(errors.size(), 4u);
   EXPECT_EQ(errors[0]->exitCode(), 65);
-  EXPECT_EQ(errors[0]->where(), "file.stl");
+  EXPECT_EQ(errors[0]->where().english(), "file.stl");
   EXPECT_EQ(errors[1]->exitCode(), 70);
   EXPECT_THAT(errors[1]->what(), HasSubstr("odd"));
   EXPECT_EQ(errors[2]->exitCode(), 70);
@@ -212,7 +212,7 @@ TEST(JobQueue, ReportsProgressOnTheMainThread) {
       [](JobResult<int>) {});
   std::thread::id teller;
   const Subscription subscription = q.jobs.onChange([&teller] { teller = std::this_thread::get_id(); });
-  q.box.runUntil([&] { return q.jobs.jobs()[0].step == "half way"; });
+  q.box.runUntil([&] { return q.jobs.jobs()[0].step.english() == "half way"; });
   EXPECT_EQ(q.jobs.jobs()[0].fraction, 0.5);
   q.box.run();
   EXPECT_EQ(teller, std::this_thread::get_id());

@@ -88,9 +88,9 @@ TEST(ParseJson, RefusesANumberBeyondDoubles) {
 
 TEST(ParseJson, RefusesWhatIsNestedTooDeeplyWithoutAStackForIt) {
   const auto nested = [](std::size_t depth) { return std::string(depth, '[') + std::string(depth, ']'); };
-  EXPECT_EQ(parseError(nested(64)).problem(), "No error");
-  EXPECT_EQ(parseError(nested(66)).problem(), "It is nested too deeply");
-  EXPECT_EQ(parseError(std::string(3'000'000, '[')).problem(), "It is nested too deeply");
+  EXPECT_EQ(parseError(nested(64)).problem().english(), "No error");
+  EXPECT_EQ(parseError(nested(66)).problem().english(), "It is nested too deeply");
+  EXPECT_EQ(parseError(std::string(3'000'000, '[')).problem().english(), "It is nested too deeply");
 }
 
 TEST(ParseJson, SkipsCommentsOnlyWhereTheyAreAllowed) {

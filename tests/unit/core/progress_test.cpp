@@ -11,7 +11,7 @@ namespace viscera {
 
 TEST(Progress, ReportsClampedFractionsAndKeepsTheStep) {
   std::vector<std::pair<double, std::string>> heard;
-  Progress progress([&](double fraction, const std::string& step) { heard.emplace_back(fraction, step); });
+  Progress progress([&](double fraction, const Text& step) { heard.emplace_back(fraction, step.english()); });
   progress.report(-1, "binding");
   progress.report(0.5);
   progress.report(2);
@@ -23,7 +23,7 @@ TEST(Progress, ReportsClampedFractionsAndKeepsTheStep) {
 
 TEST(Progress, DoesNotFloodTheListener) {
   int calls = 0;
-  Progress progress([&](double, const std::string&) { ++calls; });
+  Progress progress([&](double, const Text&) { ++calls; });
   for (int i = 0; i < 1'000'000; ++i)
     progress.report(i * 1e-6);
   EXPECT_LE(calls, 1002);

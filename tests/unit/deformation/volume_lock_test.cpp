@@ -165,9 +165,9 @@ TEST(VolumeLock, SaysWhyATargetIsOutOfReachAndKeepsThePose) {
   const auto restored =
       lock.restore(organ.handles, allBut(organ.handles.rows(), {}), LeastDisplacement(), 10);
   EXPECT_FALSE(restored.restored);
-  EXPECT_THAT(restored.reason, testing::HasSubstr("10 mm"));
+  EXPECT_THAT(restored.reason.english(), testing::HasSubstr("10 mm"));
   EXPECT_EQ(restored.pose, organ.handles);
-  EXPECT_THAT(lock.restore(organ.handles, {}, LeastDisplacement(), 10).reason,
+  EXPECT_THAT(lock.restore(organ.handles, {}, LeastDisplacement(), 10).reason.english(),
               testing::HasSubstr("no handle"));
 }
 

@@ -93,7 +93,7 @@ TEST(CageCommands, MakeHandlesAtItsVerticesTheCornersAndKeepWhatTheyAre) {
   ASSERT_EQ(s.rig().cage.size(), 12u);
   EXPECT_EQ(s.rig().cornerCount(), 8);
   EXPECT_EQ(handleSet(s.rig()).cage, cubeCage()->triangles);
-  EXPECT_EQ(s.undo.undoName(), "Take the cage cage.off");
+  EXPECT_EQ(s.undo.undoName().english(), "Take the cage cage.off");
   const std::size_t steps = s.undo.position();
   s.take(cubeCage());
   EXPECT_EQ(s.undo.position(), steps) << "it was the cage already";
@@ -200,7 +200,8 @@ TEST(CageBinding, SaysHowManyVerticesHaveNoCoordinatesAndTheHullMends) {
   EXPECT_TRUE(status.givenCage);
   EXPECT_GT(status.outsideCage, 0);
   EXPECT_EQ(status.outsideHull, 0);
-  EXPECT_THAT(status.message, AllOf(HasSubstr("have no coordinates in the cage"), HasSubstr("convex hull")));
+  EXPECT_THAT(status.message.english(),
+              AllOf(HasSubstr("have no coordinates in the cage"), HasSubstr("convex hull")));
   EXPECT_TRUE(s.live.points(s.organ()).allFinite());
   s.undo.perform(dropCage());
   EXPECT_EQ(s.status().state, State::bound);

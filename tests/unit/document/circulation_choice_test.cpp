@@ -24,7 +24,7 @@ double parameterOf(const Session& s, const char* name) {
 TEST(CirculationChoice, TheTextbooksBeatMovesANewHeart) {
   Session s;
   EXPECT_FALSE(s.document.circulation().drives);
-  EXPECT_EQ(nameOf(s.document.circulation()), "Rest");
+  EXPECT_EQ(nameOf(s.document.circulation()).english(), "Rest");
 }
 
 TEST(CirculationChoice, AScenarioComesWithAllItsParametersAndIsTakenBackAsOneStep) {
@@ -34,7 +34,7 @@ TEST(CirculationChoice, AScenarioComesWithAllItsParametersAndIsTakenBackAsOneSte
   EXPECT_TRUE(s.document.circulation().drives);
   EXPECT_EQ(parameterOf(s, "rate"), 150);
   EXPECT_EQ(parameterOf(s, "aorticArea"), 4) << "what another one had changed is not left behind";
-  EXPECT_EQ(s.undo.undoName(), "Circulation: Exercise");
+  EXPECT_EQ(s.undo.undoName().english(), "Circulation: Exercise");
   s.undo.undo();
   EXPECT_FALSE(s.document.circulation().drives);
   EXPECT_EQ(parameterOf(s, "rate"), 72);
@@ -47,7 +47,7 @@ TEST(CirculationChoice, AControlThatMovesIsOneStepUntilItIsLetGo) {
   s.undo.perform(setCirculationParameter("rate", 80));
   s.undo.perform(setCirculationParameter("rate", 90));
   EXPECT_EQ(s.undo.names().size(), before + 1);
-  EXPECT_EQ(nameOf(s.document.circulation()), "Rest, changed");
+  EXPECT_EQ(nameOf(s.document.circulation()).english(), "Rest, changed");
   s.undo.seal();
   s.undo.perform(setCirculationParameter("rate", 100));
   EXPECT_EQ(s.undo.names().size(), before + 2);
@@ -61,7 +61,7 @@ TEST(CirculationChoice, WhatIsKeptStaysWhileTheCirculationGoesOn) {
   s.undo.perform(keepCirculation());
   s.undo.perform(chooseScenario("rest"));
   ASSERT_TRUE(s.document.circulation().kept);
-  EXPECT_EQ(s.document.circulation().kept->name, "Haemorrhage");
+  EXPECT_EQ(s.document.circulation().kept->name.english(), "Haemorrhage");
   EXPECT_EQ(circulation::parameter(s.document.circulation().kept->parameters, "stressedVolume"), 745);
   s.undo.perform(forgetKeptCirculation());
   EXPECT_FALSE(s.document.circulation().kept);
@@ -72,13 +72,13 @@ TEST(CirculationChoice, OneThatWasFittedToAHeartIsNoScenarioUntilOneIsChosen) {
   circulation::Parameters found;
   circulation::setParameter(found, "lvEes", 1.1);
   s.undo.perform(takeCirculation("Circulation of this heart", found));
-  EXPECT_EQ(nameOf(s.document.circulation()), "Fitted circulation");
+  EXPECT_EQ(nameOf(s.document.circulation()).english(), "Fitted circulation");
   s.undo.perform(setCirculationParameter("rate", 95));
-  EXPECT_EQ(nameOf(s.document.circulation()), "Fitted circulation, changed");
+  EXPECT_EQ(nameOf(s.document.circulation()).english(), "Fitted circulation, changed");
   s.undo.undo();
-  EXPECT_EQ(nameOf(s.document.circulation()), "Fitted circulation");
+  EXPECT_EQ(nameOf(s.document.circulation()).english(), "Fitted circulation");
   s.undo.perform(chooseScenario("exercise"));
-  EXPECT_EQ(nameOf(s.document.circulation()), "Exercise");
+  EXPECT_EQ(nameOf(s.document.circulation()).english(), "Exercise");
 }
 
 TEST(CirculationChoice, RefusesWhatNoCirculationCanHave) {
@@ -146,7 +146,7 @@ TEST_F(SavedCirculation, OfATimeWhenAtriaWereSmallerHasThePressuresThatItHadAndT
   std::ofstream(folder_ / "b.viscera") << root.dump();
   const auto opened = tests::readBack(folder_ / "b.viscera");
   const CirculationChoice& choice = *opened.contents.state.circulation;
-  EXPECT_EQ(nameOf(choice), "Haemorrhage");
+  EXPECT_EQ(nameOf(choice).english(), "Haemorrhage");
   EXPECT_EQ(choice.kept->parameters.la.v0, 5) << "of today: it says what its atria hold";
   EXPECT_EQ(choice.kept->parameters.stressedVolume, 2000);
 

@@ -39,7 +39,8 @@ TEST(MakeOrgan, MeasuresAClosedSurfaceAndTurnsOneThatIsInsideOut) {
   turned.triangles.col(0).swap(turned.triangles.col(1));
   const Organ mended = makeOrgan("Box", turned);
   EXPECT_NEAR(mended.restVolumeMm3, 24000, 1e-9);
-  EXPECT_THAT(mended.warnings, ::testing::ElementsAre(HasSubstr("inside out"), HasSubstr("turned around")));
+  EXPECT_THAT(inEnglish(mended.warnings),
+              ::testing::ElementsAre(HasSubstr("inside out"), HasSubstr("turned around")));
 }
 
 TEST(MakeOrgan, GivesAnOpenSurfaceNoVolumeAndSaysSo) {
@@ -50,7 +51,7 @@ TEST(MakeOrgan, GivesAnOpenSurfaceNoVolumeAndSaysSo) {
   EXPECT_EQ(organ.boundaryEdges, 3);
   EXPECT_EQ(organ.restVolumeMm3, 0);
   ASSERT_FALSE(organ.warnings.empty());
-  EXPECT_THAT(organ.warnings[0], HasSubstr("3 boundary edges"));
+  EXPECT_THAT(organ.warnings[0].english(), HasSubstr("3 boundary edges"));
 }
 
 TEST(MakeOrgan, RefusesASurfaceWithoutTrianglesAndOneThatIsNotFinite) {
@@ -130,7 +131,7 @@ TEST(RigCommands, LeaveLockedHandlesWhereTheyAre) {
   s.undo.perform(moveHandles({s.handle(8)}, row(1, 1, 1)));
   s.undo.perform(moveRestHandles({s.handle(8)}, row(1, 1, 1)));
   EXPECT_EQ(s.document.state(), before);
-  EXPECT_EQ(s.undo.names(), std::vector<std::string>{"Lock handle"});
+  EXPECT_EQ(inEnglish(s.undo.names()), std::vector<std::string>{"Lock handle"});
 }
 
 TEST(RigCommands, RefuseTwoHandlesAtOnePlaceAndPositionsThatAreNotFinite) {
@@ -192,7 +193,7 @@ TEST(RigCommands, ReplaceTheRigWithItsGroupsAtRest) {
   rig.handles = tests::cubeHandles(80);
   rig.groups = {{"Left", {0, 1, 0}, {2, 0, 2}}, {"Left", {0, 0, 1}, {2, 3}}};
   s.undo.perform(replaceRig(rig, "Place automatically"));
-  EXPECT_EQ(s.undo.undoName(), "Place automatically");
+  EXPECT_EQ(s.undo.undoName().english(), "Place automatically");
   EXPECT_TRUE(atRest(s.document.state()));
   const Rig& now = s.document.rig();
   ASSERT_EQ(now.groups.size(), 2u);

@@ -64,7 +64,8 @@ TEST_F(ImportDrafts, SeesASurfaceThatIsInsideOutAsItIsInTheFile) {
   const OpenedFiles files = accepted(good);
   EXPECT_EQ(files.organs.at(0).organ.mesh->triangles.rows(), liver().triangles.rows());
   EXPECT_GT(files.organs.at(0).organ.restVolumeMm3, 0);
-  EXPECT_THAT(files.organs.at(0).organ.warnings, testing::ElementsAre("repaired on import: orient"));
+  EXPECT_THAT(inEnglish(files.organs.at(0).organ.warnings),
+              testing::ElementsAre("repaired on import: orient"));
   EXPECT_EQ(files.organs.at(0).organ.file.filename(), "liver.ply");
 }
 
@@ -98,7 +99,7 @@ TEST_F(ImportDrafts, WhatIsLeftOutDoesNotComeAndTheRestIsOneUndoStep) {
   undo.perform(accepted(both).command());
   ASSERT_EQ(document.organs().size(), 1u);
   EXPECT_EQ(document.organs()[0]->name, "liver");
-  EXPECT_EQ(undo.names(), std::vector<std::string>{"Open 2 files"});
+  EXPECT_EQ(inEnglish(undo.names()), std::vector<std::string>{"Open 2 files"});
   EXPECT_TRUE(withIncluded(both, {0}, false).empty());
 }
 
@@ -178,7 +179,7 @@ TEST_F(ImportDrafts, SayWhatRemeshingHasChanged) {
   EXPECT_EQ(change->trianglesAfter, anew.organs[0].mesh->triangles.rows());
   EXPECT_NEAR(change->maximumMm, 21, 1) << "the far end of the lost vessel";
   EXPECT_LT(change->meanMm, 6);
-  EXPECT_THAT(accepted(anew).organs.at(0).organ.warnings,
+  EXPECT_THAT(inEnglish(accepted(anew).organs.at(0).organ.warnings),
               testing::ElementsAre("repaired on import: remesh", testing::HasSubstr("triangles instead of")));
   EXPECT_FALSE(repaired(anew, {0}, "mirror", progress_).organs[0].change) << "of the last repair";
   EXPECT_FALSE(reverted(anew, 0, progress_).organs[0].change);
@@ -190,10 +191,10 @@ TEST_F(ImportDrafts, AnOrganThatCannotBeRepairedStaysAndTheOthersAreRepaired) {
   const ImportDraft read = draft({{"crumbs.ply", crumbs}, {"liver.ply", liver()}});
   const ImportDraft tried = repaired(read, {0, 1}, "remesh", progress_);
   ASSERT_TRUE(tried.organs[0].refusal);
-  EXPECT_EQ(tried.organs[0].refusal->where(), "crumbs");
-  EXPECT_EQ(tried.organs[0].refusal->problem(),
+  EXPECT_EQ(tried.organs[0].refusal->where().english(), "crumbs");
+  EXPECT_EQ(tried.organs[0].refusal->problem().english(),
             "Every piece of the surface is smaller than the 6.5 mm that remeshing resolves");
-  EXPECT_EQ(tried.organs[0].refusal->tryThis(), "keep the largest piece first");
+  EXPECT_EQ(tried.organs[0].refusal->tryThis().english(), "keep the largest piece first");
   EXPECT_EQ(tried.organs[0].mesh, read.organs[0].mesh);
   EXPECT_THAT(tried.organs[0].repairs, testing::IsEmpty());
   EXPECT_FALSE(tried.organs[1].refusal);

@@ -137,8 +137,8 @@ TEST(KeySequence, refusesTimesAndKeysThatCannotBe) {
 }
 
 TEST(KeySequence, StepsSayKeySequence) {
-  EXPECT_EQ(editKeySequence({.loop = false}).name, "Change key sequence");
-  EXPECT_EQ(replaceKeySequence(KeySequence()).name, "Replace key sequence");
+  EXPECT_EQ(editKeySequence({.loop = false}).name.english(), "Change key sequence");
+  EXPECT_EQ(replaceKeySequence(KeySequence()).name.english(), "Replace key sequence");
 }
 
 TEST(KeySequence, comesBackFromAFileIntoTheSameHandlesOrIntoItsOwn) {
@@ -157,7 +157,7 @@ TEST(KeySequence, comesBackFromAFileIntoTheSameHandlesOrIntoItsOwn) {
   for (const Document* document : {&session.document, &other}) {
     const auto sequence = sequenceOf(document->keySequence(), document->rig());
     ASSERT_TRUE(sequence);
-    EXPECT_EQ(sequence->name(), "Hop");
+    EXPECT_EQ(sequence->name().english(), "Hop");
     Points a, b;
     sequence->poseAt(0.8, 20, a);
     wanted->poseAt(0.8, 20, b);

@@ -48,7 +48,7 @@ TEST(LabelOrgans, AreClosedAndHaveTheirNamesColoursAndVolumes) {
   EXPECT_TRUE(organs[0].closed());
   EXPECT_NEAR(organs[0].restVolumeMm3, 7 * 8 * 8, 0.01 * 7 * 8 * 8);
   EXPECT_EQ(organs[0].file, file);
-  EXPECT_THAT(organs[0].warnings, Contains(HasSubstr("not life-sized")));
+  EXPECT_THAT(inEnglish(organs[0].warnings), Contains(HasSubstr("not life-sized")));
   EXPECT_EQ(organs[1].name, "left kidney");
 }
 
@@ -161,7 +161,7 @@ Told open(Document& document, UndoStack& undo, const std::filesystem::path& file
     return replaceRig(std::move(rig));
   };
   undo.perform(openCommand("Open it", openFiles({file}, progress), replacing, place));
-  told.steps = undo.names();
+  told.steps = inEnglish(undo.names());
   told.handles = document.rig().handles.size();
   return told;
 }
@@ -194,7 +194,7 @@ TEST(LabelOrgans, AreOpenedLikeOtherFiles) {
   Progress progress;
   const OpenedFiles opened = openFiles({segmentation(folder)}, progress);
   EXPECT_EQ(opened.organs.size(), 2U);
-  EXPECT_THAT(opened.warnings, Contains(HasSubstr("a.seg.nrrd: liver: a liver of")));
+  EXPECT_THAT(inEnglish(opened.warnings), Contains(HasSubstr("a.seg.nrrd: liver: a liver of")));
 }
 
 TEST(LabelOrgans, AreToldAsTheyArriveWithTheirColourAndThePlaceOfAll) {

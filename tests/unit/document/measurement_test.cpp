@@ -340,7 +340,7 @@ TEST_F(MeasurementsInSessions, GoToTheNearestPlacesOfASurfaceThatHasChangedAndIt
     EXPECT_LT(point.triangle, 32);
     EXPECT_LT((point.rest - contents_.state.measurements->at(0).points[i].rest).norm(), 4);
   }
-  EXPECT_THAT(opened.warnings, testing::Contains(HasSubstr("nearest places")));
+  EXPECT_THAT(inEnglish(opened.warnings), testing::Contains(HasSubstr("nearest places")));
 }
 
 TEST_F(MeasurementsInSessions, OfAMissingOrganStayAndComeBackWithIt) {
@@ -400,7 +400,7 @@ TEST(MeasuredRegion, HasTheScansValuesAreaOrVolumeAndANameOfItsKind) {
   const Measurement rectangle = s.document.measurements()[0], sphere = s.document.measurements()[1];
   EXPECT_EQ(rectangle.name, "Rectangle 1");
   EXPECT_EQ(sphere.name, "Sphere 1");
-  EXPECT_EQ(s.undo.undoName(), "Measure sphere");
+  EXPECT_EQ(s.undo.undoName().english(), "Measure sphere");
   const MeasuredValues flat = s.valuesOf(rectangle), round = s.valuesOf(sphere);
   ASSERT_TRUE(flat.region && round.region);
   EXPECT_EQ(flat.region->count, 9u * 7u) << "voxels of 2 mm, borders and all";

@@ -73,7 +73,7 @@ TEST_F(OpenFiles, BringOrgansAndHandlesAsOneStep) {
   EXPECT_EQ(opened.rig->handles.size(), 10u);
   EXPECT_TRUE(document.organs().empty()) << "reading alone must not change a document";
   undo.perform(opened.command());
-  EXPECT_EQ(undo.names(), std::vector<std::string>{"Open 3 files"});
+  EXPECT_EQ(inEnglish(undo.names()), std::vector<std::string>{"Open 3 files"});
   ASSERT_EQ(document.organs().size(), 2u);
   EXPECT_EQ(document.organs()[1]->file.filename(), "kidney.stl");
   EXPECT_TRUE(document.organs()[0]->closed());
@@ -237,7 +237,7 @@ TEST_F(OpenFiles, WarnOnceOfEachFaultWithTheFilesName) {
   medical_io::writeSurface(folder_ / "odd.vtp", mesh);
   Progress progress;
   const OpenedFiles opened = openFiles({folder_ / "odd.vtp"}, progress);
-  EXPECT_THAT(opened.warnings,
+  EXPECT_THAT(inEnglish(opened.warnings),
               ::testing::UnorderedElementsAre(HasSubstr("odd.vtp: the size of 0.173 mm is implausible"),
                                               HasSubstr("odd.vtp: the surface is inside out"),
                                               HasSubstr("turned around")));

@@ -53,7 +53,7 @@ TEST(ScanItem, IsOpenedBesideTheOrgansOfTheOtherFiles) {
   EXPECT_EQ(opened.scan->scan->value(12, 10, 8), 100);
   EXPECT_EQ(opened.scan->hash, scanHash(*opened.scan->scan));
   EXPECT_EQ(opened.organs.size(), 2u);
-  EXPECT_EQ(opened.name, "Open 2 files");
+  EXPECT_EQ(opened.name.english(), "Open 2 files");
   EXPECT_FALSE(openPatient({ball, labels}, progress).scan);
   EXPECT_FALSE(openImage(ball, progress)) << "no image at all";
 }
@@ -179,7 +179,7 @@ TEST(ScanItem, LiesWithTheOrgansInsideASessionToTheLastBit) {
   EXPECT_EQ(is.window->width, was.window->width);
   ASSERT_EQ(is.findings.size(), 1u);
   EXPECT_EQ(is.findings[0].kind, was.findings[0].kind);
-  EXPECT_EQ(is.findings[0].sentence, was.findings[0].sentence);
+  EXPECT_EQ(is.findings[0].sentence.english(), was.findings[0].sentence.english());
   tests::write(folder / "again.viscera", again.contents);
   const auto record = [&](const char* name) {
     return nlohmann::ordered_json::parse(contentsOf(folder / name)).at("scan").dump();
@@ -221,7 +221,7 @@ TEST(ScanItem, InsideASessionIsRefusedWhereItIsDamaged) {
     try {
       tests::readBack(folder / "damaged.viscera");
     } catch (const DataError& error) {
-      return error.where() + ": " + error.what();
+      return error.where().english() + ": " + error.what();
     }
     return "none";
   };
@@ -251,11 +251,12 @@ TEST(ScanItem, ThatIsGoneIsNamedAndStaysInTheSession) {
   OpenedSession without = tests::readBack(folder / "s.viscera");
   EXPECT_FALSE(without.contents.state.scan);
   ASSERT_EQ(without.warnings.size(), 1u);
-  EXPECT_THAT(without.warnings.front(), HasSubstr("ct.nii"));
+  EXPECT_THAT(without.warnings.front().english(), HasSubstr("ct.nii"));
   tests::write(folder / "again.viscera", without.contents);
   EXPECT_EQ(contentsOf(folder / "again.viscera"), contentsOf(folder / "s.viscera"));
   folder.put("ct.nii", "no scan at all");
-  EXPECT_THAT(tests::readBack(folder / "s.viscera").warnings.front(), HasSubstr("cannot be opened"));
+  EXPECT_THAT(tests::readBack(folder / "s.viscera").warnings.front().english(),
+              HasSubstr("cannot be opened"));
 }
 
 TEST(ScanItem, IsLookedForInOtherFoldersAndMayBeOneOfThem) {
@@ -290,7 +291,7 @@ TEST(ScanItem, WhoseFileHasChangedIsTakenAndNamed) {
   folder.put("ct.nii", other);
   OpenedSession opened = tests::readBack(folder / "s.viscera");
   ASSERT_EQ(opened.warnings.size(), 1u);
-  EXPECT_THAT(opened.warnings.front(), HasSubstr("ct.nii has changed since the session was saved"));
+  EXPECT_THAT(opened.warnings.front().english(), HasSubstr("ct.nii has changed since the session was saved"));
   ASSERT_TRUE(opened.contents.state.scan);
   tests::write(folder / "s.viscera", opened.contents);
   EXPECT_TRUE(tests::readBack(folder / "s.viscera").warnings.empty()) << "the new one is meant now";
@@ -357,11 +358,11 @@ TEST(ScanFit, SaysWhenLabelMapAndScanHaveOtherGridsOrPlaces) {
   EXPECT_EQ(onGrid(exchanged).size(), 1u) << "axes of other lengths";
   Eigen::Affine3d finer = grid.indexToLps;
   finer.linear() *= 0.9;
-  std::vector<std::string> odd = onGrid(finer);
+  std::vector<std::string> odd = inEnglish(onGrid(finer));
   ASSERT_EQ(odd.size(), 1u);
   EXPECT_THAT(odd[0], HasSubstr("has another grid"));
   EXPECT_THAT(odd[0], HasSubstr("nothing is resampled"));
-  odd = onGrid(Eigen::Translation3d(0, 0, 400) * grid.indexToLps);
+  odd = inEnglish(onGrid(Eigen::Translation3d(0, 0, 400) * grid.indexToLps));
   ASSERT_EQ(odd.size(), 2u);
   EXPECT_THAT(odd[1], HasSubstr("lies outside of the scan"));
 }

@@ -35,10 +35,10 @@ ordered_json jsonOf(const std::filesystem::path& file) {
   return ordered_json::parse(contentsOf(file));
 }
 
-std::string joined(const std::vector<std::string>& lines) {
+std::string joined(const std::vector<Text>& lines) {
   std::string all;
-  for (const std::string& line : lines)
-    all += line + "\n";
+  for (const Text& line : lines)
+    all += line.english() + "\n";
   return all;
 }
 
@@ -284,7 +284,7 @@ TEST(SessionFile, OfALaterVersionIsRefusedWithAdvice) {
     FAIL() << "a later version was read";
   } catch (const DataError& error) {
     EXPECT_THAT(error.what(), HasSubstr("b.viscera: It is of version 3"));
-    EXPECT_THAT(error.tryThis(), HasSubstr("update Viscera"));
+    EXPECT_THAT(error.tryThis().english(), HasSubstr("update Viscera"));
   }
 }
 

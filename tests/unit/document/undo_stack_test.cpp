@@ -21,10 +21,10 @@ TEST(UndoStack, TakesAStepBackAndDoesItAgainExactly) {
   s.undo.perform(moveHandles({s.handle(8)}, row(1, 2, 50)));
   const DocumentState after = s.document.state();
   ASSERT_FALSE(identical(before, after));
-  EXPECT_EQ(s.undo.undoName(), "Move handle");
+  EXPECT_EQ(s.undo.undoName().english(), "Move handle");
   s.undo.undo();
   EXPECT_TRUE(identical(s.document.state(), before));
-  EXPECT_EQ(s.undo.redoName(), "Move handle");
+  EXPECT_EQ(s.undo.redoName().english(), "Move handle");
   s.undo.redo();
   EXPECT_TRUE(identical(s.document.state(), after));
   EXPECT_FALSE(s.undo.canRedo());
@@ -37,7 +37,7 @@ TEST(UndoStack, MakesOneStepOfADragOfAHundredMoves) {
   for (int i = 1; i <= 100; ++i)
     s.undo.perform(moveHandles({s.handle(8)}, row(0.1 * i, 0, 40)));
   step.finish();
-  EXPECT_EQ(s.undo.names(), std::vector<std::string>{"Move handle H-9"});
+  EXPECT_EQ(inEnglish(s.undo.names()), std::vector<std::string>{"Move handle H-9"});
   EXPECT_EQ(s.document.pose().row(8), row(0.1 * 100, 0, 40));
   s.undo.undo();
   EXPECT_TRUE(identical(s.document.state(), before));
@@ -131,7 +131,7 @@ TEST(UndoStack, MakesNoStepOfASliderThatComesBackToWhereItBegan) {
     look.opacity = opacity;
     s.undo.perform(setOrganLook(s.organ(), look));
   }
-  EXPECT_EQ(s.undo.names(), std::vector<std::string>{"Set locality"});
+  EXPECT_EQ(inEnglish(s.undo.names()), std::vector<std::string>{"Set locality"});
   EXPECT_TRUE(s.undo.isClean());
   look.opacity = 0.2;
   s.undo.perform(setOrganLook(s.organ(), look));
@@ -154,7 +154,7 @@ TEST(UndoStack, AStepThatIsLeftIsTakenBackAndAnotherOneEndsTheOneBefore) {
   first.cancel();
   EXPECT_TRUE(s.undo.stepOpen()) << "the second one, which the first does not own";
   second.finish();
-  EXPECT_EQ(s.undo.names(), (std::vector<std::string>{"First", "Second"}));
+  EXPECT_EQ(inEnglish(s.undo.names()), (std::vector<std::string>{"First", "Second"}));
 }
 
 TEST(UndoStack, AnObserverThatThrowsLeavesDocumentStackAndTheOtherObserversWhole) {
@@ -234,7 +234,7 @@ TEST(UndoStack, LeavesEverythingAsItWasWhenACommandThrows) {
 TEST(UndoStack, DoesACombinedCommandAsOneStep) {
   Session s;
   s.undo.perform(combined("Both", {moveHandles({s.handle(8)}, row(1, 0, 40)), setParameter("locality", 2)}));
-  EXPECT_EQ(s.undo.undoName(), "Both");
+  EXPECT_EQ(s.undo.undoName().english(), "Both");
   s.undo.undo();
   EXPECT_TRUE(atRest(s.document.state()));
   EXPECT_TRUE(s.document.system().parameters.all().empty());
@@ -307,7 +307,7 @@ TEST(UndoStack, GoesToAnyStepAndTellsOnce) {
   s.undo.goTo(3);
   s.undo.goTo(99);
   EXPECT_EQ(calls, 4) << "there is nowhere to go";
-  EXPECT_EQ(s.undo.redoName(), "Move handle");
+  EXPECT_EQ(s.undo.redoName().english(), "Move handle");
 }
 
 TEST(UndoStack, ForgetsTheOldestStepsBeyondItsMemoryAndKeepsTheLast) {
@@ -324,7 +324,7 @@ TEST(UndoStack, ForgetsTheOldestStepsBeyondItsMemoryAndKeepsTheLast) {
     undo.undo();
   EXPECT_EQ(document.organs().size(), 40 - steps) << "what is forgotten stays done";
   undo.perform(addOrgans({tests::ball("Large", 10, 6)})); // More than the memory by itself.
-  EXPECT_EQ(undo.names(), std::vector<std::string>{"Add Large"});
+  EXPECT_EQ(inEnglish(undo.names()), std::vector<std::string>{"Add Large"});
   undo.undo();
   EXPECT_EQ(document.organs().size(), 40 - steps);
 }

@@ -22,14 +22,14 @@ TEST(CheckSurface, FindsNothingWrongWithASphere) {
   const auto report = checkSurface(tests::sphere(3));
   EXPECT_TRUE(report.closed() && report.manifold() && report.outward());
   EXPECT_EQ(report.components, 1);
-  EXPECT_THAT(faults(report), testing::IsEmpty());
+  EXPECT_THAT(inEnglish(faults(report)), testing::IsEmpty());
 }
 
 TEST(CheckSurface, CountsTheEdgesOfAHole) {
   const auto report = checkSurface(without(tests::sphere(3), 17));
   EXPECT_EQ(report.boundaryEdges, 3);
   EXPECT_FALSE(report.outward());
-  EXPECT_THAT(faults(report), testing::ElementsAre(testing::HasSubstr("3 boundary edges")));
+  EXPECT_THAT(inEnglish(faults(report)), testing::ElementsAre(testing::HasSubstr("3 boundary edges")));
 }
 
 TEST(CheckSurface, CountsEdgesOfThreeTriangles) {
@@ -71,7 +71,7 @@ TEST(OrientOutward, TurnsASurfaceThatIsInsideOut) {
   auto mesh = tests::sphere(2);
   EXPECT_FALSE(orientOutward(mesh));
   mesh.triangles.col(0).swap(mesh.triangles.col(1));
-  EXPECT_THAT(faults(checkSurface(mesh)), testing::ElementsAre(testing::HasSubstr("inside out")));
+  EXPECT_THAT(inEnglish(faults(checkSurface(mesh))), testing::ElementsAre(testing::HasSubstr("inside out")));
   EXPECT_TRUE(orientOutward(mesh));
   EXPECT_TRUE(checkSurface(mesh).outward());
 }

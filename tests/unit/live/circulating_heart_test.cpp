@@ -89,7 +89,7 @@ TEST(CirculatingHeart, ABeatTakenFromAnotherOneHoldsItsOwnVolumes) {
     const heart::HeartCourse course =
         heartCourse("Taken", parameters, beat, circulation::indicesOf(parameters, beat));
     const heart::CourseHeartbeat taken(resting.heartbeat(), course);
-    EXPECT_EQ(taken.name(), "Taken");
+    EXPECT_EQ(taken.name().english(), "Taken");
     EXPECT_NEAR(taken.standardRatePerMinute(), parameters.rate, 1e-9);
     for (const double phase : {0.02, 0.21, 0.38, 0.55, 0.83}) {
       resting.show(taken, phase * beat.period, parameters.rate);
@@ -167,7 +167,7 @@ TEST(CirculatingHeart, HasTheRateAndThePhasesOfItsCirculation) {
   EXPECT_EQ(phases.back().end, 1);
   for (std::size_t i = 1; i < phases.size(); ++i)
     EXPECT_EQ(phases[i].begin, phases[i - 1].end);
-  EXPECT_EQ(phases[1].name, "ejection");
+  EXPECT_EQ(phases[1].name.english(), "ejection");
   // The left ventricle empties in this phase and in no other.
   const auto volumeAt = [&](double phase) {
     return heart.heartbeat().heartCourse().at(phase).volumes.leftMl;

@@ -208,7 +208,7 @@ TEST(HeartbeatSetup, worksWithoutAnyCache) {
 TEST(HeartbeatSetup, canBeCancelledAtAnyPoint) {
   for (const double limit : {0.0, 0.3, 0.85}) {
     Progress* running = nullptr;
-    Progress progress([&](double fraction, const std::string&) {
+    Progress progress([&](double fraction, const Text&) {
       if (fraction >= limit)
         running->cancel();
     });
@@ -226,7 +226,7 @@ TEST(SequenceSetup, namesTheSequencesThereAreWhenAskedForAnother) {
     setUpSequence(tests::cachedLibrary(), "hiccup", Resolution::low, progress);
     FAIL() << "there is no hiccup";
   } catch (const UsageError& error) {
-    EXPECT_NE(error.tryThis().find("heartbeat"), std::string::npos) << error.what();
+    EXPECT_NE(error.tryThis().english().find("heartbeat"), std::string::npos) << error.what();
   }
 }
 

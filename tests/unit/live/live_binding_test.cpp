@@ -98,7 +98,7 @@ TEST(LiveBinding, SaysThatMemoryIsShortInPlainWordsAtOnceAndLater) {
     l.settle();
     const BindingStatus status = l.live.status(l.organ());
     EXPECT_EQ(status.state, State::failed);
-    EXPECT_THAT(status.message, HasSubstr("not enough memory")) << frameSeconds;
+    EXPECT_THAT(status.message.english(), HasSubstr("not enough memory")) << frameSeconds;
   }
 }
 
@@ -284,7 +284,7 @@ TEST(LiveBinding, SaysHowManyVerticesLieOutsideAndShowsTheOrganAtRest) {
   const int outside = static_cast<int>((rest.col(0).array() > 60).count());
   EXPECT_GT(outside, 0);
   EXPECT_EQ(status.outsideHull, outside);
-  EXPECT_THAT(status.message, HasSubstr(std::to_string(outside)));
+  EXPECT_THAT(status.message.english(), HasSubstr(std::to_string(outside)));
   EXPECT_EQ(l.points(1), rest);
   EXPECT_EQ(l.live.deformer(l.organ(1)), nullptr);
   EXPECT_EQ(l.live.status(l.organ(0)).state, State::bound) << "the other organ has nothing to do with it";
@@ -302,7 +302,7 @@ TEST(LiveBinding, SaysWhatIsMissingWithTooFewOrFlatHandlesAndUnknownSystems) {
   l.undo.perform(document::removeHandles(
       {l.handle(0), l.handle(1), l.handle(2), l.handle(3), l.handle(4), l.handle(5), l.handle(6)}));
   EXPECT_EQ(l.live.status(l.organ()).state, State::unbound);
-  EXPECT_THAT(l.live.status(l.organ()).message, HasSubstr("add 1 more"));
+  EXPECT_THAT(l.live.status(l.organ()).message.english(), HasSubstr("add 1 more"));
   EXPECT_EQ(l.points(), l.document.organs()[0]->mesh->points);
   document::NewRig flat;
   for (int i = 0; i < 6; ++i)
@@ -315,11 +315,11 @@ TEST(LiveBinding, SaysWhatIsMissingWithTooFewOrFlatHandlesAndUnknownSystems) {
   EXPECT_EQ(l.live.status(l.organ()).state, State::bound);
   l.undo.perform(document::setSystem({"no-such-system", {}}));
   EXPECT_EQ(l.live.status(l.organ()).state, State::failed);
-  EXPECT_THAT(l.live.status(l.organ()).message, HasSubstr("s-celestial"));
+  EXPECT_THAT(l.live.status(l.organ()).message.english(), HasSubstr("s-celestial"));
   l.undo.undo();
   l.undo.perform(document::setParameter("locality", -5));
   EXPECT_EQ(l.live.status(l.organ()).state, State::failed);
-  EXPECT_THAT(l.live.status(l.organ()).message, HasSubstr("locality"));
+  EXPECT_THAT(l.live.status(l.organ()).message.english(), HasSubstr("locality"));
 }
 
 TEST(LiveBinding, KeepsTheOldBindingInUseWhileAWorkerBinds) {
@@ -333,7 +333,7 @@ TEST(LiveBinding, KeepsTheOldBindingInUseWhileAWorkerBinds) {
   EXPECT_TRUE(l.live.busy());
   EXPECT_EQ(l.points(), before);
   ASSERT_EQ(l.jobs.jobs().size(), 1u);
-  EXPECT_EQ(l.jobs.jobs()[0].name, "Binding Ball");
+  EXPECT_EQ(l.jobs.jobs()[0].name.english(), "Binding Ball");
 
   // The handles are others by now, and still the old binding follows those that it knows.
   l.undo.perform(document::removeHandles({l.handle(9)}));

@@ -94,10 +94,10 @@ TEST(LiveWarp, HasNoMapWhenItsSystemGoesWhileItIsBound) {
   EXPECT_EQ(ball.warp.map(), nullptr);
   ball.box.runUntil([&] { return ball.jobs.idle(); });
   EXPECT_EQ(ball.warp.map(), nullptr) << "there is no system that could refine it";
-  EXPECT_NE(ball.warp.problem(), "");
+  EXPECT_NE(ball.warp.problem().english(), "");
   ball.undo.perform(document::setSystem(before));
   ball.wait();
-  EXPECT_EQ(ball.warp.problem(), "");
+  EXPECT_EQ(ball.warp.problem().english(), "");
 }
 
 TEST(LiveWarp, CountsWhatThePoseFolds) {

@@ -194,7 +194,7 @@ TEST_P(LockedMotions, MarkedHandlesMakeUpForTheVolumeAndTheDraggedOneGoesWhereIt
   LockedMotion motion = organ_->motion({9}, {2, 3, 11, 14, 20});
   const Vec3 by = 0.05 * organ_->size * Vec3(1, -1, 0.5).normalized();
   const Points& pose = motion.translate(by);
-  EXPECT_EQ(motion.obstacle(), "");
+  EXPECT_EQ(motion.obstacle().english(), "");
   EXPECT_LE(organ_->error(pose), kAllowedError);
   EXPECT_LE((pose.row(9) - motion.start().row(9) - by.transpose()).norm(), 1e-12 * organ_->size);
   for (int row = 0; row < kHandles; ++row)
@@ -308,11 +308,11 @@ TEST(LockedMotion, AWishBeyondReachStopsOnItsWayAndSaysWhy) {
   LockedMotion motion = organ.motion({8, 9, 10, 11, 12, 13, 14, 15, 16, 17}, {18});
   const Vec3 center = deformation::selectionCenter(motion.start(), motion.selection());
   const Points& pose = motion.scale(center, Vec3::Constant(6));
-  EXPECT_NE(motion.obstacle(), "");
+  EXPECT_NE(motion.obstacle().english(), "");
   EXPECT_LE(organ.error(pose), kAllowedError);
   // What is possible again is done again.
   motion.scale(center, Vec3::Constant(1.001));
-  EXPECT_EQ(motion.obstacle(), "");
+  EXPECT_EQ(motion.obstacle().english(), "");
   EXPECT_LE(organ.error(motion.pose()), kAllowedError);
 }
 
@@ -331,7 +331,7 @@ TEST(LockedMotion, TurningAllHandlesNeedsNobodyToCompensate) {
   Random random(1);
   LockedMotion motion = organ.motion(random.handles(kHandles));
   const Points& pose = motion.rotate(organ.center, Vec3(1, 1, 1).normalized(), std::numbers::pi / 3);
-  EXPECT_EQ(motion.obstacle(), "");
+  EXPECT_EQ(motion.obstacle().english(), "");
   EXPECT_LE(organ.error(pose), kAllowedError);
   EXPECT_GT(longest(pose - motion.start()), 0.1 * organ.size);
 }

@@ -20,7 +20,7 @@ std::string refusalOf(const std::string& recipe) {
   try {
     makeMotion(recipe, organ, sample_organs::standardLibrary(), progress);
   } catch (const DataError& error) {
-    return error.problem() + " / " + error.where();
+    return error.problem().english() + " / " + error.where().english();
   }
   return "accepted";
 }

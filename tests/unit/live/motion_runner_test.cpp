@@ -24,7 +24,7 @@ class Squeeze final : public sequences::Sequence {
 public:
   explicit Squeeze(Points rest) : rest_(std::move(rest)) {}
   std::string id() const override { return "squeeze"; }
-  std::string name() const override { return "Squeeze"; }
+  Text name() const override { return "Squeeze"; }
   const Points& restHandles() const override { return rest_; }
   double standardRatePerMinute() const override { return 60 / kPeriodSeconds; }
   double lowestRatePerMinute() const override { return 10; }
@@ -246,7 +246,7 @@ TEST_F(Runner, ACycleOfALockedVolumeIsAStraightLine) {
   const CycleCurves curves = measureCycle(runner_, progress);
   for (const double milliliters : curves.milliliters[0])
     EXPECT_NEAR(milliliters, restMl_, 1e-9 * restMl_);
-  EXPECT_EQ(curves.obstacle, "");
+  EXPECT_EQ(curves.obstacle.english(), "");
 }
 
 TEST_F(Runner, MeasuringACycleCanBeCancelledAndNeedsSomethingThatMoves) {

@@ -149,7 +149,8 @@ TEST(MotionSeries, DropsALastPhaseThatIsTheFirstAgain) {
   const MotionSeries found = read(series.request());
   EXPECT_EQ(found.phases(), 11U);
   ASSERT_FALSE(found.warnings.empty());
-  EXPECT_NE(found.warnings.back().find("the last phase equals the first and is left out"), std::string::npos);
+  EXPECT_NE(found.warnings.back().english().find("the last phase equals the first and is left out"),
+            std::string::npos);
 }
 
 TEST(MotionSeries, LeavesPhasesOutAndTakesUnevenTimes) {
@@ -173,7 +174,7 @@ TEST(MotionSeries, TakesSurfacesOfOtherTrianglesByTheirDistances) {
   const MotionSeries found = read(series.request());
   EXPECT_TRUE(found.corresponding.empty());
   ASSERT_EQ(found.meshes.size(), 11U);
-  EXPECT_NE(found.warnings.front().find("outer has other triangles in phase 3 than in the first"),
+  EXPECT_NE(found.warnings.front().english().find("outer has other triangles in phase 3 than in the first"),
             std::string::npos);
 }
 
@@ -221,7 +222,8 @@ TEST(MotionSeries, SaysThatTheImageCutsTheOuterSurfaceAndGoesOn) {
   });
   const MotionSeries found = read(series.request(kHeart));
   ASSERT_FALSE(found.warnings.empty());
-  EXPECT_NE(found.warnings.back().find("EPI touches the edge of the image in phase 2"), std::string::npos)
+  EXPECT_NE(found.warnings.back().english().find("EPI touches the edge of the image in phase 2"),
+            std::string::npos)
       << found.warnings.back();
 }
 

@@ -65,7 +65,8 @@ TEST(PatientMotion, NamesAPhaseThatFitsMuchWorseThanItsNeighbours) {
   EXPECT_EQ(found.outliers, std::vector<std::size_t>{3});
   EXPECT_NE(found.worst(), tracking::FitLight::good);
   ASSERT_FALSE(found.warnings.empty());
-  EXPECT_NE(found.warnings.back().find("phase 4 fits much worse than its neighbours"), std::string::npos)
+  EXPECT_NE(found.warnings.back().english().find("phase 4 fits much worse than its neighbours"),
+            std::string::npos)
       << found.warnings.back();
 }
 

@@ -227,7 +227,7 @@ TEST(PeristalsisSetup, isAmongTheSequencesThereAre) {
   EXPECT_EQ(setup.organ.name, "stomach");
   EXPECT_EQ(static_cast<Eigen::Index>(setup.rig.handles.size()), setup.sequence->restHandles().rows());
   ASSERT_GE(sampleSequences().size(), 2u);
-  EXPECT_EQ(sampleSequences()[1].name, setup.sequence->name());
+  EXPECT_EQ(sampleSequences()[1].name, setup.sequence->name().english());
 }
 
 } // namespace

@@ -28,7 +28,7 @@ public:
       rest_.row(i) = handles[static_cast<std::size_t>(i)].rest.transpose();
   }
   std::string id() const override { return "swing"; }
-  std::string name() const override { return "Swing"; }
+  Text name() const override { return "Swing"; }
   const Points& restHandles() const override { return rest_; }
   std::vector<sequences::HandleGroup> groups() const override { return {{"Top", {1, 0, 0}, {4, 8}}}; }
   double standardRatePerMinute() const override { return 60; }
@@ -179,9 +179,9 @@ TEST(Player, StopsAtTheEndWithoutLoopAndBeginsAgain) {
 
 TEST(Player, NamesThePhase) {
   Stage s;
-  EXPECT_EQ(s.player.phase(), "up");
+  EXPECT_EQ(s.player.phase().english(), "up");
   s.player.seek(0.25);
-  EXPECT_EQ(s.player.phase(), "down");
+  EXPECT_EQ(s.player.phase().english(), "down");
 }
 
 TEST(Player, RefusesRatesSpeedsAndPlacesOutOfRange) {
@@ -310,7 +310,7 @@ TEST(SequenceRig, FitsTheRigThatTheSequenceBringsAndNoOther) {
 class Breathe final : public sequences::Sequence {
 public:
   std::string id() const override { return "breathe"; }
-  std::string name() const override { return "Breathe"; }
+  Text name() const override { return "Breathe"; }
   const Points& restHandles() const override { return swing_.restHandles(); }
   double standardRatePerMinute() const override { return 60; }
   double lowestRatePerMinute() const override { return 30; }

@@ -97,7 +97,7 @@ TEST(VolumeKeeper, SeveralLockedOrgansOnTheSameHandlesAllKeepTheirVolumes) {
     s.undo.perform(document::setVolumeLocked(s.organ(place), true));
   LockedMotion motion = s.keeper.begin({s.handle(9)});
   motion.translate({5, 1, 2});
-  EXPECT_EQ(motion.obstacle(), "");
+  EXPECT_EQ(motion.obstacle().english(), "");
   s.take(motion);
   for (const std::size_t place : {0, 1, 2})
     EXPECT_LE(std::abs(s.relativeChange(place)), kAllowedVolumeError) << place;
@@ -187,8 +187,8 @@ TEST(VolumeLockCommand, AnOpenSurfaceIsRefusedWithItsOpenEdgesAndCanBeClosed) {
   EXPECT_TRUE(closed->volumeLocked);
   EXPECT_EQ(closed->name, "Cup");
   EXPECT_GT(closed->restVolumeMm3, 0.9 * s.document.organs().front()->restVolumeMm3);
-  for (const std::string& warning : closed->warnings)
-    EXPECT_EQ(warning.find("boundary"), std::string::npos) << warning;
+  for (const Text& warning : closed->warnings)
+    EXPECT_EQ(warning.english().find("boundary"), std::string::npos) << warning;
   EXPECT_EQ(s.live.status(cup).state, BindingStatus::State::bound);
   s.undo.undo();
   EXPECT_EQ(s.document.organ(cup)->boundaryEdges, edges);
@@ -225,7 +225,7 @@ struct Preparing : tests::Session {
     LockedMotion motion = keeper.begin({handle(9), handle(1)});
     const int before = counts->pullBacks;
     const Points& pose = motion.rotate(Vec3::Zero(), Vec3::UnitZ(), 0.4);
-    EXPECT_EQ(motion.obstacle(), "");
+    EXPECT_EQ(motion.obstacle().english(), "");
     const int taken = counts->pullBacks - before;
     undo.perform(document::setPose(pose));
     EXPECT_LE(std::abs(live.volume(organ()).relativeChange()), 1e-12);
@@ -262,7 +262,7 @@ TEST(VolumeKeeper, WithoutFormsEachPoseThatIsTriedTakesOnePassOverEachSurface) {
   const int deforms = s.counts->deforms;
   const int pullBacks = s.counts->pullBacks;
   const Points& pose = motion.translate({5, 1, 2});
-  EXPECT_EQ(motion.obstacle(), "");
+  EXPECT_EQ(motion.obstacle().english(), "");
   const int gradients = s.counts->pullBacks - pullBacks;
   EXPECT_GE(gradients, 4);
   EXPECT_LE(s.counts->deforms - deforms, gradients + 2) << "the wish, and where each step leads";

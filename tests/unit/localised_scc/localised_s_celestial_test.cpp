@@ -134,10 +134,11 @@ TEST(LocalisedSCelestial, TellsInItsReportWhatItCutAndWhoMovesNothing) {
   points << 20, 20, 20;
   Progress progress;
   const auto notes = localised().bind(handles, points, withOffset(500), progress)->report().notes;
-  EXPECT_THAT(notes, testing::Contains(testing::HasSubstr("1 handle is in no group")));
-  EXPECT_THAT(notes, testing::Contains(testing::HasSubstr("offset of region 'box 1' is cut")));
+  EXPECT_THAT(inEnglish(notes), testing::Contains(testing::HasSubstr("1 handle is in no group")));
+  EXPECT_THAT(inEnglish(notes), testing::Contains(testing::HasSubstr("offset of region 'box 1' is cut")));
   handles.positions.conservativeResize(handles.positions.rows() - 1, 3);
-  EXPECT_THAT(localised().bind(handles, points, withOffset(3), progress)->report().notes, testing::IsEmpty());
+  EXPECT_THAT(inEnglish(localised().bind(handles, points, withOffset(3), progress)->report().notes),
+              testing::IsEmpty());
 }
 
 TEST(LocalisedSCelestial, DescribesRegionsZonesAndSuperRegionsAndTheOffsetsBound) {

@@ -71,8 +71,8 @@ TEST(RegionLayout, CutsAnOffsetBeyondItsBoundAndSaysSo) {
   const auto layout = layoutOf("TwoOverlap", 500);
   EXPECT_NEAR(layout.regions()[0].offsetBound, 5, 1e-6); // From (60, 40, 0) to the zone's edge at z = 5.
   EXPECT_LT(layout.regions()[0].offset, layout.regions()[0].offsetBound);
-  EXPECT_THAT(layout.notes(), testing::Contains(HasSubstr("'box 1' is cut to")));
-  EXPECT_THAT(layoutOf("TwoOverlap", 4).notes(), testing::IsEmpty());
+  EXPECT_THAT(inEnglish(layout.notes()), testing::Contains(HasSubstr("'box 1' is cut to")));
+  EXPECT_THAT(inEnglish(layoutOf("TwoOverlap", 4).notes()), testing::IsEmpty());
 }
 
 TEST(RegionLayout, WithoutGroupsAllHandlesAreOneRegion) {
@@ -99,7 +99,8 @@ TEST(RegionLayout, NamesAGroupThatIsTooSmallOrFlat) {
 TEST(RegionLayout, SaysHowManyHandlesAreInNoGroup) {
   auto handles = tests::groupsOfBoxes({{{0, 0, 0}, {1, 1, 1}}, {{5, 5, 5}, {6, 6, 6}}});
   handles.groups.pop_back();
-  EXPECT_THAT(RegionLayout(handles, 1).notes(), testing::Contains(HasSubstr("8 handles are in no group")));
+  EXPECT_THAT(inEnglish(RegionLayout(handles, 1).notes()),
+              testing::Contains(HasSubstr("8 handles are in no group")));
 }
 
 } // namespace

@@ -51,7 +51,7 @@ std::vector<Finding> doubts(const SurfaceAssessment& assessment) {
 std::string texts(const std::vector<Finding>& findings) {
   std::string all;
   for (const Finding& finding : findings)
-    all += finding.text + "\n";
+    all += finding.text.english() + "\n";
   return all;
 }
 
@@ -60,7 +60,7 @@ void expectOneClick(const TriangleMesh& mesh, const std::string& says, const std
                     const std::string& name = "liver", std::optional<Space> space = Space::lps) {
   const std::vector<Finding> found = doubts(assess(mesh, name, space));
   ASSERT_EQ(found.size(), 1u) << texts(found);
-  EXPECT_THAT(found[0].text, HasSubstr(says));
+  EXPECT_THAT(found[0].text.english(), HasSubstr(says));
   ASSERT_FALSE(found[0].repairs.empty());
   EXPECT_EQ(found[0].repairs.front(), repair);
   EXPECT_THAT(doubts(assess(repaired(mesh, repair), name, space)), IsEmpty());
@@ -77,7 +77,7 @@ TEST(AssessSurface, AGoodLiverHasNoDoubts) {
 TEST(AssessSurface, AxesThatAreNotStatedAreANoteOnly) {
   const SurfaceAssessment assessment = assess(liver(), "liver", std::nullopt);
   EXPECT_EQ(assessment.worst(), FindingSeverity::note);
-  EXPECT_THAT(assessment.findings.front().text, HasSubstr("LPS is assumed"));
+  EXPECT_THAT(assessment.findings.front().text.english(), HasSubstr("LPS is assumed"));
 }
 
 TEST(AssessSurface, MetresInchesAndCentimetresAreToldApartByTheOrgan) {
@@ -99,7 +99,7 @@ TEST(AssessSurface, AnOrganOfUnknownNameInMetresIsNoticedByItsSize) {
 TEST(AssessSurface, AShrunkenLiverInMetresIsNoticedByItsSizeToo) {
   const std::vector<Finding> found = doubts(assess(geometry::scaled(liver(), 0.0005)));
   ASSERT_EQ(found.size(), 1u) << texts(found);
-  EXPECT_THAT(found[0].text, HasSubstr("metres"));
+  EXPECT_THAT(found[0].text.english(), HasSubstr("metres"));
   EXPECT_THAT(found[0].repairs, ElementsAre("unit-m"));
 }
 
@@ -165,8 +165,9 @@ TEST(AssessSurface, ALiverOnTheLeftSideOfAnUnstatedFileMayBeRas) {
 TEST(AssessSurface, AMirroredKidneyIsQuestionedByTheSideInItsName) {
   const TriangleMesh kidney = tests::sphere(3, 35, {60, 60, 250});
   EXPECT_THAT(doubts(assess(kidney, "kidney_left")), IsEmpty());
-  EXPECT_THAT(doubts(assess(kidney, "kidney_right")),
-              ElementsAre(testing::Field(&Finding::text, HasSubstr("mirrored"))));
+  EXPECT_THAT(
+      doubts(assess(kidney, "kidney_right")),
+      ElementsAre(testing::Field(&Finding::text, testing::Property(&Text::english, HasSubstr("mirrored")))));
 }
 
 TEST(AssessSurface, LooksAtSurfacesThatNothingWasMendedOf) {
@@ -226,14 +227,14 @@ TEST(SurfaceRepairs, AnUnknownOneNamesThoseThereAre) {
     surfaceRepair("magic");
     ADD_FAILURE();
   } catch (const UsageError& error) {
-    EXPECT_THAT(error.tryThis(), HasSubstr("fill-holes"));
+    EXPECT_THAT(error.tryThis().english(), HasSubstr("fill-holes"));
   }
 }
 
 TEST(PlausibleSize, DoubtsSayWhetherTheyQuoteARangeOrAverages) {
-  EXPECT_THAT(*doubtAboutVolume("liver", 239), HasSubstr("19 of 20 adults have 814 to 1906 ml"));
-  EXPECT_THAT(*doubtAboutVolume("heart", 90), HasSubstr("have on average 590 to 800 ml"));
-  EXPECT_THAT(*doubtAboutVolume("myocardium", 3000), HasSubstr("238 to 314 ml"));
+  EXPECT_THAT(doubtAboutVolume("liver", 239)->english(), HasSubstr("19 of 20 adults have 814 to 1906 ml"));
+  EXPECT_THAT(doubtAboutVolume("heart", 90)->english(), HasSubstr("have on average 590 to 800 ml"));
+  EXPECT_THAT(doubtAboutVolume("myocardium", 3000)->english(), HasSubstr("238 to 314 ml"));
   EXPECT_EQ(doubtAboutVolume("kidney_left", 150), std::nullopt);
   EXPECT_EQ(doubtAboutVolume("heart", 936), std::nullopt) << "with its great vessels";
 }

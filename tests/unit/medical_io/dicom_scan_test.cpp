@@ -56,7 +56,7 @@ protected:
   static std::string sentences(const Scan& scan) {
     std::string all;
     for (const ScanFinding& finding : scan.findings)
-      all += finding.sentence + '\n';
+      all += finding.sentence.english() + '\n';
     return all;
   }
 
@@ -466,7 +466,7 @@ TEST_F(DicomScan, OfAFolderThatCannotBeListedToItsEndIsRejectedInsteadOfShortene
       read();
       FAIL() << "the inner folder could be listed";
     } catch (const NoInputError& error) {
-      EXPECT_EQ(error.where(), folder_.path().string());
+      EXPECT_EQ(error.where().english(), folder_.path().string());
       EXPECT_THAT(error.what(), HasSubstr("It cannot be opened"));
     }
   }
@@ -481,8 +481,8 @@ TEST_F(DicomScan, NamesASliceThatVanishesOrIsCutOffBetweenItsHeaderAndItsPixels)
   const std::string whole = tests::contentsOf(file);
   for (const bool vanishes : {true, false}) {
     int headers = 0;
-    Progress progress([&](double, const std::string& step) {
-      if (step != "headers" || ++headers < image.size[2])
+    Progress progress([&](double, const Text& step) {
+      if (step.english() != "headers" || ++headers < image.size[2])
         return;
       if (vanishes)
         std::filesystem::remove(file);
@@ -493,7 +493,7 @@ TEST_F(DicomScan, NamesASliceThatVanishesOrIsCutOffBetweenItsHeaderAndItsPixels)
       readScan(folder_.path(), {}, progress);
       FAIL() << "the scan has a hole";
     } catch (const DataError& error) {
-      EXPECT_EQ(error.where(), file.string());
+      EXPECT_EQ(error.where().english(), file.string());
       EXPECT_THAT(error.what(),
                   testing::AllOf(HasSubstr("A slice cannot be read"), HasSubstr("take it out")));
     }

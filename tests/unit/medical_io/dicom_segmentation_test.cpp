@@ -124,8 +124,9 @@ TEST(DicomFile, WithUnevenSlicesIsRefusedAndSaysWhatToDo) {
     read(put(1.2));
     ADD_FAILURE() << "not refused";
   } catch (const DataError& error) {
-    EXPECT_THAT(error.problem(), ::testing::HasSubstr("Its slices are not equally far from each other"));
-    EXPECT_THAT(error.tryThis(), ::testing::HasSubstr("resample the segmentation"));
+    EXPECT_THAT(error.problem().english(),
+                ::testing::HasSubstr("Its slices are not equally far from each other"));
+    EXPECT_THAT(error.tryThis().english(), ::testing::HasSubstr("resample the segmentation"));
   }
 }
 

@@ -53,7 +53,7 @@ std::string problemOf(const json& scene) {
   try {
     readScene(scene);
   } catch (const DataError& error) {
-    return error.problem();
+    return error.problem().english();
   }
   ADD_FAILURE() << scene << " was read";
   return {};
@@ -217,7 +217,7 @@ TEST(Glb, ChunksHaveToFitTheFile) {
     try {
       readSurface(folder.put("b.glb", damaged));
     } catch (const DataError& error) {
-      return error.problem();
+      return error.problem().english();
     }
     return std::string("it was read");
   };

@@ -241,7 +241,7 @@ TEST_F(LabelFormats, OfSlicerGiveOverlappingSegmentsNamesAndColours) {
   // In voxel (5, 4, 4) both are.
   EXPECT_EQ(map.layers[0][map.indexOf(5, 4, 4)], 1);
   EXPECT_EQ(map.layers[1][map.indexOf(5, 4, 4)], 3);
-  EXPECT_THAT(map.warnings, Contains(HasSubstr("nothing")));
+  EXPECT_THAT(inEnglish(map.warnings), Contains(HasSubstr("nothing")));
 }
 
 TEST_F(LabelFormats, OfSlicerGiveNamesInUtf8) {
@@ -266,7 +266,7 @@ TEST_F(LabelFormats, OfTotalSegmentatorGiveTheNamesOfTheirTable) {
     EXPECT_EQ(map.segments[0].name, "liver");
     EXPECT_TRUE(map.segments[0].color.isApprox(Vec3(0.2, 0.4, 0.6)));
     EXPECT_EQ(map.segments[1].name, "kidney_right");
-    EXPECT_EQ(map.warnings, std::vector<std::string>{});
+    EXPECT_EQ(inEnglish(map.warnings), std::vector<std::string>{});
   }
 }
 
@@ -292,7 +292,7 @@ TEST_F(LabelFormats, TakeTheNamesOfATableBeside) {
     if (map.segments[0].colored) {
       EXPECT_TRUE(map.segments[0].color.isApprox(Vec3(1, 0, 0.2)));
     }
-    EXPECT_THAT(map.warnings, Contains(HasSubstr(table.name)));
+    EXPECT_THAT(inEnglish(map.warnings), Contains(HasSubstr(table.name)));
   }
 }
 
@@ -385,7 +385,7 @@ TEST_F(LabelFolder, OfMasksIsOnePatient) {
   EXPECT_EQ(map.segments[2].voxels, 8);
   EXPECT_EQ(map.segments[2].layer, 1) << "the vessels lie within the liver";
   EXPECT_EQ(map.layers.size(), 2U);
-  EXPECT_THAT(map.warnings, Contains(HasSubstr("spleen")));
+  EXPECT_THAT(inEnglish(map.warnings), Contains(HasSubstr("spleen")));
 }
 
 TEST_F(LabelFolder, TakesAMaskFromTheLayerThatItIsIn) {

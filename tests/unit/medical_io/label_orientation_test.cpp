@@ -175,7 +175,7 @@ TEST_F(LabelOrientation, OfTwoNiftiFormsThatDisagreeIsTheSforms) {
   Progress progress;
   const LabelMap map = readLabelMap(file, progress);
   ASSERT_EQ(map.warnings.size(), 1U);
-  EXPECT_NE(map.warnings[0].find("sform and qform"), std::string::npos) << map.warnings[0];
+  EXPECT_NE(map.warnings[0].english().find("sform and qform"), std::string::npos) << map.warnings[0];
 }
 
 TEST_F(LabelOrientation, OfASingularSformIsTheQforms) {

@@ -91,7 +91,7 @@ TEST(LabelSeries, SaysWhatItTakesTimesWithoutAUnitFor) {
   const ReadSeries found = readSeries(
       folder.put("cine.seq.nrrd", tests::sequenceNrrd(phases(4), "axis 0 index values:=0 250 500 750\n")));
   EXPECT_NEAR(found.times.periodSeconds.value_or(0), 1, 1e-12);
-  EXPECT_NE(found.times.doubt.find("taken as milliseconds"), std::string::npos);
+  EXPECT_NE(found.times.doubt.english().find("taken as milliseconds"), std::string::npos);
   EXPECT_FALSE(readSeries(folder.put("frames.seq.nrrd",
                                      tests::sequenceNrrd(phases(4), "axis 0 index values:=0 1 2 3\n")))
                    .times.periodSeconds);

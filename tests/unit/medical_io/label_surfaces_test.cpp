@@ -216,13 +216,13 @@ TEST(LabelSurfaces, KeepAllPiecesOrTheLargestAndSaySo) {
   const auto all = surfacesOf(map);
   EXPECT_EQ(all.at(0).pieces, 3);
   EXPECT_EQ(geometry::connectedPieces(all[0].mesh).count, 3);
-  EXPECT_THAT(all[0].warnings, testing::ElementsAre(testing::HasSubstr("3 pieces, 28 voxels")));
+  EXPECT_THAT(inEnglish(all[0].warnings), testing::ElementsAre(testing::HasSubstr("3 pieces, 28 voxels")));
   const auto largest = surfacesOf(map, {.segments = {}, .largestPieceOnly = true});
   expectSound(largest.at(0));
   EXPECT_EQ(largest[0].pieces, 1);
   EXPECT_EQ(geometry::connectedPieces(largest[0].mesh).count, 1);
   EXPECT_NEAR(largest[0].voxelVolumeMm3, 729, 1e-9);
-  EXPECT_THAT(largest[0].warnings, testing::ElementsAre(testing::HasSubstr("left out")));
+  EXPECT_THAT(inEnglish(largest[0].warnings), testing::ElementsAre(testing::HasSubstr("left out")));
 }
 
 TEST(LabelSurfaces, WithACavityHaveItsVolumeLess) {

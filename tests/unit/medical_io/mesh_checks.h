@@ -35,7 +35,7 @@ inline double cornerDistance(const geometry::TriangleMesh& a, const geometry::Tr
 
 inline bool warnsOf(const SurfaceFile& surface, const std::string& words) {
   return std::any_of(surface.warnings.begin(), surface.warnings.end(),
-                     [&](const std::string& warning) { return warning.find(words) != std::string::npos; });
+                     [&](const Text& warning) { return warning.english().find(words) != std::string::npos; });
 }
 
 } // namespace viscera::medical_io::test

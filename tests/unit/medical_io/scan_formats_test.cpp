@@ -92,7 +92,7 @@ TEST_F(ScanFormats, KeepAnyScalarType) {
       samples(std::int64_t(-5), std::int64_t(99), 1024).samples));
   const Scan wide = samples(std::int64_t(0), std::int64_t(1) << 40U, 1024);
   EXPECT_TRUE(std::holds_alternative<std::vector<float>>(wide.samples));
-  EXPECT_THAT(wide.findings.back().sentence, testing::HasSubstr("more than 32 bits"));
+  EXPECT_THAT(wide.findings.back().sentence.english(), testing::HasSubstr("more than 32 bits"));
 }
 
 TEST_F(ScanFormats, ApplySlopeAndIntercept) {

@@ -127,10 +127,9 @@ TEST(SharedOrgans, LiverOfTheLabelMapIsWhereTheAtlasHasIt) {
   const double mean = sum / static_cast<double>(atlas.points.rows());
   std::cout << "mean distance from the atlas's liver: " << mean << " mm\n";
   EXPECT_LT(mean, 1.5 * map.spacing().minCoeff());
-  EXPECT_TRUE(
-      std::any_of(surfaces[0].warnings.begin(), surfaces[0].warnings.end(), [](const std::string& warning) {
-        return warning.find("not life-sized") != std::string::npos;
-      }));
+  EXPECT_TRUE(std::any_of(surfaces[0].warnings.begin(), surfaces[0].warnings.end(), [](const Text& warning) {
+    return warning.english().find("not life-sized") != std::string::npos;
+  }));
 }
 
 } // namespace

@@ -25,7 +25,7 @@ std::string problemOfSurface(const std::filesystem::path& file) {
     readSurface(file);
   } catch (const DataError& error) {
     EXPECT_THAT(error.what(), HasSubstr(file.string()));
-    return error.problem() + " (" + error.tryThis() + ")";
+    return error.problem().english() + " (" + error.tryThis().english() + ")";
   }
   ADD_FAILURE() << file << " was read";
   return {};

@@ -43,7 +43,7 @@ std::string problemOf(const std::string& name, const std::string& text) {
   try {
     readText(name, text);
   } catch (const DataError& error) {
-    return error.problem();
+    return error.problem().english();
   }
   ADD_FAILURE() << text << " was read";
   return {};

@@ -117,7 +117,7 @@ std::string problemOfFile(const std::string& name, const std::string& text) {
   try {
     readSurface(folder.put(name, text));
   } catch (const DataError& error) {
-    return error.problem();
+    return error.problem().english();
   }
   ADD_FAILURE() << text << " was read";
   return {};

@@ -226,7 +226,7 @@ TEST(WrittenLabels, ThatNiftiCannotTellApartAreRefused) {
     writeLabelMap(folder / "b.nii.gz", same);
     ADD_FAILURE() << "the cyst has become the kidney";
   } catch (const DataError& error) {
-    EXPECT_NE(error.tryThis().find(".seg.nrrd"), std::string::npos) << error.what();
+    EXPECT_NE(error.tryThis().english().find(".seg.nrrd"), std::string::npos) << error.what();
   }
   EXPECT_FALSE(std::filesystem::exists(folder / "b.nii.gz"));
   writeLabelMap(folder / "b.seg.nrrd", same);

@@ -76,7 +76,7 @@ protected:
 
 TEST_F(PluginLoaderTest, BringsTheLocalisedCoordinatesWithTheirFileAsTheSource) {
   const auto report = load(kGood);
-  EXPECT_EQ(report.problem, "");
+  EXPECT_EQ(report.problem.english(), "");
   EXPECT_THAT(report.systems, ElementsAre("localised-s-celestial"));
   EXPECT_EQ(report.manifest.name, "Localised S-Celestial");
   EXPECT_EQ(registry_.list().back().source, kGood.string());
@@ -84,19 +84,19 @@ TEST_F(PluginLoaderTest, BringsTheLocalisedCoordinatesWithTheirFileAsTheSource) 
 }
 
 TEST_F(PluginLoaderTest, NamesAFileThatIsMissing) {
-  EXPECT_THAT(load(folder_ / "nowhere.so").problem, HasSubstr("no such file"));
+  EXPECT_THAT(load(folder_ / "nowhere.so").problem.english(), HasSubstr("no such file"));
 }
 
 TEST_F(PluginLoaderTest, TurnsDownAFileThatIsNoPlugin) {
   std::ofstream(folder_ / "text.so") << "This is not a library.";
-  EXPECT_THAT(load(folder_ / "text.so").problem, HasSubstr("not a Viscera plugin"));
+  EXPECT_THAT(load(folder_ / "text.so").problem.english(), HasSubstr("not a Viscera plugin"));
 }
 
 TEST_F(PluginLoaderTest, TurnsDownATruncatedPlugin) {
   fs::copy_file(kGood, folder_ / "half.so");
   fs::resize_file(folder_ / "half.so", fs::file_size(kGood) / 2);
   const auto report = load(folder_ / "half.so");
-  EXPECT_NE(report.problem, "");
+  EXPECT_NE(report.problem.english(), "");
   EXPECT_THAT(report.systems, IsEmpty());
 }
 
@@ -125,17 +125,17 @@ TEST_F(PluginLoaderTest, SurvivesADamagedManifest) {
 
 TEST_F(PluginLoaderTest, TurnsDownAPluginOfAnotherInterfaceVersionByItsManifestAlone) {
   const auto report = load(kFaulty / "plugin_old.so");
-  EXPECT_THAT(report.problem, HasSubstr("version 0"));
+  EXPECT_THAT(report.problem.english(), HasSubstr("version 0"));
   EXPECT_EQ(report.manifest.id, "faulty");
 }
 
 TEST_F(PluginLoaderTest, SurvivesAPluginThatThrows) {
-  EXPECT_THAT(load(kFaulty / "plugin_throws.so").problem, HasSubstr("no disk in drive"));
+  EXPECT_THAT(load(kFaulty / "plugin_throws.so").problem.english(), HasSubstr("no disk in drive"));
 }
 
 TEST_F(PluginLoaderTest, RefusesADuplicateIdButKeepsTheOtherSystems) {
   const auto report = load(kFaulty / "plugin_duplicate.so");
-  EXPECT_THAT(report.problem, HasSubstr("s-celestial"));
+  EXPECT_THAT(report.problem.english(), HasSubstr("s-celestial"));
   EXPECT_THAT(report.systems, ElementsAre("failing"));
 }
 
@@ -169,7 +169,7 @@ TEST_F(PluginLoaderTest, ASystemThatCannotBeDescribedIsLeftOutAloneWithItsPlugin
   const auto report = load(kFaulty / "plugin_forgetful.so");
   EXPECT_FALSE(registry_.contains("nameless"));
   EXPECT_TRUE(registry_.contains("forgetful"));
-  EXPECT_THAT(report.problem, testing::AllOf(HasSubstr("plugin_forgetful"), HasSubstr("nameless")));
+  EXPECT_THAT(report.problem.english(), testing::AllOf(HasSubstr("plugin_forgetful"), HasSubstr("nameless")));
 }
 
 TEST_F(PluginLoaderTest, WhatIsNoExceptionAtAllArrivesAsAnErrorToo) {
@@ -184,9 +184,9 @@ TEST_F(PluginLoaderTest, OneBadPluginDoesNotKeepTheOthersOut) {
   fs::copy_file(kGood, folder_ / "c_good.so");
   const auto reports = loadPlugins({folder_}, registry_);
   ASSERT_EQ(reports.size(), 3u);
-  EXPECT_NE(reports[0].problem, "");
-  EXPECT_NE(reports[1].problem, "");
-  EXPECT_EQ(reports[2].problem, "");
+  EXPECT_NE(reports[0].problem.english(), "");
+  EXPECT_NE(reports[1].problem.english(), "");
+  EXPECT_EQ(reports[2].problem.english(), "");
   EXPECT_TRUE(registry_.contains("localised-s-celestial"));
 }
 

@@ -61,7 +61,7 @@ TEST(ViewStateJson, ThatIsDamagedIsRefusedWithThePlaceOfTheMistake) {
     try {
       viewFromJson(view);
     } catch (const DataError& error) {
-      return error.problem() + " / " + error.where();
+      return error.problem().english() + " / " + error.where().english();
     }
     return std::string("accepted");
   };

@@ -47,7 +47,7 @@ TEST(ImplicitSurfaces, OfAnUnknownNameNameThoseThereAre) {
     sample_organs::implicitSurface(projectLibrary(), "heart", "spleen");
     FAIL() << "no error";
   } catch (const UsageError& error) {
-    EXPECT_NE(error.tryThis().find("\"ventricles\""), std::string::npos) << error.what();
+    EXPECT_NE(error.tryThis().english().find("\"ventricles\""), std::string::npos) << error.what();
   }
 }
 

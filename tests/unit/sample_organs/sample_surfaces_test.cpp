@@ -168,7 +168,7 @@ TEST(SampleOrgans, LeftVentriclesMuscleWeighsAsMuchAsInHealthyAdults) {
 TEST(SampleOrgans, ReportProgressUpToTheEnd) {
   double last = -1;
   bool backwards = false;
-  Progress progress([&](double fraction, const std::string&) {
+  Progress progress([&](double fraction, const Text&) {
     backwards = backwards || fraction < last - 0.05; // blocks of samples may end in another order
     last = fraction;
   });
@@ -179,7 +179,7 @@ TEST(SampleOrgans, ReportProgressUpToTheEnd) {
 
 TEST(SampleOrgans, CanBeCancelledWhileTheyAreMade) {
   Progress* job = nullptr;
-  Progress progress([&](double fraction, const std::string&) {
+  Progress progress([&](double fraction, const Text&) {
     if (fraction > 0.2)
       job->cancel();
   });

@@ -198,7 +198,7 @@ TEST_F(Movie, WithoutFfmpegItSaysWhatToDoInstead) {
     MovieWriter writer(folder / "a.mp4");
     ADD_FAILURE() << "no error";
   } catch (const CannotCreateError& error) {
-    EXPECT_NE(error.tryThis().find(".ogv"), std::string::npos);
+    EXPECT_NE(error.tryThis().english().find(".ogv"), std::string::npos);
   }
   setenv("PATH", path.c_str(), 1);
   EXPECT_EQ(filesLeft(), 0);
@@ -215,7 +215,7 @@ TEST_F(Movie, FailingFfmpegIsAnErrorThatRepeatsWhatItSaid) {
     write(folder / "a.mp4", 40);
     ADD_FAILURE() << "no error";
   } catch (const CannotCreateError& error) {
-    EXPECT_NE(error.problem().find("no such encoder"), std::string::npos) << error.what();
+    EXPECT_NE(error.problem().english().find("no such encoder"), std::string::npos) << error.what();
   }
   setenv("PATH", path.c_str(), 1);
   EXPECT_EQ(filesLeft(), 1) << "only the folder of tools";
@@ -292,7 +292,7 @@ TEST_F(Movie, ProgressGoesUpToOne) {
   for (int i = 0; i < 5; ++i)
     writer.add(frame(i));
   double last = 0;
-  Progress progress([&](double fraction, const std::string&) {
+  Progress progress([&](double fraction, const Text&) {
     EXPECT_GE(fraction, last);
     last = fraction;
   });

@@ -12,6 +12,7 @@
 #include "parts.h"
 #include "viscera/coordinates/weights_binding.h"
 #include "viscera/core/error.h"
+#include "viscera/core/phrase.h"
 #include "viscera/deformation/bind_organ.h"
 #include "viscera/deformation/tetrahedralise.h"
 
@@ -178,7 +179,7 @@ py::dict report(const BoundPoints& bound) {
   all["failures"] = py::array_t<int>(py::ssize_t(found.failures.size()), found.failures.data());
   all["seconds"] = found.seconds;
   all["threads"] = found.threads;
-  all["notes"] = found.notes;
+  all["notes"] = inEnglish(found.notes);
   return all;
 }
 

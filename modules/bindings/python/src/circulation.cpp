@@ -187,7 +187,7 @@ void addCirculation(py::module_& module) {
           "converged", [](const Circulation& c) { return c.state.converged; },
           "Whether the beat repeats itself; if not, `failure_reason` says what happens.")
       .def_property_readonly(
-          "failure_reason", [](const Circulation& c) { return c.state.failureReason; },
+          "failure_reason", [](const Circulation& c) { return c.state.failureReason.english(); },
           "Empty when converged.")
       .def_property_readonly(
           "beats", [](const Circulation& c) { return c.state.beats; }, "That were computed to find it.")

@@ -37,9 +37,9 @@ const char* nameOf(const Error& error) {
 void raise(const Error& error) {
   const py::object kind = py::module_::import("viscera.errors").attr(nameOf(error));
   py::object raised = kind(error.what());
-  raised.attr("problem") = error.problem();
-  raised.attr("where") = error.where();
-  raised.attr("try_this") = error.tryThis();
+  raised.attr("problem") = error.problem().english();
+  raised.attr("where") = error.where().english();
+  raised.attr("try_this") = error.tryThis().english();
   raised.attr("exit_code") = error.exitCode();
   if (const auto* unbound = dynamic_cast<const deformation::UnboundVertices*>(&error)) {
     raised.attr("vertices") =

@@ -10,6 +10,7 @@
 #include "array_memory.h"
 #include "long_jobs.h"
 #include "viscera/core/error.h"
+#include "viscera/core/phrase.h"
 #include "viscera/medical_io/handle_file.h"
 #include "viscera/medical_io/label_map.h"
 #include "viscera/medical_io/label_surfaces.h"
@@ -41,7 +42,8 @@ medical_io::Space spaceNamed(const std::string& name) {
 Surface readSurface(const path& file) {
   return unlocked([&] {
     auto read = medical_io::readSurface(file);
-    return Surface{std::make_shared<const TriangleMesh>(std::move(read.mesh)), read.name, read.warnings};
+    return Surface{std::make_shared<const TriangleMesh>(std::move(read.mesh)), read.name,
+                   inEnglish(read.warnings)};
   });
 }
 
@@ -112,7 +114,7 @@ py::dict labelSurfaces(const medical_io::LabelMap& map, const std::vector<std::s
   for (auto& each : found) {
     const std::string& name = map.segments[each.segment].name;
     all[py::str(name)] =
-        Surface{std::make_shared<const TriangleMesh>(std::move(each.mesh)), name, each.warnings};
+        Surface{std::make_shared<const TriangleMesh>(std::move(each.mesh)), name, inEnglish(each.warnings)};
   }
   return all;
 }
@@ -177,7 +179,8 @@ void addHandles(py::module_& module) {
           "h x 3, mm, LPS.")
       .def_property_readonly("labels", &medical_io::HandleFile::labels)
       .def_property_readonly("groups", &groupsOf, "Name and rows of each markup list.")
-      .def_readonly("warnings", &medical_io::HandleFile::warnings);
+      .def_property_readonly("warnings",
+                             [](const medical_io::HandleFile& file) { return inEnglish(file.warnings); });
   module.def("read_handles", &medical_io::readHandles, py::arg("path"),
              "Reads 3D Slicer's .mrk.json or .fcsv, as mm in LPS.");
   module.def("write_handles", &writeHandles, py::arg("path"), py::arg("positions"),
@@ -205,7 +208,7 @@ void addLabelMaps(py::module_& module) {
           "layers", &layers,
           "Arrays k x j x i of uint16: 0 for none, s + 1 for segments[s]; no copies, read only.")
       .def_readonly("segments", &LabelMap::segments)
-      .def_readonly("warnings", &LabelMap::warnings)
+      .def_property_readonly("warnings", [](const LabelMap& map) { return inEnglish(map.warnings); })
       .def("volume_ml", &LabelMap::volumeMl, py::arg("segment"), "Of a segment's voxels.")
       .def("surfaces", &labelSurfaces, py::arg("names") = std::vector<std::string>(),
            py::arg("triangles") = 20'000, py::arg("smoothing") = 1.0, py::arg("largest_piece_only") = false,

@@ -50,11 +50,11 @@ private:
   Progress::Listener hearing() {
     if (listener_.is_none()) // A job of milliseconds would feel the reports.
       return {};
-    return [this](double fraction, const std::string& step) {
+    return [this](double fraction, const Text& step) {
       {
         const std::lock_guard lock(mutex_);
         fraction_ = fraction;
-        step_ = step;
+        step_ = step.english();
         fresh_ = true;
       }
       lookNowAndThen();

@@ -81,7 +81,7 @@ py::list loadPlugins(const std::vector<path>& searchPath) {
     py::list systems;
     for (const std::string& id : report.systems)
       systems.append(std::const_pointer_cast<coordinates::CoordinateSystem>(registry.find(id)));
-    all.append(py::make_tuple(report.file, systems, report.problem));
+    all.append(py::make_tuple(report.file, systems, report.problem.english()));
   }
   return all;
 }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "viscera/coordinates/parameters.h"
+#include "viscera/core/phrase.h"
 #include "viscera/geometry/triangle_mesh.h"
 #include "viscera/sequences/sequence.h"
 
@@ -19,7 +20,7 @@ struct MotionSource {
   std::vector<std::string> labels; ///< Of the handles; may be empty.
   /// The surfaces that it was made for, in order; may be empty.
   std::vector<std::pair<std::string, std::shared_ptr<const geometry::TriangleMesh>>> surfaces;
-  std::vector<std::string> warnings;
+  std::vector<Text> warnings;
 };
 
 } // namespace viscera::python

@@ -15,6 +15,7 @@
 #include "file_motion.h"
 #include "long_jobs.h"
 #include "parts.h"
+#include "viscera/core/phrase.h"
 #include "viscera/sequences/keyframes.h"
 
 namespace viscera::python {
@@ -106,7 +107,7 @@ py::list phases(const PatientMotion& found) {
     row["dice"] = phase.quality.dice;
     row["folded"] = phase.quality.folded;
     row["fit"] = nameOf(phase.verdict.light);
-    row["reasons"] = phase.verdict.reasons;
+    row["reasons"] = inEnglish(phase.verdict.reasons);
     row["surfaces"] = surfaces;
     all.append(row);
   }
@@ -165,7 +166,9 @@ void addPatientMotion(py::module_& module) {
           "fit", [](const PatientMotion& m) { return nameOf(m.worst()); }, "Of the worst phase.")
       .def_readonly("corresponding", &PatientMotion::corresponding,
                     "Whether points were known from phase to phase.")
-      .def_readonly("warnings", &PatientMotion::warnings, "What was mended or assumed.")
+      .def_property_readonly(
+          "warnings", [](const PatientMotion& m) { return inEnglish(m.warnings); },
+          "What was mended or assumed.")
       .def(
           "write",
           [](const PatientMotion& m, const std::filesystem::path& file) {

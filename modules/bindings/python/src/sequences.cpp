@@ -8,6 +8,7 @@
 #include "motion_source.h"
 #include "parts.h"
 #include "viscera/core/error.h"
+#include "viscera/core/phrase.h"
 #include "viscera/sequences/breathing.h"
 #include "viscera/sequences/keyframes.h"
 
@@ -25,7 +26,7 @@ py::array poseSequence(const MotionSource& motion, double seconds, const py::obj
   if (!(perMinute >= motion.sequence->lowestRatePerMinute() &&
         perMinute <= motion.sequence->highestRatePerMinute()))
     throw UsageError("it cannot be played at " + std::to_string(perMinute) + " a minute",
-                     motion.sequence->name(),
+                     motion.sequence->name().english(),
                      "between " + std::to_string(motion.sequence->lowestRatePerMinute()) + " and " +
                          std::to_string(motion.sequence->highestRatePerMinute()));
   Points handles;
@@ -36,7 +37,7 @@ py::array poseSequence(const MotionSource& motion, double seconds, const py::obj
 py::list phases(const MotionSource& motion, const py::object& rate) {
   py::list all;
   for (const auto& phase : motion.sequence->phases(rateOf(motion, rate)))
-    all.append(py::make_tuple(phase.name, phase.begin, phase.end));
+    all.append(py::make_tuple(phase.name.english(), phase.begin, phase.end));
   return all;
 }
 
@@ -106,7 +107,7 @@ void addSequences(py::module_& module) {
       module, "Sequence", "Motion over time: a pose of h handles at every instant. Immutable.")
       .def_property_readonly("id", [](const MotionSource& m) { return m.sequence->id(); })
       .def_property_readonly(
-          "name", [](const MotionSource& m) { return m.sequence->name(); }, "For people.")
+          "name", [](const MotionSource& m) { return m.sequence->name().english(); }, "For people.")
       .def_property_readonly(
           "rest_handles", [](const MotionSource& m) { return handOver(Points(m.sequence->restHandles())); },
           "What organs are bound to: h x 3 mm.")
@@ -126,13 +127,16 @@ void addSequences(py::module_& module) {
       .def_property_readonly(
           "surfaces", &surfaces,
           "The surfaces for which it was made: name, and (points n x 3 mm, triangles m x 3).")
-      .def_readonly("warnings", &MotionSource::warnings, "What a user should look at.")
+      .def_property_readonly(
+          "warnings", [](const MotionSource& m) { return inEnglish(m.warnings); },
+          "What a user should look at.")
       .def("pose", &poseSequence, py::arg("seconds"), py::arg("rate") = py::none(),
            "The handles (h x 3, mm) at `seconds` when played at `rate` cycles a minute (none: the standard "
            "one).")
       .def("phases", &phases, py::arg("rate") = py::none(),
            "The parts of one cycle: name, begin and end as fractions of it.")
-      .def("__repr__", [](const MotionSource& m) { return "<Sequence " + m.sequence->name() + ">"; });
+      .def("__repr__",
+           [](const MotionSource& m) { return "<Sequence " + m.sequence->name().english() + ">"; });
   module.def("keyframes", &keyframes, py::arg("rest_handles"), py::arg("seconds"), py::arg("poses"),
              py::arg("period"), py::arg("loop") = true, py::arg("interpolation") = "eased",
              py::arg("easing") = "smooth", py::arg("name") = "Recorded",

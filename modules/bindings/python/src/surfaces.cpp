@@ -101,7 +101,7 @@ py::dict check(const py::object& points, const py::object& triangles) {
   all["components"] = found.components;
   all["volume_mm3"] = found.volumeMm3;
   all["area_mm2"] = found.areaMm2;
-  all["faults"] = geometry::faults(found);
+  all["faults"] = inEnglish(geometry::faults(found));
   return all;
 }
 

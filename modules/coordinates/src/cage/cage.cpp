@@ -24,7 +24,7 @@ Triangles cageOf(const HandleSet& handles) {
   return cage.triangles;
 }
 
-void requireCage(const geometry::TriangleMesh& cage, const std::string& where) {
+void requireCage(const geometry::TriangleMesh& cage, const Text& where) {
   constexpr const char* kTryThis =
       "take a closed cage, or none: then the convex hull of the handles is the cage";
   geometry::requireValid(cage, where);

@@ -9,6 +9,7 @@
 
 #include "viscera/coordinates/cage/cage.h"
 #include "viscera/core/error.h"
+#include "viscera/core/phrase.h"
 
 namespace viscera::coordinates {
 namespace {
@@ -25,7 +26,7 @@ constexpr double kGone = 1;
 class PartOf {
 public:
   explicit PartOf(const Progress& outer)
-      : progress_([&outer, this](double, const std::string&) {
+      : progress_([&outer, this](double, const Text&) {
           if (outer.cancelled())
             progress_.cancel();
         }) {}
@@ -86,7 +87,7 @@ private:
     found.unityError = report.unityError;
     found.minWeight = report.minWeight;
     found.failures = static_cast<Eigen::Index>(report.failures.size());
-    found.notes = report.notes;
+    found.notes = inEnglish(report.notes);
     found.nanoseconds =
         1e9 * least / (static_cast<double>(points_.rows()) * static_cast<double>(found.handles));
     coordinates_ = coordinatesOf(*binding);
@@ -189,7 +190,7 @@ SceneProperties measureOn(const CoordinateSystem& system, const Scene& scene, co
   } catch (const Cancelled&) {
     throw;
   } catch (const std::exception& error) {
-    found.refusal = explanationOf(error);
+    found.refusal = explanationOf(error).english();
   } catch (...) {
     found.refusal = "an error of unknown kind";
   }

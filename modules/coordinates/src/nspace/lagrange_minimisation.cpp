@@ -157,7 +157,7 @@ BalanceIn<2> planeLagrange(const ParameterValues& parameters) {
   const auto target = chosen<Target>(parameters, kTarget);
   const auto positivity = chosen<Positivity>(parameters, kPositivity);
   if (positivity == Positivity::globalTest || positivity == Positivity::iterative)
-    throw UsageError(phrase("\"%1\" needs all points at once, which planar coordinates do not support",
+    throw UsageError(misuse("\"%1\" needs all points at once, which planar coordinates do not support",
                             kPositivity.choices[static_cast<std::size_t>(positivity)]),
                      {}, "take another positivity");
   return [=](const HandleDirectionsOf<2>& sight, Values& beta) {

@@ -169,7 +169,7 @@ PlanarWeights planarWeights(const std::string& system, const PointsOf<2>& handle
     std::string known;
     for (const std::string& id : planarSystems())
       known += (known.empty() ? "" : ", ") + id;
-    throw UsageError(phrase("\"%1\" has no planar form", system), {}, phrase("there are: %1", known));
+    throw UsageError(misuse("\"%1\" has no planar form", system), {}, misuse("there are: %1", known));
   }();
   return pointByPoint(handles, points, balanced(handles, balance), threads);
 }

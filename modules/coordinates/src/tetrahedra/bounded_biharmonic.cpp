@@ -41,12 +41,12 @@ private:
 
 class BoundedBiharmonicSolver final : public PointSolver {
 public:
-  BoundedBiharmonicSolver(Points handles, TetrahedraField field, std::vector<std::string> notes)
+  BoundedBiharmonicSolver(Points handles, TetrahedraField field, std::vector<Text> notes)
       : handles_(std::move(handles)), field_(std::move(field)), notes_(std::move(notes)),
         lift_(std::make_shared<WithRemainder>(handles_.rows())) {}
 
   std::shared_ptr<const PoseLift> lift() const override { return lift_; }
-  std::vector<std::string> notes() const override { return notes_; }
+  std::vector<Text> notes() const override { return notes_; }
 
   bool solve(const Vec3& point, Values& weights) const override { return add(point, weights, nullptr); }
   bool solveGradients(const Vec3& point, Values& weights, Points& gradients) const override {
@@ -75,7 +75,7 @@ private:
 
   Points handles_;
   TetrahedraField field_;
-  std::vector<std::string> notes_;
+  std::vector<Text> notes_;
   std::shared_ptr<const PoseLift> lift_;
 };
 
@@ -100,7 +100,7 @@ geometry::TriangleMesh enlargedHull(const Points& handles, double factor) {
   return hull;
 }
 
-std::vector<std::string> notesOn(const SimplexSolution& solution, const SimplexLimits& limits) {
+std::vector<Text> notesOn(const SimplexSolution& solution, const SimplexLimits& limits) {
   if (solution.converged)
     return {};
   char text[200];

@@ -35,8 +35,8 @@ double volumeOf(const SolidMesh& mesh, Eigen::Index tetrahedron) {
 FilledDomain filledDomain(const geometry::TriangleMesh& surface, const Points& inside, double resolution,
                           const std::string& system, const BindOptions& options, Progress& progress) {
   if (!options.tetrahedralise)
-    throw UsageError(phrase("%1 need tetrahedra, which cannot be made here", system), {},
-                     "bind by way of the deformation module, or choose another system");
+    throw UsageError(misuse("%1 need tetrahedra, which cannot be made here", named(system)), {},
+                     misuse("bind by way of the deformation module, or choose another system"));
   const double edge = boundsOf(surface.points).diagonal() / resolution;
   geometry::TriangleMesh cut = geometry::splitLongEdges(surface, edge, kMostTriangles);
   FilledDomain domain{cut.points.rows(), {}};
@@ -129,7 +129,7 @@ Eigen::MatrixXd leastEnergy(const SparseMatrix& energy, const std::vector<Eigen:
   progress.throwIfCancelled();
   const Eigen::SimplicialLDLT<SparseMatrix> factor(split.amongFree);
   if (factor.info() != Eigen::Success)
-    throw DataError("the tetrahedra do not determine the coordinates", "the handles' tetrahedra",
+    throw DataError(misuse("the tetrahedra do not determine the coordinates"), "the handles' tetrahedra",
                     "try another resolution");
   const Eigen::MatrixXd pulled = -(split.freeWithFixed * given);
   parallelRanges(given.cols(), 1, threads, [&](Eigen::Index column, Eigen::Index) {

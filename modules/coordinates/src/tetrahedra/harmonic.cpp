@@ -11,6 +11,7 @@
 #include "tetrahedra/tetrahedra_field.h"
 #include "viscera/coordinates/cage/cage.h"
 #include "viscera/core/error.h"
+#include "viscera/core/phrase.h"
 
 namespace viscera::coordinates {
 namespace {
@@ -65,7 +66,7 @@ Eigen::RowVectorXd onCage(const Vec3& point, const Points& handles, const Triang
     row[cage(t, 2)] = ofC;
     return row;
   }
-  throw Error(70, "a point of the divided cage is not on the cage", "harmonic coordinates",
+  throw Error(70, misuse("a point of the divided cage is not on the cage"), "harmonic coordinates",
               "try another resolution, or a cage without needle-like triangles");
 }
 

@@ -8,6 +8,7 @@
 
 #include "tetrahedra/finite_elements.h"
 #include "viscera/core/error.h"
+#include "viscera/core/phrase.h"
 
 namespace viscera::coordinates {
 namespace {
@@ -95,7 +96,7 @@ private:
       system_.coeffRef(i, i) += penalty_ * mass_[i];
     solver_.factorize(system_);
     if (solver_.info() != Eigen::Success)
-      throw DataError("the biharmonic energy cannot be factorised", "the handles' tetrahedra",
+      throw DataError(misuse("the biharmonic energy cannot be factorised"), "the handles' tetrahedra",
                       "try another resolution");
   }
 

@@ -98,13 +98,13 @@ void requireBoundedInflation(const std::filesystem::path& file) {
   std::ifstream stream(file, std::ios::binary);
   const auto begin = dataBegin(stream, error ? 0 : static_cast<std::streamoff>(size));
   if (!begin)
-    named.fail("It is damaged or no DICOM file: its header violates the DICOM standard");
+    named.fail(diagnostic("It is damaged or no DICOM file: its header violates the DICOM standard"));
   stream.clear();
   stream.seekg(*begin);
   const std::uint64_t most = kInflatedAlways + kInflatedPerByte * size;
   if (inflatedBytes(stream, most) > most)
-    named.fail(
-        phrase("its packed data are more than %1 MB unpacked, which no scan of its size is", most >> 20U));
+    named.fail(diagnostic("its packed data are more than %1 MB unpacked, which no scan of its size is",
+                          most >> 20U));
 }
 
 } // namespace viscera::medical_io

@@ -134,7 +134,7 @@ private:
     const OFCondition loaded =
         format_.loadFile(file_.file.c_str(), EXS_Unknown, EGL_noChange, kLongestLoaded, ERM_autoDetect);
     if (loaded.bad())
-      file_.fail(phrase("It is damaged or no DICOM file: %1", loaded.text()));
+      file_.fail(diagnostic("It is damaged or no DICOM file: %1", loaded.text()));
   }
 
   /// False for what is no slice of a scan.
@@ -189,15 +189,15 @@ private:
       std::error_code error;
       const std::uint64_t there = std::filesystem::file_size(file_.file, error);
       if (promised > std::max(kLeastLimit, saturatedProduct(there, kMostPerByte)))
-        file_.fail(phrase("its header is damaged: it promises %1 bytes of pixels in a file of %2 bytes",
-                          promised, there));
+        file_.fail(diagnostic("its header is damaged: it promises %1 bytes of pixels in a file of %2 bytes",
+                              promised, there));
       return;
     }
     DcmElement* pixels = nullptr;
     if (dataset.findAndGetElement(DCM_PixelData, pixels).bad() || pixels == nullptr ||
         pixels->getLengthField() < promised)
-      file_.fail(phrase("the file is cut off: its header promises %1 bytes of pixels, %2 are there", promised,
-                        pixels == nullptr ? 0 : pixels->getLengthField()));
+      file_.fail(diagnostic("the file is cut off: its header promises %1 bytes of pixels, %2 are there",
+                            promised, pixels == nullptr ? 0 : pixels->getLengthField()));
   }
 
   /// The values are stored as pixels are; some writers forget a sign.
@@ -220,13 +220,13 @@ private:
   void readFrames(DcmItem& dataset) {
     const int count = static_cast<int>(numberAt(dataset, DCM_NumberOfFrames).value_or(1));
     if (count < 1 || count > kMostFrames)
-      file_.fail(phrase("its header is damaged: it has %1 frames", count));
+      file_.fail(diagnostic("its header is damaged: it has %1 frames", count));
     DcmItem* shared = nullptr;
     dataset.findAndGetSequenceItem(DCM_SharedFunctionalGroupsSequence, shared, 0);
     DcmSequenceOfItems* groups = nullptr;
     dataset.findAndGetSequence(DCM_PerFrameFunctionalGroupsSequence, groups);
     if (groups != nullptr && groups->card() != static_cast<unsigned long>(count))
-      file_.fail(phrase("its header is damaged: it describes %1 of %2 frames", groups->card(), count));
+      file_.fail(diagnostic("its header is damaged: it describes %1 of %2 frames", groups->card(), count));
     const std::string uid = textAt(dataset, DCM_SOPInstanceUID);
     DcmObject* own = nullptr;
     for (int frame = 0; frame < count; ++frame) {
@@ -261,7 +261,7 @@ private:
     const Vec3 column(directions[3], directions[4], directions[5]);
     if (std::abs(row.norm() - 1) > kUnitLength || std::abs(column.norm() - 1) > kUnitLength ||
         std::abs(row.dot(column)) > kUnitLength)
-      file_.fail("its header is damaged: the directions of its rows and columns are not square");
+      file_.fail(diagnostic("its header is damaged: the directions of its rows and columns are not square"));
     frame.row = row.normalized();
     frame.column = column.normalized();
     frame.betweenRows = spacing[0];
@@ -271,7 +271,7 @@ private:
     frame.slope = items.number(DCM_PixelValueTransformationSequence, DCM_RescaleSlope).value_or(1);
     frame.intercept = items.number(DCM_PixelValueTransformationSequence, DCM_RescaleIntercept).value_or(0);
     if (frame.slope == 0)
-      file_.fail("its header is damaged: its rescale slope is 0");
+      file_.fail(diagnostic("its header is damaged: its rescale slope is 0"));
     if (!header_.window)
       readFrameWindow(items);
     readTimes(items, frame);

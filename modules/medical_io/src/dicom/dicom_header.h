@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "viscera/core/phrase.h"
 #include "viscera/medical_io/scan.h"
 
 class DcmItem;
@@ -53,7 +54,7 @@ struct DicomHeader {
   std::optional<ValueWindow> window;
   std::optional<double> temporalResolutionMs;
   std::vector<DicomFrame> frames; ///< `file` is not set.
-  std::string notAScan;           ///< Why it has no frames that could be slices: "is a colour image".
+  Text notAScan;                  ///< Why it has no frames that could be slices: "is a colour image".
 };
 
 /// Converts a text of a data set, which states its character set, to UTF-8; unknown letters become question

@@ -61,18 +61,19 @@ public:
       pixels_ = reinterpret_cast<const char*>(bytes);
       size_ = count;
     } else {
-      file_.fail("its pixels cannot be read");
+      file_.fail(diagnostic("its pixels cannot be read"));
     }
     if (header.format.allocated == 32 && dataset.getOriginalXfer() == EXS_BigEndianExplicit)
-      file_.fail("its pixels of 32 bits in big-endian order are not supported", "export it little-endian");
+      file_.fail(diagnostic("its pixels of 32 bits in big-endian order are not supported"),
+                 "export it little-endian");
   }
 
   DicomPixels read(int frame) override {
     const std::uint64_t each = bytesOf(header_);
     const std::uint64_t begin = saturatedProduct(each, static_cast<std::uint64_t>(frame));
     if (saturatedSum(begin, each) > size_)
-      file_.fail(phrase("the file is cut off: its header promises %1 bytes of pixels, %2 are there",
-                        each * header_.frames.size(), size_));
+      file_.fail(diagnostic("the file is cut off: its header promises %1 bytes of pixels, %2 are there",
+                            each * header_.frames.size(), size_));
     return {std::string(pixels_ + begin, each), header_.format};
   }
 
@@ -128,7 +129,7 @@ public:
     if (format_->getDataset()->findAndGetElement(DCM_PixelData, element).good())
       pixels_ = dynamic_cast<DcmPixelData*>(element);
     if (pixels_ == nullptr)
-      file_.fail("its pixels cannot be read");
+      file_.fail(diagnostic("its pixels cannot be read"));
   }
 
   DicomPixels read(int frame) override {
@@ -141,7 +142,7 @@ public:
         pixels_->getUncompressedFrame(format_->getDataset(), static_cast<Uint32>(frame), part, bytes.data(),
                                       static_cast<Uint32>(bytes.size()), colours);
     if (done.bad())
-      file_.fail(phrase("its pixels (%1) cannot be unpacked: %2", header_.transferSyntax, done.text()));
+      file_.fail(diagnostic("its pixels (%1) cannot be unpacked: %2", header_.transferSyntax, done.text()));
     nextFrame_ = frame + 1;
     nextPart_ = part;
     bytes.resize(each);
@@ -172,7 +173,7 @@ private:
     const int precision = jpegPrecision({reinterpret_cast<const char*>(stream), item->getLength()});
     // DCMTK 3.6.7 looks for that header, too, and stays for ever at a marker without a length (TEM, FF 01).
     if (precision == 0 && isJpeg(dataset.getOriginalXfer()))
-      file_.fail("its JPEG stream is damaged: it has no frame header");
+      file_.fail(diagnostic("its JPEG stream is damaged: it has no frame header"));
     return precision == 0 ? allocated : precision <= 8 ? 1 : 2;
   }
 
@@ -207,7 +208,7 @@ DicomPixelReader::DicomPixelReader(const DicomHeader& header) {
   const OFCondition loaded =
       format->loadFile(header.file.c_str(), EXS_Unknown, EGL_noChange, kLongestLoadedPixels, ERM_autoDetect);
   if (loaded.bad())
-    FileBytes{header.file, {}}.fail(phrase("It is damaged or no DICOM file: %1", loaded.text()));
+    FileBytes{header.file, {}}.fail(diagnostic("It is damaged or no DICOM file: %1", loaded.text()));
   source_ = sourceOf(header, format);
 }
 

@@ -32,8 +32,7 @@ struct Folder {
 
 /// Calls `job(i)` for every i on several threads; says how far it is, and stops when told to.
 template <class Job>
-void forAll(std::size_t count, Progress& progress, double from, double to, const std::string& step,
-            const Job& job) {
+void forAll(std::size_t count, Progress& progress, double from, double to, const Text& step, const Job& job) {
   std::atomic<std::size_t> done = 0;
   parallelRanges(static_cast<Eigen::Index>(count), 1, {}, [&](Eigen::Index begin, Eigen::Index end) {
     for (Eigen::Index i = begin; i < end; ++i) {
@@ -123,7 +122,7 @@ const SliceGroup& chosenGroup(const Folder& folder, const std::filesystem::path&
     std::string known;
     for (const SliceGroup& group : folder.groups)
       known += (known.empty() ? "" : ", ") + seriesId(folder, group);
-    throw UsageError(phrase("It has no series %1", series), place.string(), phrase("there are: %1", known));
+    throw UsageError(misuse("It has no series %1", series), place.string(), misuse("there are: %1", known));
   }
   std::error_code error;
   if (std::filesystem::is_directory(place, error))
@@ -132,7 +131,7 @@ const SliceGroup& chosenGroup(const Folder& folder, const std::filesystem::path&
     for (const std::size_t f : group.frames)
       if (folder.list.files[folder.list.frames[f].file].file.filename() == place.filename())
         return group;
-  std::string why = "It is not a slice of a scan";
+  Text why = "It is not a slice of a scan";
   for (const DicomHeader& header : folder.list.files)
     if (header.file.filename() == place.filename() && !header.notAScan.empty())
       why = phrase("It is not a slice of a scan: it %1", header.notAScan);
@@ -343,7 +342,7 @@ Scan readDicomScan(const std::filesystem::path& fileOrFolder, const ScanOptions&
   try {
     scan.samples = samplesOf(folder.list, stack, form, progress);
   } catch (const std::bad_alloc&) {
-    throw DataError("does not fit into memory", fileOrFolder.string(), "crop the scan to the organs");
+    throw DataError("it does not fit into memory", fileOrFolder.string(), "crop the image to the organs");
   }
   return scan;
 }

@@ -160,12 +160,12 @@ public:
     DcmDataset& dataset = *format_->getDataset();
     DcmElement* element = nullptr;
     if (dataset.findAndGetElement(DCM_PixelData, element).bad() || element == nullptr)
-      file_.fail("its pixels cannot be read");
+      file_.fail(diagnostic("its pixels cannot be read"));
     auto* pixels = dynamic_cast<DcmPixelData*>(element);
     if (pixels == nullptr ||
         pixels->getEncapsulatedRepresentation(dataset.getOriginalXfer(), nullptr, fragments_).bad() ||
         fragments_ == nullptr || fragments_->card() < 2)
-      file_.fail("its header is damaged: its packed pixels have no parts");
+      file_.fail(diagnostic("its header is damaged: its packed pixels have no parts"));
     assignFragments();
   }
 
@@ -188,8 +188,8 @@ private:
       addFirstParts(partOffsets());
     firstPart_.push_back(parts);
     if (firstPart_.size() != frames + 1)
-      file_.fail(phrase("its header is damaged: its packed pixels have %n {part|parts} for %2 frames", parts,
-                        frames));
+      file_.fail(diagnostic("its header is damaged: its packed pixels have %n {part|parts} for %2 frames",
+                            parts, frames));
   }
 
   /// Where each part begins, counted as the table counts: from the first part's own header on.
@@ -199,7 +199,7 @@ private:
     for (unsigned long part = 1; part < fragments_->card(); ++part) {
       DcmPixelItem* item = nullptr;
       if (fragments_->getItem(item, part).bad() || item == nullptr)
-        file_.fail("its packed pixels cannot be read");
+        file_.fail(diagnostic("its packed pixels cannot be read"));
       offsets.push_back(at);
       at += 8 + item->getLength();
     }
@@ -223,12 +223,12 @@ private:
     DcmPixelItem* item = nullptr;
     Uint8* bytes = nullptr;
     if (fragments_->getItem(item, static_cast<unsigned long>(number)).bad() || item == nullptr)
-      file_.fail("its packed pixels cannot be read");
+      file_.fail(diagnostic("its packed pixels cannot be read"));
     const std::size_t size = item->getLength();
     if (size == 0)
       return {};
     if (item->getUint8Array(bytes).bad() || bytes == nullptr)
-      file_.fail("its packed pixels cannot be read");
+      file_.fail(diagnostic("its packed pixels cannot be read"));
     return {reinterpret_cast<const char*>(bytes), size};
   }
 
@@ -237,14 +237,15 @@ private:
     for (std::size_t part = firstPart_[frame]; part < firstPart_[frame + 1]; ++part)
       packed += fragment(part + 1);
     if (packed.empty())
-      file_.fail(phrase("frame %1 has no pixels", frame + 1));
+      file_.fail(diagnostic("frame %1 has no pixels", frame + 1));
     return packed;
   }
 
   DicomPixels unpack(const std::string& packed) const {
     const Image image = unpacked(packed, header_);
     if (image == nullptr)
-      file_.fail(phrase("its pixels (%1) are damaged or packed in an unknown way", header_.transferSyntax));
+      file_.fail(
+          diagnostic("its pixels (%1) are damaged or packed in an unknown way", header_.transferSyntax));
     const opj_image_comp_t& found = image->comps[0];
     DicomPixels pixels{bytesOf(found, header_.format.allocated), header_.format};
     pixels.format.stored = static_cast<int>(found.prec);

@@ -52,12 +52,12 @@ public:
       : header_(header), file_{header.file, {}}, format_(std::move(format)) {
     DcmElement* element = nullptr;
     if (format_->getDataset()->findAndGetElement(DCM_PixelData, element).bad() || element == nullptr)
-      file_.fail("its pixels cannot be read");
+      file_.fail(diagnostic("its pixels cannot be read"));
     auto* pixels = dynamic_cast<DcmPixelData*>(element);
     if (pixels == nullptr ||
         pixels->getEncapsulatedRepresentation(EXS_RLELossless, nullptr, fragments_).bad() ||
         fragments_ == nullptr || fragments_->card() != header.frames.size() + 1)
-      file_.fail("its header is damaged: its packed pixels have not one part a frame");
+      file_.fail(diagnostic("its header is damaged: its packed pixels have not one part a frame"));
   }
 
   DicomPixels read(int frame) override {
@@ -66,7 +66,7 @@ public:
     // The item before the first is a table of where frames begin.
     if (fragments_->getItem(item, static_cast<unsigned long>(frame) + 1).bad() || item == nullptr ||
         item->getUint8Array(bytes).bad() || bytes == nullptr)
-      file_.fail("its packed pixels cannot be read");
+      file_.fail(diagnostic("its packed pixels cannot be read"));
     return {unpack({reinterpret_cast<const char*>(bytes), item->getLength()}, frame), header_.format};
   }
 
@@ -75,8 +75,8 @@ private:
     const auto pixels = static_cast<std::size_t>(header_.rows) * static_cast<std::size_t>(header_.columns);
     const auto depth = static_cast<std::size_t>(header_.format.allocated / 8);
     const auto damaged = [&] {
-      file_.fail(phrase("its pixels (%1) cannot be unpacked: frame %2 is damaged", header_.transferSyntax,
-                        frame + 1));
+      file_.fail(diagnostic("its pixels (%1) cannot be unpacked: frame %2 is damaged", header_.transferSyntax,
+                            frame + 1));
     };
     std::string bytes;
     if (packed.size() < kRleHeaderBytes || depth > kMostRleSegments ||

@@ -29,18 +29,15 @@ constexpr double kWholeNumber = 0.05;
 constexpr std::size_t kMostNamed = 3; ///< Gaps that are named one by one.
 constexpr double kMsPerSecond = 1000;
 
-std::string shortNumber(double value) {
-  std::ostringstream out;
-  out.precision(4);
-  out << value;
-  return out.str();
+Text shortNumber(double value) {
+  return inDigits(value, 4);
 }
 
 /// "z = -120 mm", along the axis of the patient that the slices are stacked on most.
-std::string placeOf(const DicomFrame& frame) {
+Text placeOf(const DicomFrame& frame) {
   Eigen::Index axis = 0;
   frame.normal().cwiseAbs().maxCoeff(&axis);
-  return std::string(1, "xyz"[axis]) + " = " + shortNumber(frame.position[axis]) + " mm";
+  return phrase("%1 = %2 mm", std::string(1, "xyz"[axis]), shortNumber(frame.position[axis]));
 }
 
 std::string sizeOf(const DicomHeader& file) {
@@ -223,7 +220,7 @@ EvenRun longestEvenRun(const FrameList& list, const std::vector<std::size_t>& sl
 
 ScanFinding describeGap(const DicomFrame& below, double gap, double usual, std::size_t number) {
   const double times = gap / usual;
-  const std::string here = placeOf(below), apart = shortNumber(gap), instead = shortNumber(usual);
+  const Text here = placeOf(below), apart = shortNumber(gap), instead = shortNumber(usual);
   const double missing = std::round(times) - 1;
   if (missing >= 1 && std::abs(times - std::round(times)) <= kWholeNumber)
     return {ScanFinding::Kind::missingSlice,
@@ -256,7 +253,7 @@ void reportGaps(const FrameList& list, const std::vector<std::size_t>& slices, c
   }
   const std::size_t more = found.size() > kMostNamed ? found.size() - kMostNamed : 0;
   found.resize(std::min(found.size(), kMostNamed));
-  std::string& last = found.back().sentence;
+  Text& last = found.back().sentence;
   if (more > 0)
     last = phrase("%1 and %2 more", last, more);
   last = phrase("%1; slices %2 to %3 of %4, which are even, were read", last, run.first + 1, run.last + 1,
@@ -268,7 +265,7 @@ void reportGaps(const FrameList& list, const std::vector<std::size_t>& slices, c
 std::vector<std::size_t> orderedSlices(const FrameList& list, const SlicePhase& phase,
                                        std::vector<ScanFinding>& findings) {
   std::vector<std::size_t> slices;
-  std::vector<std::string> doubled;
+  std::vector<Text> doubled;
   for (const auto& place : byPlace(list, phase.frames)) {
     slices.push_back(*std::min_element(place.begin(), place.end(), [&](std::size_t a, std::size_t b) {
       return list.frames[a].instance < list.frames[b].instance;
@@ -281,7 +278,7 @@ std::vector<std::size_t> orderedSlices(const FrameList& list, const SlicePhase& 
         {ScanFinding::Kind::doubledSlice,
          phrase(
              "%n {place has|places have} more than one slice (%2); the one with the lowest number was read",
-             doubled.size(), doubled.front() + (doubled.size() > 1 ? ", ..." : ""))});
+             doubled.size(), doubled.size() > 1 ? phrase("%1, ...", doubled.front()) : doubled.front())});
   return slices;
 }
 

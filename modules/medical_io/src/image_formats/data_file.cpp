@@ -59,7 +59,7 @@ void skipLines(Source& source, std::uint64_t lines) {
   for (; lines > 0; --lines) {
     const std::size_t end = source.file.view().find('\n', source.begin);
     if (end == std::string_view::npos)
-      source.file.fail("the file is cut off: it has fewer lines than its header says");
+      source.file.fail(diagnostic("the file is cut off: it has fewer lines than its header says"));
     source.begin = end + 1;
   }
 }
@@ -71,8 +71,8 @@ void takeText(const Source& source, RawImage& raw) {
   const std::uint64_t count = raw.valueCount();
   if (count > scanner.remaining())
     source.file.fail(
-        phrase("the file is cut off: %2 values are promised, there {is|are} only %n {byte|bytes}",
-               scanner.remaining(), count));
+        diagnostic("the file is cut off: %2 values are promised, there {is|are} only %n {byte|bytes}",
+                   scanner.remaining(), count));
   for (std::uint64_t i = 0; i < count; ++i)
     appendValue(raw.storage, scanner.number("a voxel"));
   raw.scalar = Scalar::float64;
@@ -119,7 +119,7 @@ public:
       progress_.throwIfCancelled();
       const auto values = static_cast<std::size_t>(std::min<std::uint64_t>(kBlockValues, count_ - done));
       if (fill(bytes, values * width_) < values * width_)
-        file.fail("the file is cut off: its header promises more voxels than there are");
+        file.fail(diagnostic("the file is cut off: its header promises more voxels than there are"));
       visit_(bytes, values);
       done += values;
     }
@@ -154,8 +154,8 @@ void visitPlain(const FileBytes& file, const PlainVoxels& voxels, std::uint64_t 
   const std::uint64_t begin =
       voxels.atEnd && length >= voxels.whole ? length - voxels.whole : std::min(voxels.begin, length);
   if (length - begin < voxels.whole)
-    file.fail(phrase("the file is cut off: its header promises %1 bytes of voxels, %2 are there",
-                     voxels.whole, length - begin));
+    file.fail(diagnostic("the file is cut off: its header promises %1 bytes of voxels, %2 are there",
+                         voxels.whole, length - begin));
   prepare(count);
   const auto held = static_cast<std::uint64_t>(file.bytes.size());
   std::uint64_t at = begin + skipped;
@@ -184,7 +184,7 @@ void visitPacked(const FileBytes& source, std::size_t begin, const StoredValues&
   while (left > 0) {
     const auto wanted = static_cast<std::size_t>(std::min<std::uint64_t>(left, aside.size()));
     if (unpacker.read(aside.data(), wanted) < wanted)
-      source.fail("the file is cut off: its header promises more voxels than there are");
+      source.fail(diagnostic("the file is cut off: its header promises more voxels than there are"));
     left -= wanted;
   }
   if (stored.packing == Packing::zlib && bytes / kMostOfZlib <= packed.size())

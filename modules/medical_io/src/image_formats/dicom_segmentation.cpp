@@ -82,15 +82,15 @@ public:
   }
 
 private:
-  void require(const OFCondition& condition, const std::string& what) const {
+  void require(const OFCondition& condition, const Text& what) const {
     if (condition.bad())
-      file_.fail(phrase("%1: %2", what, condition.text()));
+      file_.fail(diagnostic("%1: %2", what, condition.text()));
   }
 
   void load() {
     silenceDcmtk();
     requireBoundedInflation(file_.name());
-    require(format_.loadFile(file_.name().c_str()), "It is damaged or no DICOM file");
+    require(format_.loadFile(file_.name().c_str()), diagnostic("It is damaged or no DICOM file"));
     DcmDataset& dataset = *format_.getDataset();
     OFString uid;
     dataset.findAndGetOFString(DCM_SOPClassUID, uid);
@@ -99,8 +99,8 @@ private:
       file_.fail(phrase("It is a DICOM file, but no segmentation (%1)", kind),
                  "open the segmentation that was made from it");
     }
-    require(dataset.findAndGetUint16(DCM_Rows, rows_), "It has no number of rows");
-    require(dataset.findAndGetUint16(DCM_Columns, columns_), "It has no number of columns");
+    require(dataset.findAndGetUint16(DCM_Rows, rows_), diagnostic("It has no number of rows"));
+    require(dataset.findAndGetUint16(DCM_Columns, columns_), diagnostic("It has no number of columns"));
     Uint16 largest = 0;
     if (dataset.findAndGetUint16(DCM_MaximumFractionalValue, largest).good() && largest > 0)
       threshold_ = (largest + 1) / 2;
@@ -108,7 +108,7 @@ private:
     DcmSegmentation* loaded = nullptr;
     const OFCondition condition = DcmSegmentation::loadDataset(dataset, loaded);
     segmentation_.reset(loaded);
-    require(condition, "its segmentation cannot be read");
+    require(condition, diagnostic("its segmentation cannot be read"));
     binary_ = segmentation_->getSegmentationType() == DcmSegTypes::ST_BINARY;
   }
 
@@ -118,7 +118,8 @@ private:
     if (dataset.findAndGetUint8Array(DCM_PixelData, pixels_, &pixelBytes_).bad() || pixels_ == nullptr) {
       const Uint16* words = nullptr;
       unsigned long count = 0;
-      require(dataset.findAndGetUint16Array(DCM_PixelData, words, &count), "It has no uncompressed pixels");
+      require(dataset.findAndGetUint16Array(DCM_PixelData, words, &count),
+              diagnostic("It has no uncompressed pixels"));
       pixels_ = reinterpret_cast<const Uint8*>(words);
       pixelBytes_ = pixels_ == nullptr ? 0 : count * sizeof(Uint16);
     }
@@ -128,20 +129,19 @@ private:
     raw_.size = {axisSize(file_, columns_, "i"), axisSize(file_, rows_, "j"), 1};
     frames_ = segmentation_->getNumberOfFrames();
     if (frames_ == 0)
-      file_.fail("It has no frames", "check that the segmentation was saved");
+      file_.fail(diagnostic("It has no frames"), "check that the segmentation was saved");
     const std::uint64_t pixels = saturatedProduct(frames_, std::uint64_t{rows_} * columns_);
     if (pixels / (binary_ ? 8 : 1) + (binary_ && pixels % 8 != 0 ? 1 : 0) > pixelBytes_)
-      file_.fail(phrase("the file is cut off: its %n {frame has|frames have} too few pixels", frames_));
+      file_.fail(diagnostic("the file is cut off: its %n {frame has|frames have} too few pixels", frames_));
   }
 
-  /// A functional group of a frame, its own or the one that all frames share. `missing` is a pattern that has
-  /// the frame's number as its part.
+  /// A functional group of a frame, its own or the one that all frames share.
   template <typename Group>
-  Group& group(std::size_t frame, DcmFGTypes::E_FGType type, std::string_view missing) {
+  Group& group(std::size_t frame, DcmFGTypes::E_FGType type, std::string_view what) {
     auto* found =
         dynamic_cast<Group*>(segmentation_->getFunctionalGroups().get(static_cast<Uint32>(frame), type));
     if (found == nullptr)
-      file_.fail(phrase(missing, frame + 1));
+      file_.fail(diagnostic("frame %1 has no %2", frame + 1, what));
     return *found;
   }
 
@@ -149,13 +149,12 @@ private:
     for (std::size_t frame = 0; frame < frames_; ++frame) {
       Slice slice{.frame = frame};
       Uint16 segment = 0;
-      auto& reference = group<FGSegmentation>(frame, DcmFGTypes::EFG_SEGMENTATION, "frame %1 has no segment");
-      require(reference.getReferencedSegmentNumber(segment), "a frame has no segment");
+      auto& reference = group<FGSegmentation>(frame, DcmFGTypes::EFG_SEGMENTATION, "segment");
+      require(reference.getReferencedSegmentNumber(segment), diagnostic("a frame has no %1", "segment"));
       slice.segment = segment;
-      auto& place =
-          group<FGPlanePosPatient>(frame, DcmFGTypes::EFG_PLANEPOSPATIENT, "frame %1 has no position");
+      auto& place = group<FGPlanePosPatient>(frame, DcmFGTypes::EFG_PLANEPOSPATIENT, "position");
       Vec3& p = slice.position;
-      require(place.getImagePositionPatient(p[0], p[1], p[2]), "a frame has no position");
+      require(place.getImagePositionPatient(p[0], p[1], p[2]), diagnostic("a frame has no %1", "position"));
       readPlane(frame);
       slices_.push_back(slice);
     }
@@ -164,14 +163,14 @@ private:
   /// Directions and spacing, which have to be the same for all frames.
   void readPlane(std::size_t frame) {
     Vec3 row, column;
-    auto& orientation = group<FGPlaneOrientationPatient>(frame, DcmFGTypes::EFG_PLANEORIENTPATIENT,
-                                                         "frame %1 has no orientation");
+    auto& orientation =
+        group<FGPlaneOrientationPatient>(frame, DcmFGTypes::EFG_PLANEORIENTPATIENT, "orientation");
     require(orientation.getImageOrientationPatient(row[0], row[1], row[2], column[0], column[1], column[2]),
-            "a frame has no orientation");
-    auto& measures = group<FGPixelMeasures>(frame, DcmFGTypes::EFG_PIXELMEASURES, "frame %1 has no spacing");
+            diagnostic("a frame has no %1", "orientation"));
+    auto& measures = group<FGPixelMeasures>(frame, DcmFGTypes::EFG_PIXELMEASURES, "spacing");
     Float64 betweenRows = 0, betweenColumns = 0;
-    require(measures.getPixelSpacing(betweenRows, 0), "a frame has no spacing");
-    require(measures.getPixelSpacing(betweenColumns, 1), "a frame has no spacing");
+    require(measures.getPixelSpacing(betweenRows, 0), diagnostic("a frame has no %1", "spacing"));
+    require(measures.getPixelSpacing(betweenColumns, 1), diagnostic("a frame has no %1", "spacing"));
     Float64 thickness = 0, betweenSlices = 0;
     measures.getSliceThickness(thickness);
     measures.getSpacingBetweenSlices(betweenSlices);
@@ -196,14 +195,14 @@ private:
       heights.push_back(heightOf(slice));
     if (!normal_.allFinite() ||
         !std::all_of(heights.begin(), heights.end(), [](double h) { return std::isfinite(h); }))
-      file_.fail("the positions of its frames are not finite");
+      file_.fail(diagnostic("the positions of its frames are not finite"));
     lowest_ = *std::min_element(heights.begin(), heights.end());
     std::sort(heights.begin(), heights.end());
     spacing_ = spacingOf(heights);
     const double count = std::round((heights.back() - lowest_) / spacing_) + 1;
     if (!(count * columns_ * rows_ <= kMostVoxelsPerByte * static_cast<double>(file_.bytes.size())))
-      file_.fail(
-          phrase("its frames are too far from each other: %1 mm", std::to_string(heights.back() - lowest_)));
+      file_.fail(diagnostic("its frames are too far from each other: %1 mm",
+                            std::to_string(heights.back() - lowest_)));
     raw_.size[2] = axisSize(file_, static_cast<std::int64_t>(count), "k");
     setSliceDirection();
   }
@@ -219,7 +218,7 @@ private:
     const bool stated = statedSpacing_ > 0 && (smallest == 0 || statedSpacing_ < smallest);
     const double spacing = stated ? statedSpacing_ : smallest > 0 ? smallest : thickness;
     if (!(spacing > 0) || !std::isfinite(spacing))
-      file_.fail("It does not say how far its slices are from each other");
+      file_.fail(diagnostic("It does not say how far its slices are from each other"));
     return spacing;
   }
 
@@ -284,7 +283,7 @@ private:
     StatedSegment statement{number, layer, {}, {}};
     DcmSegment* segment = number > 0 ? segmentation_->getSegment(static_cast<std::size_t>(number)) : nullptr;
     if (segment == nullptr)
-      file_.fail(phrase("its frames belong to a segment %1, which it does not have", number));
+      file_.fail(diagnostic("its frames belong to a segment %1, which it does not have", number));
     OFString label;
     if (segment->getSegmentLabel(label).good())
       statement.name = readable(*format_.getDataset(), label.c_str());

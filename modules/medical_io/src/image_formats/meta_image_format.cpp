@@ -37,7 +37,7 @@ private:
       if (trimmed(line).empty())
         continue;
       if (equals == line.npos)
-        scanner.fail(phrase("this is not a line of a MetaImage header: %1", inQuotes(line)));
+        scanner.fail(diagnostic("this is not a line of a MetaImage header: %1", inQuotes(line)));
       const std::string key(trimmed(line.substr(0, equals)));
       values_[key] = trimmed(line.substr(equals + 1));
       if (key == "ElementDataFile") {
@@ -45,7 +45,7 @@ private:
         return;
       }
     }
-    file_.fail("the file is cut off: its header has no ElementDataFile");
+    file_.fail(diagnostic("the file is cut off: its header has no ElementDataFile"));
   }
 
   /// Of the first of the keys that the header has; they are old and new names of one thing.
@@ -71,11 +71,12 @@ private:
          word = takeWord(*text)) {
       const auto number = parseNumber(word);
       if (!number)
-        file_.fail(phrase("its header is damaged: %1 is not a number of %2", inQuotes(word), *keys.begin()));
+        file_.fail(
+            diagnostic("its header is damaged: %1 is not a number of %2", inQuotes(word), *keys.begin()));
       list.push_back(*number);
     }
     if (list.size() != count)
-      file_.fail(phrase("its header is damaged: %1 has not %2 numbers", *keys.begin(), count));
+      file_.fail(diagnostic("its header is damaged: %1 has not %2 numbers", *keys.begin(), count));
     return list;
   }
 
@@ -86,7 +87,7 @@ private:
     for (std::size_t i = 0; i < 3; ++i) {
       const auto size = parseInteger(takeWord(text));
       if (!size)
-        file_.fail("its header is damaged: DimSize has not three numbers");
+        file_.fail(diagnostic("its header is damaged: DimSize has not three numbers"));
       raw_.size[i] = axisSize(file_, *size, std::string_view("ijk").substr(i, 1));
     }
   }
@@ -106,8 +107,8 @@ private:
     const std::string_view type = value({"ElementType"}).value_or("");
     if (const auto found = lookUp(kTypes, type))
       return *found;
-    file_.fail(phrase("its voxels are no plain numbers (ElementType %1)", inQuotes(type)),
-               "save it with one number a voxel");
+    file_.fail(phrase("its voxels are no plain numbers (%1)", inQuotes(type)),
+               "save it with one value per voxel");
   }
 
   /// The first three numbers of the matrix are the direction of i.
@@ -141,7 +142,7 @@ private:
                                                                                 : std::endian::little;
     const auto headerSize = parseInteger(value({"HeaderSize"}).value_or("0"));
     if (!headerSize || *headerSize < -1)
-      file_.fail("its header is damaged: HeaderSize is not a number of bytes");
+      file_.fail(diagnostic("its header is damaged: HeaderSize is not a number of bytes"));
     stored.atEnd = *headerSize == -1;
     stored.skippedBytes = static_cast<std::uint64_t>(std::max<std::int64_t>(*headerSize, 0));
     return stored;

@@ -101,19 +101,19 @@ Header headerOf(const FileBytes& file, std::string_view bytes) {
   if (const auto header = headerIn(bytes))
     return *header;
   if (bytes.size() < kNifti1.bytes)
-    file.fail(
-        phrase("the file is cut off: it has %n {byte|bytes}, a NIfTI header alone has 348", bytes.size()));
-  file.fail("It is not a NIfTI image: it has no NIfTI header",
+    file.fail(diagnostic("the file is cut off: it has %n {byte|bytes}, a NIfTI header alone has 348",
+                         bytes.size()));
+  file.fail(diagnostic("It is not a NIfTI image: it has no NIfTI header"),
             "check what the file is and where it came from");
 }
 
 /// `axes` of the grid: three, or four where volumes are phases.
 std::array<int, 3> gridOf(const FileBytes& file, const Header& h, std::size_t axes) {
   if (h.dim[0] < 2 || h.dim[0] > kMostNiftiDimensions)
-    file.fail(phrase("its header is damaged: an image has 2 to 7 dimensions, not %1", h.dim[0]));
+    file.fail(diagnostic("its header is damaged: an image has 2 to 7 dimensions, not %1", h.dim[0]));
   for (std::size_t d = axes + 1; d <= static_cast<std::size_t>(h.dim[0]); ++d)
     if (h.dim[d] > 1)
-      file.fail(phrase("It has %1 volumes; a label map has one", h.dim[d]),
+      file.fail(diagnostic("It has %1 volumes; a label map has one", h.dim[d]),
                 "save one of them, or follow the motion over all of them with viscera track");
   return {axisSize(file, h.dim[1], "i"), axisSize(file, h.dim[2], "j"),
           h.dim[0] < 3 ? 1 : axisSize(file, h.dim[3], "k")};
@@ -132,8 +132,8 @@ Scalar scalarOf(const FileBytes& file, int datatype) {
                                                                      {1280, Scalar::uint64}}};
   if (const auto scalar = lookUp(kTypes, datatype))
     return *scalar;
-  file.fail(phrase("its voxels are no plain numbers (NIfTI data type %1)", datatype),
-            "save it with one number a voxel");
+  file.fail(phrase("its voxels are no plain numbers (%1)", "NIfTI data type " + std::to_string(datatype)),
+            "save it with one value per voxel");
 }
 
 bool usable(const Eigen::Affine3d& grid) {
@@ -190,11 +190,11 @@ Eigen::Affine3d gridInRas(const FileBytes& file, const Header& h, RawImage& raw)
   for (int d = 0; d < 3; ++d)
     grid.linear()(d, d) = h.pixdim[static_cast<std::size_t>(d) + 1];
   if (!usable(grid))
-    file.fail("the sizes of its voxels are missing, zero or not finite");
+    file.fail(diagnostic("the sizes of its voxels are missing, zero or not finite"));
   return grid;
 }
 
-double unitInMm(int units, std::vector<std::string>& warnings) {
+double unitInMm(int units, std::vector<Text>& warnings) {
   switch (units & 7) {
   case 1:
     warnings.push_back("its unit is the metre; converted to mm");
@@ -255,8 +255,8 @@ std::uint64_t dataOffset(const FileBytes& file, const Header& h) {
   if (h.dataOffset == 0)
     return h.twoFiles ? 0 : h.bytes + 4;
   if (!(h.dataOffset >= (h.twoFiles ? 0.0 : static_cast<double>(h.bytes))) || h.dataOffset > 1e15)
-    file.fail(
-        phrase("its header is damaged: the voxels cannot begin at byte %1", std::to_string(h.dataOffset)));
+    file.fail(diagnostic("its header is damaged: the voxels cannot begin at byte %1",
+                         std::to_string(h.dataOffset)));
   return static_cast<std::uint64_t>(h.dataOffset);
 }
 

@@ -59,7 +59,7 @@ Fields fieldsOf(const FileBytes& file) {
     else if (const std::size_t colon = line.find(':'); colon != line.npos)
       result.fields[lowered(trimmed(line.substr(0, colon)))] = trimmed(line.substr(colon + 1));
     else
-      scanner.fail(phrase("this is not a line of an NRRD header: %1", inQuotes(line)));
+      scanner.fail(diagnostic("this is not a line of an NRRD header: %1", inQuotes(line)));
   }
   result.headerEnd = scanner.position();
   return result;
@@ -86,8 +86,8 @@ Scalar scalarOf(const FileBytes& file, std::string_view type) {
   for (const TypeNames& known : kTypes)
     if (!type.empty() && std::find(known.names.begin(), known.names.end(), type) != known.names.end())
       return known.scalar;
-  file.fail(phrase("its voxels are no plain numbers (type %1)", inQuotes(type)),
-            "save it with one number a voxel");
+  file.fail(phrase("its voxels are no plain numbers (%1)", inQuotes(type)),
+            "save it with one value per voxel");
 }
 
 /// The vectors "(1,0,0) none (0,1,0)"; nothing for an axis that is not of space.
@@ -101,7 +101,7 @@ std::vector<std::optional<Vec3>> vectorsOf(const FileBytes& file, std::string_vi
     }
     const std::size_t end = text.find(')');
     if (text.front() != '(' || end == text.npos)
-      file.fail(phrase("its header is damaged: %1 is not a vector", inQuotes(text)));
+      file.fail(diagnostic("its header is damaged: %1 is not a vector", inQuotes(text)));
     std::string_view numbers = text.substr(1, end - 1);
     text.remove_prefix(end + 1);
     Vec3 vector;
@@ -109,7 +109,7 @@ std::vector<std::optional<Vec3>> vectorsOf(const FileBytes& file, std::string_vi
       const std::size_t comma = std::min(numbers.find(','), numbers.size());
       const auto number = parseNumber(trimmed(numbers.substr(0, comma)));
       if (!number || (i < 2) != (comma < numbers.size()))
-        file.fail("its header is damaged: a vector in it has not three numbers");
+        file.fail(diagnostic("its header is damaged: a vector in it has not three numbers"));
       vector[i] = *number;
       numbers.remove_prefix(std::min(comma + 1, numbers.size()));
     }
@@ -173,7 +173,7 @@ private:
   std::string_view need(const std::string& name) const {
     const auto value = header_.field(name);
     if (!value)
-      file_.fail(phrase("its header is cut off or damaged: it has no %1", inQuotes(name)));
+      file_.fail(diagnostic("its header is cut off or damaged: it has no %1", inQuotes(name)));
     return *value;
   }
 
@@ -184,12 +184,12 @@ private:
     for (std::string_view word = takeWord(text); !word.empty(); word = takeWord(text)) {
       const auto size = parseInteger(word);
       if (!size || *size < 1 || sizes.size() == kMostNrrdDimensions)
-        file_.fail(phrase("its header is damaged: %1 is not a size of an axis", inQuotes(word)));
+        file_.fail(diagnostic("its header is damaged: %1 is not a size of an axis", inQuotes(word)));
       sizes.push_back(*size);
     }
     if (!dimension || static_cast<std::size_t>(*dimension) != sizes.size())
-      file_.fail(phrase("its header is damaged: it has %n {size|sizes} for %2 dimensions", sizes.size(),
-                        need("dimension")));
+      file_.fail(diagnostic("its header is damaged: it has %n {size|sizes} for %2 dimensions", sizes.size(),
+                            need("dimension")));
     return sizes;
   }
 
@@ -207,17 +207,18 @@ private:
       if (isSpace)
         ofSpace.push_back(d);
       else if (axes.list && sizes_[d] > 1)
-        file_.fail("It has several axes that are not of space", "save it as one volume");
+        file_.fail("It has several axes that are not of space", "save it as a 3D image");
       else {
         axes.list = d;
         axes.listKind = kind;
       }
     }
     if (ofSpace.size() != 3)
-      file_.fail(phrase("It has %n {axis|axes} in space; an image of an organ has three", ofSpace.size()));
+      file_.fail(
+          diagnostic("It has %n {axis|axes} in space; an image of an organ has three", ofSpace.size()));
     std::copy(ofSpace.begin(), ofSpace.end(), axes.ofSpace.begin());
     if (axes.list && *axes.list != 0 && *axes.list != 3)
-      file_.fail("its layers lie between the axes of space", "save it as a segmentation");
+      file_.fail(diagnostic("its layers lie between the axes of space"), "save it as a segmentation");
     return axes;
   }
 
@@ -253,8 +254,8 @@ private:
     if (const auto text = header_.field("space directions"))
       directions = vectorsOf(file_, *text);
     if (!directions.empty() && directions.size() != sizes_.size())
-      file_.fail(phrase("its header is damaged: it has %n {direction|directions} for %2 axes",
-                        directions.size(), sizes_.size()));
+      file_.fail(diagnostic("its header is damaged: it has %n {direction|directions} for %2 axes",
+                            directions.size(), sizes_.size()));
     const Axes axes = axesOf(directions);
     for (std::size_t i = 0; i < 3; ++i)
       raw_.size[i] = axisSize(file_, sizes_[axes.ofSpace[i]], std::string_view("ijk").substr(i, 1));
@@ -271,7 +272,7 @@ private:
     if (const auto origin = header_.field("space origin")) {
       const auto vectors = vectorsOf(file_, *origin);
       if (vectors.size() != 1 || !vectors[0])
-        file_.fail(phrase("its header is damaged: %1 is not an origin", inQuotes(*origin)));
+        file_.fail(diagnostic("its header is damaged: %1 is not an origin", inQuotes(*origin)));
       raw_.indexToLps.translation() = *vectors[0];
     }
     const Vec3 turn = turnToLps(header_.field("space").value_or(""), raw_);
@@ -335,7 +336,7 @@ private:
                  "save it with gzip or raw encoding");
     const std::string endian = lowered(header_.field("endian").value_or(""));
     if (endian.empty() && !stored.text && sizeOf(raw_.scalar) > 1)
-      file_.fail(phrase("its header is cut off or damaged: it has no %1", inQuotes("endian")));
+      file_.fail(diagnostic("its header is cut off or damaged: it has no %1", inQuotes("endian")));
     raw_.order = endian == "big" ? std::endian::big : std::endian::little;
     const auto beside =
         header_.field("data file").has_value() ? header_.field("data file") : header_.field("datafile");
@@ -354,7 +355,7 @@ private:
       const auto number = parseInteger(text.value_or("0"));
       if (!number || *number < -1)
         file_.fail(
-            phrase("its header is damaged: %1 is not a number for %2", inQuotes(*text), inQuotes(name)));
+            diagnostic("its header is damaged: %1 is not a number for %2", inQuotes(*text), inQuotes(name)));
       return *number;
     };
     const std::int64_t bytes = skip("byte skip", "byteskip"), lines = skip("line skip", "lineskip");

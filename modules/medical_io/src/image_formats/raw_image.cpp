@@ -27,27 +27,27 @@ std::uint64_t RawImage::byteCount() const {
 
 int axisSize(const FileBytes& file, std::int64_t size, std::string_view axis) {
   if (size < 1 || size > kLongestAxis)
-    file.fail(phrase("its header is damaged: its size along %1 is %2", axis, size));
+    file.fail(diagnostic("its header is damaged: its size along %1 is %2", axis, size));
   return static_cast<int>(size);
 }
 
 void requireAllValues(const RawImage& raw, const FileBytes& file) {
   const std::uint64_t there = raw.storage.size() - raw.offset;
   if (there < raw.byteCount())
-    file.fail(phrase("the file is cut off: its header promises %1 bytes of voxels, %2 are there",
-                     raw.byteCount(), there));
+    file.fail(diagnostic("the file is cut off: its header promises %1 bytes of voxels, %2 are there",
+                         raw.byteCount(), there));
 }
 
 void requireUsableGrid(const RawImage& raw, const FileBytes& file) {
   const Eigen::Affine3d& grid = raw.indexToLps;
   if (!grid.matrix().allFinite())
-    file.fail("the directions, spacing or origin of its voxels are not finite");
+    file.fail(diagnostic("the directions, spacing or origin of its voxels are not finite"));
   const double edges = grid.linear().colwise().norm().prod();
   if (!(std::abs(grid.linear().determinant()) > kFlattest * edges))
-    file.fail("the directions and spacing of its voxels enclose no volume");
+    file.fail(diagnostic("the directions and spacing of its voxels enclose no volume"));
   const Vec3 last = grid * Vec3(raw.size[0], raw.size[1], raw.size[2]);
   if (last.norm() > kFarthestVoxelMm || grid.translation().norm() > kFarthestVoxelMm)
-    file.fail("its voxels are more than 1000 km away");
+    file.fail(diagnostic("its voxels are more than 1000 km away"));
 }
 
 Bounds boundsOfVoxels(const std::array<int, 3>& size, const Eigen::Affine3d& indexToLps) {

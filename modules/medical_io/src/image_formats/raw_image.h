@@ -10,6 +10,7 @@
 
 #include "file_bytes.h"
 #include "scalar.h"
+#include "viscera/core/phrase.h"
 #include "viscera/medical_io/label_map.h"
 
 namespace viscera::medical_io {
@@ -45,7 +46,7 @@ struct RawImage {
   std::vector<StatedSegment> stated;
   std::optional<RawTimes> times; ///< Of volumes that are phases, which stand in for layers.
   std::string space;
-  std::vector<std::string> warnings;
+  std::vector<Text> warnings;
 
   std::uint64_t valueCount() const; ///< Of all layers; saturated.
   std::uint64_t byteCount() const;  ///< That the values should have; saturated.

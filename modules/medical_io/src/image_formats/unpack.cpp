@@ -23,7 +23,7 @@ public:
 
   explicit Zlib(const FileBytes& file) : file_(file) {
     if (inflateInit2(&stream, kAnyHeader) != Z_OK)
-      file.fail("It cannot be unpacked: zlib does not start");
+      file.fail(diagnostic("It cannot be unpacked: zlib does not start"));
   }
   ~Zlib() { inflateEnd(&stream); }
   Zlib(const Zlib&) = delete;
@@ -33,8 +33,9 @@ public:
   bool unpack() {
     const int result = inflate(&stream, Z_NO_FLUSH);
     if (result != Z_OK && result != Z_BUF_ERROR && result != Z_STREAM_END)
-      file_.fail(stream.msg != nullptr ? phrase("the packed data are damaged (%1)", stream.msg)
-                                       : "the packed data are damaged");
+      file_.fail(stream.msg != nullptr
+                     ? diagnostic("the packed data are damaged (%1)", std::string(stream.msg))
+                     : diagnostic("the packed data are damaged"));
     return result == Z_STREAM_END;
   }
 
@@ -50,7 +51,7 @@ public:
 
   explicit Bzip2(const FileBytes& file) : file_(file) {
     if (BZ2_bzDecompressInit(&stream, 0, 0) != BZ_OK)
-      file.fail("It cannot be unpacked: bzip2 does not start");
+      file.fail(diagnostic("It cannot be unpacked: bzip2 does not start"));
   }
   ~Bzip2() { BZ2_bzDecompressEnd(&stream); }
   Bzip2(const Bzip2&) = delete;
@@ -59,7 +60,7 @@ public:
   bool unpack() {
     const int result = BZ2_bzDecompress(&stream);
     if (result != BZ_OK && result != BZ_STREAM_END)
-      file_.fail(phrase("the packed data are damaged (bzip2 error %1)", result));
+      file_.fail(diagnostic("the packed data are damaged (bzip2 error %1)", result));
     return result == BZ_STREAM_END;
   }
 
@@ -103,7 +104,7 @@ public:
       if (ended)
         startNext();
       else if (packed_.empty() && stream.avail_out > 0)
-        file_.fail("the file is cut off: its packed data end too early");
+        file_.fail(diagnostic("the file is cut off: its packed data end too early"));
     }
     return written;
   }

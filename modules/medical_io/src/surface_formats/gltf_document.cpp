@@ -74,12 +74,12 @@ void GltfDocument::parseGlb() {
   const std::uint64_t length = cursor.take<std::uint32_t>("the header");
   if (length > file_.bytes.size())
     file_.fail(
-        phrase("the file is cut off: it should have %1 bytes, but has %2", length, file_.bytes.size()));
+        diagnostic("the file is cut off: it should have %1 bytes, but has %2", length, file_.bytes.size()));
   if (length < file_.bytes.size())
     warnings_.push_back(phrase("%n {byte|bytes} after the end ignored", file_.bytes.size() - length));
   const auto jsonLength = cursor.take<std::uint32_t>("the first chunk's header");
   if (cursor.take<std::uint32_t>("the first chunk's header") != kJsonChunk)
-    file_.fail("its first chunk is not JSON: the file is damaged");
+    file_.fail(diagnostic("its first chunk is not JSON: the file is damaged"));
   parseJson(cursor.takeBytes(jsonLength, "the JSON chunk"));
   while (cursor.remaining() >= 8 && !hasBinary_) {
     const auto chunkLength = cursor.take<std::uint32_t>("a chunk's header");
@@ -95,13 +95,13 @@ void GltfDocument::parseGlb() {
 void GltfDocument::parseJson(std::string_view text) {
   json_ = viscera::parseJson<Json>(text, file_.name(), kUsualAdvice);
   if (!json_.is_object())
-    file_.fail("its JSON is not an object: it is not a glTF file");
+    file_.fail(diagnostic("its JSON is not an object: it is not a glTF file"));
 }
 
 void GltfDocument::requireUnderstood() const {
   const auto asset = json_.find("asset");
   if (asset == json_.end() || !asset->is_object())
-    file_.fail("its JSON has no \"asset\": it is not a glTF file");
+    file_.fail(diagnostic("its JSON has no \"asset\": it is not a glTF file"));
   if (!textIn(*asset, "version").starts_with("2."))
     file_.fail(phrase("It is glTF version %1, but only 2 can be read", inQuotes(textIn(*asset, "version"))),
                "export it as glTF 2.0");
@@ -127,20 +127,20 @@ void GltfDocument::loadBuffers() {
   for (std::size_t i = 0; i < list->size(); ++i) {
     const Json& buffer = (*list)[i];
     if (!buffer.is_object())
-      fail(phrase("buffer %1 is not a JSON object", i));
+      fail(diagnostic("buffer %1 is not a JSON object", i));
     const std::string uri = textIn(buffer, "uri");
     if (uri.empty() && i == 0 && hasBinary_) {
       buffers_.push_back(binary_);
     } else if (uri.empty()) {
-      fail(phrase("buffer %1 has no data", i));
+      fail(diagnostic("buffer %1 has no data", i));
     } else {
       loaded_.push_back(loadUri(uri));
       buffers_.push_back(loaded_.back());
     }
     const std::uint64_t length = whole(buffer, "byteLength");
     if (length > buffers_.back().size())
-      fail(phrase("the file is cut off: buffer %1 should have %2 bytes, but has %3", i, length,
-                  buffers_.back().size()));
+      fail(diagnostic("the file is cut off: buffer %1 should have %2 bytes, but has %3", i, length,
+                      buffers_.back().size()));
   }
 }
 
@@ -150,7 +150,7 @@ std::string GltfDocument::loadUri(const std::string& uri) const {
     const std::optional<std::string> bytes =
         comma == uri.npos ? std::nullopt : decodeBase64(std::string_view(uri).substr(comma + 8));
     if (!bytes)
-      fail("a buffer within the file is not valid base64");
+      fail(diagnostic("a buffer within the file is not valid base64"));
     return *bytes;
   }
   const std::filesystem::path relative = decodedUri(uri);
@@ -159,7 +159,7 @@ std::string GltfDocument::loadUri(const std::string& uri) const {
   try {
     return readWholeFile(file_.file.parent_path() / relative).bytes;
   } catch (const Error& error) {
-    fail(phrase("its buffer %1 cannot be read: %2", inQuotes(relative.string()), error.problem()));
+    fail(diagnostic("its buffer %1 cannot be read: %2", inQuotes(relative.string()), error.problem()));
   }
 }
 
@@ -167,7 +167,8 @@ const GltfDocument::Json& GltfDocument::entry(const char* list, std::uint64_t in
   const auto found = json_.find(list);
   const std::size_t size = found != json_.end() && found->is_array() ? found->size() : 0;
   if (index >= size || !(*found)[static_cast<std::size_t>(index)].is_object())
-    fail(phrase("It refers to number %1 of \"%2\", but there are %3 (counted from 0)", index, list, size));
+    fail(
+        diagnostic("It refers to number %1 of \"%2\", but there are %3 (counted from 0)", index, list, size));
   return (*found)[static_cast<std::size_t>(index)];
 }
 
@@ -177,26 +178,26 @@ std::uint64_t GltfDocument::whole(const Json& object, const char* key, std::uint
     return otherwise;
   // Not printed: a damaged file may have put a document of any depth there.
   if (!found->is_number_unsigned())
-    fail(phrase("\"%1\" is not a whole number from 0 on", key));
+    fail(diagnostic("\"%1\" is not a whole number from 0 on", key));
   return found->get<std::uint64_t>();
 }
 
 std::uint64_t GltfDocument::whole(const Json& object, const char* key) const {
   if (!object.contains(key))
-    fail(phrase("\"%1\" is missing", key));
+    fail(diagnostic("\"%1\" is missing", key));
   return whole(object, key, 0);
 }
 
 GltfDocument::View GltfDocument::view(std::uint64_t accessor) const {
   const Json& json = entry("accessors", accessor);
   if (json.contains("sparse") || !json.contains("bufferView"))
-    fail(phrase("accessor %1 is sparse, which Viscera does not read", accessor));
+    fail(diagnostic("accessor %1 is sparse, which Viscera does not read", accessor));
 
   View result;
   const auto type = lookUp(kComponentTypes, whole(json, "componentType"));
   const auto components = lookUp(kComponents, textIn(json, "type"));
   if (!type || !components)
-    fail(phrase("accessor %1 has an unknown type", accessor));
+    fail(diagnostic("accessor %1 has an unknown type", accessor));
   result.scalar = type->scalar;
   result.components = *components;
   const auto normalized = json.find("normalized");
@@ -211,7 +212,7 @@ GltfDocument::View GltfDocument::view(std::uint64_t accessor) const {
   const bool fits = count == 0 || (elementBytes <= result.data.size() &&
                                    saturatedProduct(count - 1, stride) <= result.data.size() - elementBytes);
   if (stride < elementBytes || !fits)
-    fail(phrase("accessor %1 should have %2 elements, more than its buffer holds", accessor, count));
+    fail(diagnostic("accessor %1 should have %2 elements, more than its buffer holds", accessor, count));
   result.stride = static_cast<std::size_t>(stride);
   result.count = static_cast<std::size_t>(count);
   return result;
@@ -221,12 +222,13 @@ std::string_view GltfDocument::dataOf(const Json& bufferView, std::uint64_t offs
                                       std::uint64_t accessor) const {
   const std::uint64_t buffer = whole(bufferView, "buffer");
   if (buffer >= buffers_.size())
-    fail(phrase("accessor %1 refers to buffer %2, but there are %3", accessor, buffer, buffers_.size()));
+    fail(diagnostic("accessor %1 refers to buffer %2, but there are %3", accessor, buffer, buffers_.size()));
   const std::string_view bytes = buffers_[static_cast<std::size_t>(buffer)];
   const std::uint64_t begin = whole(bufferView, "byteOffset", 0);
   const std::uint64_t length = whole(bufferView, "byteLength");
   if (begin > bytes.size() || length > bytes.size() - begin || offset > length)
-    fail(phrase("accessor %1 lies behind the end of its buffer: the file is cut off or damaged", accessor));
+    fail(diagnostic("accessor %1 lies behind the end of its buffer: the file is cut off or damaged",
+                    accessor));
   return bytes.substr(static_cast<std::size_t>(begin + offset), static_cast<std::size_t>(length - offset));
 }
 
@@ -247,7 +249,7 @@ std::vector<double> GltfDocument::numbers(std::uint64_t accessor, std::size_t& c
 std::vector<std::int64_t> GltfDocument::indices(std::uint64_t accessor) const {
   const View data = view(accessor);
   if (data.components != 1 || !isWhole(data.scalar))
-    fail(phrase("accessor %1 should hold point numbers", accessor));
+    fail(diagnostic("accessor %1 should hold point numbers", accessor));
   std::vector<std::int64_t> values;
   values.reserve(data.count);
   for (std::size_t i = 0; i < data.count; ++i)

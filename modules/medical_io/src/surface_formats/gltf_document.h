@@ -10,6 +10,8 @@
 #include "file_bytes.h"
 #include "scalar.h"
 
+#include "viscera/core/phrase.h"
+
 namespace viscera::medical_io {
 
 /// A glTF 2.0 file: gives access to its JSON, its buffers, and the numbers in them. Every index and size is
@@ -23,7 +25,7 @@ public:
   explicit GltfDocument(const FileBytes& file);
 
   const Json& json() const { return json_; }
-  const std::vector<std::string>& warnings() const { return warnings_; }
+  const std::vector<Text>& warnings() const { return warnings_; }
 
   /// Entry `index` of the top-level array `list`.
   const Json& entry(const char* list, std::uint64_t index) const;
@@ -38,7 +40,7 @@ public:
   /// A scalar accessor of whole numbers.
   std::vector<std::int64_t> indices(std::uint64_t accessor) const;
 
-  [[noreturn]] void fail(const std::string& problem) const { file_.fail(problem); }
+  [[noreturn]] void fail(const Text& problem) const { file_.fail(problem); }
 
 private:
   struct View {
@@ -64,7 +66,7 @@ private:
   bool hasBinary_ = false;
   std::vector<std::string> loaded_;       ///< Buffers that are not in the file itself.
   std::vector<std::string_view> buffers_; ///< All buffers.
-  std::vector<std::string> warnings_;
+  std::vector<Text> warnings_;
 };
 
 } // namespace viscera::medical_io

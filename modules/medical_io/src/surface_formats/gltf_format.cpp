@@ -78,7 +78,7 @@ public:
   /// The organs of a file with the mark, which has a mesh, a node and a material for each; none for another
   /// file.
   std::vector<RawPart> runApart() {
-    const std::vector<std::string> warnings = document_.warnings();
+    const std::vector<Text> warnings = document_.warnings();
     readMark();
     std::vector<RawPart> parts;
     if (!marked_ || sizeOf("meshes") < 2 || sizeOf("nodes") != sizeOf("meshes"))
@@ -87,7 +87,7 @@ public:
     for (std::size_t mesh = 0; mesh < sizeOf("meshes"); ++mesh) {
       raw_ = {};
       raw_.space = space;
-      raw_.warnings = parts.empty() ? warnings : std::vector<std::string>();
+      raw_.warnings = parts.empty() ? warnings : std::vector<Text>();
       readMesh(mesh, Matrix::Identity());
       raw_.name = names_.back();
       warnOfSkipped();
@@ -170,7 +170,7 @@ private:
     for (std::size_t i = 0; found != object.end() && i < found->size(); ++i) {
       const Json& child = found->is_array() ? (*found)[i] : *found;
       if (!child.is_number_unsigned())
-        document_.fail("a node's children are not numbers");
+        document_.fail(diagnostic("a node's children are not numbers"));
       list.push_back(child.get<std::uint64_t>());
     }
     return list;
@@ -191,7 +191,7 @@ private:
       open.pop_back();
       const Json& node = document_.entry("nodes", number);
       if (seen[static_cast<std::size_t>(number)])
-        document_.fail(phrase("node %1 is in the scene twice", number));
+        document_.fail(diagnostic("node %1 is in the scene twice", number));
       seen[static_cast<std::size_t>(number)] = true;
       const Matrix here = above * transformOf(node);
       if (node.contains("mesh"))
@@ -209,10 +209,10 @@ private:
     if (found == node.end())
       return false;
     if (!found->is_array() || found->size() != count)
-      document_.fail(phrase("a node's \"%1\" does not have %2 numbers", key, count));
+      document_.fail(diagnostic("a node's \"%1\" does not have %2 numbers", key, count));
     for (std::size_t i = 0; i < count; ++i) {
       if (!(*found)[i].is_number())
-        document_.fail(phrase("a node's \"%1\" holds something that is not a number", key));
+        document_.fail(diagnostic("a node's \"%1\" holds something that is not a number", key));
       values[i] = (*found)[i].get<double>();
     }
     return true;
@@ -239,7 +239,7 @@ private:
     const Json& mesh = document_.entry("meshes", number);
     const auto primitives = mesh.find("primitives");
     if (primitives == mesh.end() || !primitives->is_array())
-      document_.fail(phrase("mesh %1 has no primitives", number));
+      document_.fail(diagnostic("mesh %1 has no primitives", number));
     names_.push_back(textIn(mesh, "name"));
     for (const Json& primitive : *primitives)
       readPrimitive(primitive, number, transform);
@@ -248,7 +248,7 @@ private:
   void readPrimitive(const Json& primitive, std::uint64_t mesh, const Matrix& transform) {
     const auto attributes = primitive.is_object() ? primitive.find("attributes") : primitive.end();
     if (!primitive.is_object() || attributes == primitive.end() || !attributes->is_object())
-      document_.fail(phrase("mesh %1 has a primitive without attributes", mesh));
+      document_.fail(diagnostic("mesh %1 has a primitive without attributes", mesh));
     const std::uint64_t mode = document_.whole(primitive, "mode", kTriangles);
     if (mode < kTriangles || mode > kFan) {
       ++skipped_;
@@ -261,7 +261,7 @@ private:
     for (std::int64_t& corner : list)
       corner += static_cast<std::int64_t>(before);
     if (raw_.corners.size() + 3 * list.size() > kMostGltfCorners)
-      document_.fail("With its instances expanded, it has too many triangles");
+      document_.fail(diagnostic("With its instances expanded, it has too many triangles"));
     addTriangles(list, mode, transform.topLeftCorner<3, 3>().determinant() < 0);
   }
 
@@ -269,9 +269,9 @@ private:
     std::size_t components = 0;
     const std::vector<double> values = document_.numbers(document_.whole(attributes, "POSITION"), components);
     if (components != 3)
-      document_.fail(phrase("its points have %1 coordinates, not 3", components));
+      document_.fail(diagnostic("its points have %1 coordinates, not 3", components));
     if (raw_.coordinates.size() + values.size() > kMostGltfCorners)
-      document_.fail("With its instances expanded, it has too many points");
+      document_.fail(diagnostic("With its instances expanded, it has too many points"));
     const bool moved = !transform.isIdentity(0);
     for (std::size_t i = 0; i < values.size(); i += 3) {
       Vec3 point(values[i], values[i + 1], values[i + 2]);
@@ -288,7 +288,7 @@ private:
     std::size_t components = 0;
     const std::vector<double> values = document_.numbers(document_.whole(attributes, "COLOR_0"), components);
     if ((components != 3 && components != 4) || values.size() != components * points)
-      document_.fail("its colours do not fit its points");
+      document_.fail(diagnostic("its colours do not fit its points"));
     for (std::size_t i = 0; i < values.size(); ++i)
       if (i % components < 3)
         raw_.addChannel(values[i] > 0 ? 255 * encodedFromLinear(std::min(values[i], 1.0)) : 0.0);
@@ -304,15 +304,15 @@ private:
     }
     for (const std::int64_t corner : list)
       if (static_cast<std::uint64_t>(corner) >= points)
-        document_.fail(
-            phrase("mesh %1 refers to point %2, but there are %3 (counted from 0)", mesh, corner, points));
+        document_.fail(diagnostic("mesh %1 refers to point %2, but there are %3 (counted from 0)", mesh,
+                                  corner, points));
     return list;
   }
 
   void addTriangles(std::span<const std::int64_t> list, std::uint64_t mode, bool mirrored) {
     const std::size_t first = raw_.corners.size();
     if (mode == kTriangles && list.size() % 3 != 0)
-      document_.fail("a list of triangles ends within one");
+      document_.fail(diagnostic("a list of triangles ends within one"));
     if (mode == kTriangles)
       for (std::size_t i = 0; i + 2 < list.size(); i += 3)
         raw_.addTriangle(list[i], list[i + 1], list[i + 2]);

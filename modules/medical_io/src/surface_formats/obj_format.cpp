@@ -79,11 +79,11 @@ private:
          word = takeWord(line)) {
       const auto value = parseNumber(word);
       if (!value)
-        scanner_.fail(phrase("expected %2, found %1", inQuotes(word), "a coordinate"));
+        scanner_.fail(diagnostic("expected %2, found %1", inQuotes(word), "a coordinate"));
       values[count++] = *value;
     }
     if (count < 3)
-      scanner_.fail("a point has fewer than three coordinates");
+      scanner_.fail(diagnostic("a point has fewer than three coordinates"));
     raw_.addPoint(values[0], values[1], values[2]);
     if (count >= 6)
       colors_.insert(colors_.end(), values.begin() + 3, values.begin() + 6);
@@ -95,15 +95,16 @@ private:
       const auto number = parseInteger(word.substr(0, word.find('/')));
       const auto points = static_cast<std::int64_t>(raw_.pointCount());
       if (!number || *number == 0)
-        scanner_.fail(phrase("expected %2, found %1", inQuotes(word), "a point's number"));
+        scanner_.fail(diagnostic("expected %2, found %1", inQuotes(word), "a point's number"));
       // Negative numbers count back from the last point so far.
       const std::int64_t corner = *number > 0 ? *number - 1 : points + *number;
       if (corner < 0)
-        scanner_.fail(phrase("a face refers to point %1, but there are only %2 before it", *number, points));
+        scanner_.fail(
+            diagnostic("a face refers to point %1, but there are only %2 before it", *number, points));
       raw_.corners.push_back(corner);
     }
     if (raw_.corners.size() - first < 3)
-      scanner_.fail("a face has fewer than three corners");
+      scanner_.fail(diagnostic("a face has fewer than three corners"));
     raw_.endPolygon();
   }
 
@@ -122,7 +123,7 @@ private:
   void readUnknown(std::string_view word) {
     const bool text = std::all_of(word.begin(), word.end(), [](char c) { return c > ' ' && c <= '~'; });
     if (!text || raw_.pointCount() == 0)
-      scanner_.fail(phrase("%1 is not a statement of an OBJ file", inQuotes(word)));
+      scanner_.fail(diagnostic("%1 is not a statement of an OBJ file", inQuotes(word)));
     ++other_;
   }
 

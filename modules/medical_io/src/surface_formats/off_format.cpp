@@ -49,8 +49,8 @@ private:
     const std::string_view prefix = word.substr(0, word.size() - std::min<std::size_t>(3, word.size()));
     if (!word.ends_with("OFF") || prefix.find_first_not_of("STCN") != prefix.npos)
       file_.fail(prefix.find_first_of("4n") != prefix.npos
-                     ? "It holds a surface in a space of more than three dimensions"
-                     : "It does not begin with \"OFF\": it is not an OFF file",
+                     ? diagnostic("It holds a surface in a space of more than three dimensions")
+                     : diagnostic("It does not begin with \"OFF\": it is not an OFF file"),
                  "check its ending");
     hasNormals_ = prefix.find('N') != prefix.npos;
     // The counts may stand in the line of the first word.
@@ -67,17 +67,17 @@ private:
     const std::string_view word = takeWord(line);
     const std::optional<std::int64_t> count = parseInteger(word);
     if (!count || *count < 0)
-      scanner_.fail(phrase("expected %2, found %1", inQuotes(word), part));
+      scanner_.fail(diagnostic("expected %2, found %1", inQuotes(word), part));
     if (saturatedProduct(static_cast<std::uint64_t>(*count), bytesEach) > scanner_.remaining() + bytesEach)
-      scanner_.fail(phrase("%1 is %2, more than the %3 bytes that are left can hold", part, *count,
-                           scanner_.remaining()));
+      scanner_.fail(diagnostic("%1 is %2, more than the %3 bytes that are left can hold", part, *count,
+                               scanner_.remaining()));
     return static_cast<std::uint64_t>(*count);
   }
 
   double takeNumber(std::string_view word) const {
     const std::optional<double> value = parseNumber(word);
     if (!value)
-      scanner_.fail(phrase("expected %2, found %1", inQuotes(word), "a number"));
+      scanner_.fail(diagnostic("expected %2, found %1", inQuotes(word), "a number"));
     return *value;
   }
 
@@ -110,13 +110,14 @@ private:
     const std::string_view word = takeWord(line);
     const std::optional<std::int64_t> corners = parseInteger(word);
     if (!corners || *corners < 1)
-      scanner_.fail(phrase("expected %2, found %1", inQuotes(word), "a face's number of corners"));
+      scanner_.fail(diagnostic("expected %2, found %1", inQuotes(word), "a face's number of corners"));
     for (std::int64_t k = 0; k < *corners; ++k) {
       const std::string_view corner = takeWord(line);
       const std::optional<std::int64_t> point = parseInteger(corner);
       if (!point)
-        scanner_.fail(corner.empty() ? "a face has fewer corners than it claims"
-                                     : phrase("expected %2, found %1", inQuotes(corner), "a point's number"));
+        scanner_.fail(corner.empty()
+                          ? diagnostic("a face has fewer corners than it claims")
+                          : diagnostic("expected %2, found %1", inQuotes(corner), "a point's number"));
       raw_.corners.push_back(*point);
     }
     // Behind the corners stands the face's colour.

@@ -93,7 +93,7 @@ public:
 private:
   void readHeader() {
     if (trimmed(text_.line()) != "ply")
-      file_.fail("It does not begin with \"ply\": it is not a PLY file", "check its ending");
+      file_.fail(diagnostic("It does not begin with \"ply\": it is not a PLY file"), "check its ending");
     for (;;) {
       if (text_.remaining() == 0)
         text_.failAtEnd("\"end_header\"");
@@ -110,10 +110,10 @@ private:
       else if (word == "comment" || word == "obj_info")
         raw_.takeComment(trimmed(line));
       else if (!word.empty())
-        text_.fail(phrase("%1 is not a word of a PLY header", inQuotes(word)));
+        text_.fail(diagnostic("%1 is not a word of a PLY header", inQuotes(word)));
     }
     if (!formatKnown_)
-      file_.fail("its header does not say its format");
+      file_.fail(diagnostic("its header does not say its format"));
   }
 
   void readFormat(std::string_view line) {
@@ -121,7 +121,7 @@ private:
     binary_ = format != "ascii";
     order_ = format == "binary_big_endian" ? std::endian::big : std::endian::little;
     if (binary_ && format != "binary_big_endian" && format != "binary_little_endian")
-      text_.fail(phrase("the format %1 is not known", inQuotes(format)));
+      text_.fail(diagnostic("the format %1 is not known", inQuotes(format)));
     formatKnown_ = true;
   }
 
@@ -131,7 +131,7 @@ private:
     const std::string_view number = takeWord(line);
     const std::optional<std::int64_t> count = parseInteger(number);
     if (!count || *count < 0)
-      text_.fail(phrase("%1 is not a number of elements", inQuotes(number)));
+      text_.fail(diagnostic("%1 is not a number of elements", inQuotes(number)));
     element.count = static_cast<std::uint64_t>(*count);
     elements_.push_back(std::move(element));
   }
@@ -140,12 +140,12 @@ private:
     for (const ValueType& type : kPlyTypes)
       if (type.names[0] == name || type.names[1] == name)
         return type;
-    text_.fail(phrase("%1 is not a type of a PLY file", inQuotes(name)));
+    text_.fail(diagnostic("%1 is not a type of a PLY file", inQuotes(name)));
   }
 
   void readProperty(std::string_view line) {
     if (elements_.empty())
-      text_.fail("a property stands before the first element");
+      text_.fail(diagnostic("a property stands before the first element"));
     Property property;
     std::string_view type = takeWord(line);
     if (type == "list") {
@@ -161,9 +161,10 @@ private:
     const std::uint64_t left = binary_ ? bytes.remaining() : text_.remaining() + 1;
     const std::uint64_t each = binary_ ? element.leastBytes() : 2 * element.properties.size();
     if (saturatedProduct(element.count, each) > left)
-      file_.fail(phrase("the file is cut off: its header promises %2 of %3, more than the %n {byte|bytes} "
-                        "that are left can hold",
-                        left, element.count, inQuotes(element.name)));
+      file_.fail(
+          diagnostic("the file is cut off: its header promises %2 of %3, more than the %n {byte|bytes} "
+                     "that are left can hold",
+                     left, element.count, inQuotes(element.name)));
   }
 
   double next(const ValueType& type, ByteCursor& bytes) {
@@ -190,9 +191,9 @@ private:
       const std::uint64_t left =
           binary_ ? bytes.remaining() / sizeOf(property.type->scalar) : text_.remaining();
       if (!(count >= 0 && count <= static_cast<double>(left)))
-        file_.fail(
-            phrase("the file is cut off or damaged: a list of %1 %2 should have more values than are left",
-                   inQuotes(element.name), number));
+        file_.fail(diagnostic(
+            "the file is cut off or damaged: a list of %1 %2 should have more values than are left",
+            inQuotes(element.name), number));
       for (std::uint64_t i = 0; i < static_cast<std::uint64_t>(count); ++i) {
         const double value = next(*property.type, bytes);
         if (p == wanted)
@@ -215,7 +216,7 @@ private:
     const auto y = element.find("y");
     const auto z = element.find("z");
     if (!x || !y || !z)
-      file_.fail("its points have no x, y and z");
+      file_.fail(diagnostic("its points have no x, y and z"));
     raw_.addPoint(row_.values[*x], row_.values[*y], row_.values[*z]);
     const std::array channels = {element.find("red", "diffuse_red"), element.find("green", "diffuse_green"),
                                  element.find("blue", "diffuse_blue")};
@@ -227,7 +228,7 @@ private:
 
   void takeFace(const Element& element) {
     if (!element.find("vertex_indices", "vertex_index"))
-      file_.fail("its faces have no vertex_indices");
+      file_.fail(diagnostic("its faces have no vertex_indices"));
     raw_.addPolygon(row_.list);
   }
 

@@ -43,18 +43,18 @@ bool hasBinarySize(const FileBytes& file) {
 std::uint64_t requireBinaryCount(const FileBytes& file, RawSurface& raw) {
   const std::optional<std::uint64_t> count = binaryCount(file);
   if (!count)
-    file.fail(phrase("It is too short for an STL file: %n {byte|bytes}", file.bytes.size()));
+    file.fail(diagnostic("It is too short for an STL file: %n {byte|bytes}", file.bytes.size()));
   const std::uint64_t expected = kPrefixBytes + *count * kFacetBytes;
   const std::uint64_t size = file.bytes.size();
   if (expected > size)
     file.fail(
-        phrase("the file is cut off, or is not an STL file: its header promises %n {triangle|triangles} "
-               "(%2 bytes), but it has %3 bytes",
-               *count, expected, size));
+        diagnostic("the file is cut off, or is not an STL file: its header promises %n {triangle|triangles} "
+                   "(%2 bytes), but it has %3 bytes",
+                   *count, expected, size));
   if (size - expected >= kFacetBytes)
-    file.fail(
-        phrase("its header promises %n {triangle|triangles}, but there is room for %2: the file is damaged",
-               *count, (size - kPrefixBytes) / kFacetBytes));
+    file.fail(diagnostic(
+        "its header promises %n {triangle|triangles}, but there is room for %2: the file is damaged", *count,
+        (size - kPrefixBytes) / kFacetBytes));
   if (size > expected)
     raw.warnings.push_back(phrase("%n {byte|bytes} after the last triangle ignored", size - expected));
   return *count;
@@ -110,7 +110,7 @@ void readSolid(TextScanner& scanner, RawSurface& raw) {
     } else if (word != "facet" && word != "outer" && word != "loop" && word != "endfacet") {
       if (scanner.atEnd())
         scanner.failAtEnd("\"endsolid\"");
-      scanner.fail(phrase("%1 is not a word of an STL file", inQuotes(word)));
+      scanner.fail(diagnostic("%1 is not a word of an STL file", inQuotes(word)));
     }
   }
 }
@@ -123,7 +123,7 @@ RawSurface readAscii(const FileBytes& file) {
   while (!scanner.atEnd()) {
     const std::string_view word = scanner.word();
     if (lowered(word) != "solid")
-      scanner.fail(phrase("expected %2, found %1", inQuotes(word), inQuotes("solid")));
+      scanner.fail(diagnostic("expected %2, found %1", inQuotes(word), inQuotes("solid")));
     readSolid(scanner, raw);
     ++solids;
   }

@@ -73,7 +73,7 @@ private:
   void readHeader() {
     std::string_view first = scanner_.line();
     if (!first.starts_with("# vtk DataFile"))
-      file_.fail("It does not begin with \"# vtk DataFile\": it is not a legacy VTK file",
+      file_.fail(diagnostic("It does not begin with \"# vtk DataFile\": it is not a legacy VTK file"),
                  "check its ending");
     const std::size_t version = first.find_first_of("0123456789");
     offsetsApart_ = version != first.npos && parseNumber(trimmed(first.substr(version))).value_or(0) >= 5.0;
@@ -81,7 +81,7 @@ private:
     raw_.takeComment(title);
     const std::string mode = lowered(trimmed(scanner_.line()));
     if (mode != "ascii" && mode != "binary")
-      scanner_.fail(phrase("expected %2, found %1", inQuotes(mode), "ASCII or BINARY"));
+      scanner_.fail(diagnostic("expected %2, found %1", inQuotes(mode), "ASCII or BINARY"));
     binary_ = mode == "binary";
   }
 
@@ -107,7 +107,7 @@ private:
     else if (attributes_)
       return stopAt(word);
     else
-      scanner_.fail(phrase("%1 is not a section of a legacy VTK surface", inQuotes(word)));
+      scanner_.fail(diagnostic("%1 is not a section of a legacy VTK surface", inQuotes(word)));
     return true;
   }
 
@@ -128,15 +128,15 @@ private:
     const std::string_view word = scanner_.word();
     const auto type = lookUp(kVtkTypes, lowered(word));
     if (!type)
-      scanner_.fail(phrase("%1 is not a type of numbers", inQuotes(word)));
+      scanner_.fail(diagnostic("%1 is not a type of numbers", inQuotes(word)));
     return *type;
   }
 
   void requireRoom(std::uint64_t bytes, std::uint64_t numbers) const {
     if (bytes > scanner_.remaining())
       scanner_.fail(
-          phrase("the file is cut off: %2 numbers should follow, but only %n {byte is|bytes are} left",
-                 scanner_.remaining(), numbers));
+          diagnostic("the file is cut off: %2 numbers should follow, but only %n {byte is|bytes are} left",
+                     scanner_.remaining(), numbers));
   }
   void requireRoom(std::uint64_t count) const { requireRoom(count, count); }
 
@@ -171,19 +171,19 @@ private:
 
   std::vector<double> readNumbers(std::uint64_t count, const Type& type) {
     if (!type)
-      scanner_.fail("it has text in place of numbers");
+      scanner_.fail(diagnostic("it has text in place of numbers"));
     return readValues(count, *type, loadDouble, &TextScanner::number, "a number");
   }
 
   std::vector<std::int64_t> readIntegers(std::uint64_t count, const Type& type) {
     if (!type || !isWhole(*type))
-      scanner_.fail("point numbers are of a type that is not whole");
+      scanner_.fail(diagnostic("point numbers are of a type that is not whole"));
     return readValues(count, *type, loadInteger, &TextScanner::integer, "a point's number");
   }
 
   void readPoints() {
     if (!raw_.coordinates.empty())
-      scanner_.fail("there is a second list of points");
+      scanner_.fail(diagnostic("there is a second list of points"));
     const std::uint64_t count = scanner_.count("the number of points", 3);
     raw_.coordinates = readNumbers(saturatedProduct(count, 3), readType());
   }
@@ -204,12 +204,12 @@ private:
       const std::int64_t size = list[at++];
       if (size < 0 || static_cast<std::uint64_t>(size) > list.size() - at)
         scanner_.fail(
-            phrase("cell %1 claims %2 points, but %3 numbers are left", cells, size, list.size() - at));
+            diagnostic("cell %1 claims %2 points, but %3 numbers are left", cells, size, list.size() - at));
       addCell(keyword, std::span(list).subspan(at, static_cast<std::size_t>(size)));
       at += static_cast<std::size_t>(size);
     }
     if (cells != count)
-      scanner_.fail(phrase("%1 cells were announced, but there are %2", count, cells));
+      scanner_.fail(diagnostic("%1 cells were announced, but there are %2", count, cells));
   }
 
   void readCellsByOffsets(const std::string& keyword, std::uint64_t count, std::uint64_t size) {
@@ -221,7 +221,7 @@ private:
     const std::vector<std::int64_t> list = readIntegers(size, readType());
     if (offsets.front() != 0 || offsets.back() != static_cast<std::int64_t>(list.size()) ||
         !std::is_sorted(offsets.begin(), offsets.end()))
-      scanner_.fail("the cells' offsets do not fit their points");
+      scanner_.fail(diagnostic("the cells' offsets do not fit their points"));
     for (std::size_t cell = 0; cell + 1 < offsets.size(); ++cell)
       addCell(keyword, std::span(list).subspan(static_cast<std::size_t>(offsets[cell]),
                                                static_cast<std::size_t>(offsets[cell + 1] - offsets[cell])));
@@ -230,7 +230,7 @@ private:
   void requireWord(std::string_view expected) {
     const std::string_view word = scanner_.word();
     if (lowered(word) != expected)
-      scanner_.fail(phrase("expected %2, found %1", inQuotes(word), inQuotes(expected)));
+      scanner_.fail(diagnostic("expected %2, found %1", inQuotes(word), inQuotes(expected)));
   }
 
   void addCell(const std::string& keyword, std::span<const std::int64_t> cell) {
@@ -255,8 +255,8 @@ private:
     ofPoints_ = ofPoints;
     elements_ = scanner_.count("the number of values", 0);
     if (ofPoints && elements_ != raw_.pointCount())
-      scanner_.fail(phrase("there are values for %n {point|points}, but the surface has %2", elements_,
-                           raw_.pointCount()));
+      scanner_.fail(diagnostic("there are values for %n {point|points}, but the surface has %2", elements_,
+                               raw_.pointCount()));
   }
 
   /// False for a keyword that is none.
@@ -299,7 +299,7 @@ private:
     else
       scanner_.moveTo(behindComponents);
     if (components.value_or(1) < 1)
-      scanner_.fail("the number of components is not positive");
+      scanner_.fail(diagnostic("the number of components is not positive"));
     readColors(elements_, static_cast<std::uint64_t>(components.value_or(1)), type, 1.0);
   }
 

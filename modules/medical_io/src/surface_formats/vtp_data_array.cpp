@@ -40,33 +40,30 @@ public:
     const std::string_view name = array.attribute("type");
     const auto type = lookUp(kVtpTypes, name);
     if (!type)
-      fail(phrase("it has the unknown type %1", inQuotes(name)));
+      fail(diagnostic("it has the unknown type %1", inQuotes(name)));
     type_ = *type;
   }
 
-  std::vector<double> numbers() const {
-    return values(loadDouble, parseNumber, "it contains %1, which is no number");
-  }
+  std::vector<double> numbers() const { return values(loadDouble, parseNumber, "number"); }
 
   std::vector<std::int64_t> integers() const {
     if (!isWhole(type_))
-      fail("it should hold whole numbers");
-    return values(loadInteger, parseInteger, "it contains %1, which is no whole number");
+      fail(diagnostic("it should hold whole numbers"));
+    return values(loadInteger, parseInteger, "whole number");
   }
 
 private:
-  /// `refusal` is a pattern that has the word that is no number as its part.
+  /// `kind` names what each word has to be.
   template <class Number>
   std::vector<Number> values(Number (*load)(const char*, Scalar, std::endian),
-                             std::optional<Number> (*parse)(std::string_view),
-                             std::string_view refusal) const {
+                             std::optional<Number> (*parse)(std::string_view), std::string_view kind) const {
     std::vector<Number> list;
     if (array_.attribute("format") == "ascii") {
       std::string_view rest = array_.text;
       for (std::string_view word = takeWord(rest); !word.empty(); word = takeWord(rest)) {
         const std::optional<Number> value = parse(word);
         if (!value)
-          fail(phrase(refusal, inQuotes(word)));
+          fail(diagnostic("it contains %1, which is no %2", inQuotes(word), kind));
         list.push_back(*value);
       }
       return list;
@@ -78,13 +75,13 @@ private:
     return list;
   }
 
-  [[noreturn]] void fail(const std::string& problem) const {
+  [[noreturn]] void fail(const Text& problem) const {
     const std::string_view name = array_.attribute("Name");
-    storage_.file->fail(phrase("the array %1: %2", inQuotes(name), problem));
+    storage_.file->fail(diagnostic("the array %1: %2", inQuotes(name), problem));
   }
 
   [[noreturn]] void failAsTooLong(std::uint64_t bytes) const {
-    fail(phrase("it should have %1 bytes, more than there are: the file is cut off or damaged", bytes));
+    fail(diagnostic("it should have %1 bytes, more than there are: the file is cut off or damaged", bytes));
   }
 
   std::string content() const {
@@ -95,16 +92,16 @@ private:
     else if (format == "appended")
       bytes = storage_.appendedIsBase64 ? fromBase64(appendedData()) : fromRaw(appendedData());
     else
-      fail(phrase("it has the unknown format %1", inQuotes(format)));
+      fail(diagnostic("it has the unknown format %1", inQuotes(format)));
     if (bytes.size() % sizeOf(type_) != 0)
-      fail("it does not hold a whole number of values");
+      fail(diagnostic("it does not hold a whole number of values"));
     return bytes;
   }
 
   std::string_view appendedData() const {
     const std::optional<std::int64_t> offset = parseInteger(array_.attribute("offset"));
     if (!offset || *offset < 0 || static_cast<std::uint64_t>(*offset) >= storage_.appended.size())
-      fail("it begins behind the end of the data: the file is cut off");
+      fail(diagnostic("it begins behind the end of the data: the file is cut off"));
     return storage_.appended.substr(static_cast<std::size_t>(*offset));
   }
 
@@ -123,7 +120,7 @@ private:
     std::optional<std::string> decoded =
         decodeBase64(text.substr(0, static_cast<std::size_t>(encodedSize(bytes))));
     if (!decoded || decoded->size() < bytes)
-      fail("it is not valid base64: the file is damaged");
+      fail(diagnostic("it is not valid base64: the file is damaged"));
     decoded->resize(static_cast<std::size_t>(bytes));
     return std::move(*decoded);
   }
@@ -152,8 +149,8 @@ private:
     const std::size_t word = storage_.headerBytes;
     const auto take = [&](std::uint64_t bytes) {
       if (bytes > data.size())
-        fail(phrase("it should have %1 more bytes, but %2 are left: the file is cut off or damaged", bytes,
-                    data.size()));
+        fail(diagnostic("it should have %1 more bytes, but %2 are left: the file is cut off or damaged",
+                        bytes, data.size()));
       const std::string_view taken = data.substr(0, static_cast<std::size_t>(bytes));
       data.remove_prefix(taken.size());
       return taken;
@@ -169,7 +166,7 @@ private:
 
   void requireBlocks(std::uint64_t blocks, std::size_t available) const {
     if (blocks > available / storage_.headerBytes)
-      fail(phrase("it claims %1 blocks, more than there are: the file is cut off or damaged", blocks));
+      fail(diagnostic("it claims %1 blocks, more than there are: the file is cut off or damaged", blocks));
   }
 
   std::uint64_t compressedSize(std::string_view header, std::size_t available) const {
@@ -178,7 +175,7 @@ private:
     for (std::uint64_t b = 0; b < blocks; ++b) {
       const std::uint64_t size = headerWord(header, static_cast<std::size_t>(3 + b));
       if (size > available)
-        fail("it claims a block larger than the file: the file is cut off or damaged");
+        fail(diagnostic("it claims a block larger than the file: the file is cut off or damaged"));
       total += size;
     }
     return total;
@@ -191,7 +188,7 @@ private:
       return vtkSmartPointer<vtkLZ4DataCompressor>::New();
     if (storage_.compressor == "vtkLZMADataCompressor")
       return vtkSmartPointer<vtkLZMADataCompressor>::New();
-    fail(phrase("it is compressed by %1, which Viscera does not know", inQuotes(storage_.compressor)));
+    fail(diagnostic("it is compressed by %1, which Viscera does not know", inQuotes(storage_.compressor)));
   }
 
   /// `header`: number of blocks, size of a block, size of the last one (0: it is full), compressed sizes.
@@ -206,14 +203,14 @@ private:
       const std::uint64_t packed = headerWord(header, static_cast<std::size_t>(3 + b));
       const std::uint64_t size = b + 1 == blocks && lastSize > 0 ? lastSize : fullSize;
       if (size > saturatedProduct(packed, kMostInflation) || result.size() + size > kLargestArray)
-        fail(phrase("it claims %1 bytes in %2: the file is damaged", size, packed));
+        fail(diagnostic("it claims %1 bytes in %2: the file is damaged", size, packed));
       const std::size_t at = result.size();
       result.resize(at + static_cast<std::size_t>(size));
       const std::size_t got = compressor->Uncompress(
           reinterpret_cast<const unsigned char*>(data.data()), static_cast<std::size_t>(packed),
           reinterpret_cast<unsigned char*>(result.data() + at), static_cast<std::size_t>(size));
       if (got != size || quiet.failed())
-        fail("it cannot be decompressed: the file is damaged");
+        fail(diagnostic("it cannot be decompressed: the file is damaged"));
       data.remove_prefix(static_cast<std::size_t>(packed));
     }
     return result;

@@ -38,7 +38,7 @@ public:
     checkRoot();
     const XmlElement* data = tree_.root.child("PolyData");
     if (data == nullptr)
-      file_.fail("It holds no PolyData", "export it as a surface");
+      file_.fail("It holds no PolyData", "export it as a surface of triangles");
     readFields(*data);
     for (const XmlElement& child : data->children)
       if (child.name == "Piece")
@@ -58,18 +58,18 @@ private:
     const std::size_t tagEnd = document.find('>', tag);
     const std::size_t begin = tagEnd == document.npos ? tagEnd : document.find('_', tagEnd);
     if (begin == document.npos)
-      file_.fail("the file is cut off before its data");
+      file_.fail(diagnostic("the file is cut off before its data"));
     const std::string_view opening = document.substr(tag, tagEnd - tag);
     storage_.appendedIsBase64 = opening.find("raw") == opening.npos;
     storage_.appended = document.substr(begin + 1);
     if (file_.view().rfind("</VTKFile>") == file_.view().npos)
-      file_.fail("the file is cut off: its end is missing");
+      file_.fail(diagnostic("the file is cut off: its end is missing"));
     return parseXml(std::string(document.substr(0, tagEnd + 1)) + "</AppendedData></VTKFile>");
   }
 
   void checkRoot() {
     if (!tree_.error.empty())
-      file_.fail(phrase("It is not complete XML: %1", tree_.error));
+      file_.fail(diagnostic("It is not complete XML: %1", tree_.error));
     const XmlElement& root = tree_.root;
     if (root.name != "VTKFile" || root.attribute("type") != "PolyData")
       file_.fail(phrase("It holds %1, not a VTK surface (PolyData)", inQuotes(root.attribute("type"))),
@@ -97,7 +97,7 @@ private:
     const std::string_view text = piece.attribute(key);
     const std::optional<std::int64_t> value = text.empty() ? 0 : parseInteger(text);
     if (!value || *value < 0)
-      file_.fail(phrase("%1 is %2, which is no whole number from 0 on", key, inQuotes(text)));
+      file_.fail(diagnostic("%1 is %2, which is no whole number from 0 on", key, inQuotes(text)));
     return static_cast<std::uint64_t>(*value);
   }
 
@@ -116,10 +116,10 @@ private:
     const XmlElement* element = piece.child("Points");
     const XmlElement* array = element == nullptr ? nullptr : element->child("DataArray");
     if (array == nullptr)
-      file_.fail("It holds a piece without points");
+      file_.fail(diagnostic("It holds a piece without points"));
     const std::vector<double> values = readVtpNumbers(storage_, *array);
     if (values.size() != saturatedProduct(points, 3))
-      file_.fail(phrase("It announces %1 points, but holds %2 coordinates", points, values.size()));
+      file_.fail(diagnostic("It announces %1 points, but holds %2 coordinates", points, values.size()));
     raw_.coordinates.insert(raw_.coordinates.end(), values.begin(), values.end());
   }
 
@@ -127,7 +127,7 @@ private:
     for (const XmlElement& array : cells.children)
       if (array.attribute("Name") == name)
         return array;
-    file_.fail(phrase("It has cells without the array %1", inQuotes(name)));
+    file_.fail(diagnostic("It has cells without the array %1", inQuotes(name)));
   }
 
   void readCells(const XmlElement& piece, std::string_view kind, std::uint64_t cells, std::uint64_t before,
@@ -136,15 +136,15 @@ private:
       return;
     const XmlElement* element = piece.child(kind);
     if (element == nullptr)
-      file_.fail(phrase("It announces cells of the kind %1, but has none", kind));
+      file_.fail(diagnostic("It announces cells of the kind %1, but has none", kind));
     std::vector<std::int64_t> list = readVtpIntegers(storage_, cellArray(*element, "connectivity"));
     const std::vector<std::int64_t> ends = readVtpIntegers(storage_, cellArray(*element, "offsets"));
     if (ends.size() != cells || ends.front() < 0 || !std::is_sorted(ends.begin(), ends.end()) ||
         ends.back() != static_cast<std::int64_t>(list.size()))
-      file_.fail(phrase("the offsets of its cells (%1) do not fit their points", kind));
+      file_.fail(diagnostic("the offsets of its cells (%1) do not fit their points", kind));
     for (std::int64_t& point : list) {
       if (point < 0 || static_cast<std::uint64_t>(point) >= points)
-        file_.fail(phrase("a cell refers to point %1, but there are %2 (counted from 0)", point, points));
+        file_.fail(diagnostic("a cell refers to point %1, but there are %2 (counted from 0)", point, points));
       point += static_cast<std::int64_t>(before);
     }
     std::int64_t begin = 0;
@@ -179,7 +179,7 @@ private:
     const std::uint64_t components = chosen->attribute("NumberOfComponents") == "3" ? 3 : 4;
     const std::vector<std::int64_t> values = readVtpIntegers(storage_, *chosen);
     if (values.size() != saturatedProduct(points, components))
-      file_.fail(phrase("It has %1 colour values for %2 points", values.size(), points));
+      file_.fail(diagnostic("It has %1 colour values for %2 points", values.size(), points));
     for (std::size_t i = 0; i < values.size(); ++i)
       if (i % components < 3)
         raw_.colors.push_back(static_cast<std::uint8_t>(values[i]));

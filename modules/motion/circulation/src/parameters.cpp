@@ -148,17 +148,17 @@ const Entry& entry(const std::string& name) {
   const auto nearest = std::min_element(table.begin(), table.end(), [&](const Entry& a, const Entry& b) {
     return editDistance(a.info.name, name) < editDistance(b.info.name, name);
   });
-  throw UsageError("the circulation has no parameter of that name", name,
-                   phrase("the nearest is %1; docs/circulation.md lists all", nearest->info.name));
+  throw UsageError(misuse("the circulation has no parameter of that name"), name,
+                   misuse("the nearest is %1; docs/circulation.md lists all", nearest->info.name));
 }
 
 void checkRange(const ParameterInfo& info, double value) {
   if (!(value >= info.lowest && value <= info.highest))
-    throw UsageError(phrase("%1 is out of its range", info.title), info.name + "=" + significant(value, 6),
-                     info.unit.empty()
-                         ? phrase("from %1 to %2", significant(info.lowest, 6), significant(info.highest, 6))
-                         : phrase("from %1 to %2 %3", significant(info.lowest, 6),
-                                  significant(info.highest, 6), info.unit));
+    throw UsageError(
+        phrase("%1 is out of its range", named(info.title)), info.name + "=" + significant(value, 6),
+        info.unit.empty() ? phrase("from %1 to %2", inDigits(info.lowest, 6), inDigits(info.highest, 6))
+                          : phrase("from %1 to %2 %3", inDigits(info.lowest, 6), inDigits(info.highest, 6),
+                                   named(info.unit)));
 }
 
 } // namespace

@@ -43,10 +43,10 @@ double withinRange(const std::string& name, double value) {
   return std::clamp(value, info.lowest, info.highest);
 }
 
-void requireWithin(double value, double low, double high, const std::string& what, const std::string& hint) {
+void requireWithin(double value, double low, double high, const Text& what, const Text& hint) {
   if (!(value >= low && value <= high))
-    throw UsageError(phrase("%1 lies between %2 and %3", what, significant(low, 3), significant(high, 3)),
-                     significant(value, 4), hint);
+    throw UsageError(phrase("%1 lies between %2 and %3", what, inDigits(low, 3), inDigits(high, 3)),
+                     inDigits(value, 4), hint);
 }
 
 void check(const MeasuredVentricle& measured) {
@@ -196,11 +196,9 @@ bool PatientFit::met() const {
          std::abs(pressureErrorMmHg) <= kPressureToleranceMmHg;
 }
 
-std::string PatientFit::remark() const {
-  const auto rounded = [](double value, int digits) { return significant(value, digits); };
+Text PatientFit::remark() const {
   const ChamberIndices& lv = indices.of(Compartment::lv);
-  const std::string ml = rounded(lv.edvMl, 4), ef = rounded(lv.ef, 3);
-  const std::string pressure = rounded(indices.aorta.mean, 3);
+  const Text ml = inDigits(lv.edvMl, 4), ef = inDigits(lv.ef, 3), pressure = inDigits(indices.aorta.mean, 3);
   if (met())
     return phrase("The circulation has the measured ventricle: %1 ml, ejection fraction %2, mean aortic "
                   "pressure %3 mmHg",

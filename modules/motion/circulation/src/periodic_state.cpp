@@ -56,11 +56,11 @@ double largestChange(const State& a, const State& b) {
   return largest;
 }
 
-std::string failureReasonOf(const PeriodicState& found) {
+Text failureReasonOf(const PeriodicState& found) {
   return phrase(
       "After %n {beat|beats} the volumes still change by %2 ml from beat to beat: strong and weak beats "
       "alternate, or the circulation fails; try a lower rate or a larger stressed volume",
-      found.beats, significant(found.residual, 2));
+      found.beats, inDigits(found.residual, 2));
 }
 
 /// How many steps lie between two samples.

@@ -54,12 +54,12 @@ std::optional<NormalValues> normalOf(const Reading& reading, const anatomy::Pers
   return NormalValues{range.low, range.high, norm.source, anatomy::meaningOf(norm, person), norm.people};
 }
 
-std::string rangeText(const NormalValues& normal, int decimals) {
+Text rangeText(const NormalValues& normal, int decimals) {
   if (!std::isfinite(normal.high))
-    return phrase("from %1", fixed(normal.low, decimals));
+    return phrase("from %1", inFixed(normal.low, decimals));
   if (!std::isfinite(normal.low))
-    return phrase("up to %1", fixed(normal.high, decimals));
-  return fixed(normal.low, decimals) + " - " + fixed(normal.high, decimals);
+    return phrase("up to %1", inFixed(normal.high, decimals));
+  return phrase("%1 - %2", inFixed(normal.low, decimals), inFixed(normal.high, decimals));
 }
 
 } // namespace viscera::circulation

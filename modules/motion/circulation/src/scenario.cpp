@@ -87,7 +87,7 @@ const Scenario& scenario(const std::string& id) {
   std::string names;
   for (const Scenario& s : all)
     names += (names.empty() ? "" : ", ") + s.id;
-  throw UsageError("there is no such scenario", id, phrase("choose one of %1", names));
+  throw UsageError(misuse("there is no such scenario"), id, misuse("choose one of %1", names));
 }
 
 double leftMuscleOf(const std::string& name) {

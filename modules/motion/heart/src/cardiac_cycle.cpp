@@ -4,6 +4,7 @@
 
 #include "mix.h"
 #include "viscera/core/error.h"
+#include "viscera/core/phrase.h"
 
 namespace viscera::heart {
 namespace {
@@ -59,8 +60,8 @@ sequences::Curve atrialOf(const CardiacTimes& times, const VentricleClock& clock
 CardiacBeat::CardiacBeat(double rateBpm, const CavityVolumes& endDiastole, const CavityVolumes& endSystole)
     : endDiastole_(endDiastole), endSystole_(endSystole), times_(cardiacTimes(rateBpm)),
       left_(leftClock(times_)), right_(rightClock(times_)),
-      stroke_(heart::strokePart(times_, endDiastole.leftMl - endSystole.leftMl)), twist_(twistOf(times_, left_)),
-      atrial_(atrialOf(times_, left_)) {}
+      stroke_(heart::strokePart(times_, endDiastole.leftMl - endSystole.leftMl)),
+      twist_(twistOf(times_, left_)), atrial_(atrialOf(times_, left_)) {}
 
 double CardiacBeat::emptying(double t, const VentricleClock& clock) const {
   const auto early = [&](double since) {
@@ -97,8 +98,8 @@ CardiacCycle::CardiacCycle(const CavityVolumes& endDiastole, const CavityVolumes
     return empty > 0 && full > empty && std::isfinite(full);
   };
   if (!empties(endDiastole.leftMl, endSystole.leftMl) || !empties(endDiastole.rightMl, endSystole.rightMl))
-    throw DataError("a ventricle has to hold less at the end of systole than at the end of diastole",
-                    "cardiac cycle");
+    throw DataError(misuse("a ventricle has to hold less at the end of systole than at the end of diastole"),
+                    misuse("cardiac cycle"));
 }
 
 CardiacBeat CardiacCycle::beat(double rateBpm) const {

@@ -123,7 +123,8 @@ private:
       error[3] = atria.rightMl - wanted_.instant.atria->rightMl;
     }
     if (!error.allFinite())
-      throw DataError("The volume of a cavity is not a number", place(), "check the cavities' surfaces");
+      throw DataError(misuse("The volume of a cavity is not a number"), place(),
+                      misuse("check the cavities' surfaces"));
     return error;
   }
 
@@ -137,8 +138,8 @@ private:
     return jacobian;
   }
 
-  std::string place() const {
-    const auto ml = [](double volume) { return fixed(volume, 1); };
+  Text place() const {
+    const auto ml = [](double volume) { return inFixed(volume, 1); };
     const CavityVolumes& ventricles = wanted_.instant.volumes;
     if (!wanted_.measureAtria)
       return phrase("heart with %1 ml left and %2 ml right", ml(ventricles.leftMl), ml(ventricles.rightMl));
@@ -148,7 +149,7 @@ private:
   }
 
   [[noreturn]] void throwUnreached(const Corrections& error) const {
-    const auto ml = [&](Eigen::Index cavity) { return fixed(error[cavity], 2); };
+    const auto ml = [&](Eigen::Index cavity) { return inFixed(error[cavity], 2); };
     throw DataError(
         wanted_.measureAtria
             ? phrase("The ventricles cannot be brought to their volumes: left off by %1 ml, right by %2 ml; "

@@ -7,6 +7,7 @@
 #include "viscera/anatomy/organ_facts.h"
 #include "viscera/anatomy/part.h"
 #include "viscera/core/error.h"
+#include "viscera/core/phrase.h"
 
 namespace viscera::heart {
 namespace {
@@ -42,10 +43,10 @@ std::vector<Shown> shownFor(const anatomy::Part& part) {
 CardiacIndices cardiacIndices(const std::vector<double>& volumesMl, double ratePerMinute) {
   constexpr double kMlPerLiter = 1000;
   if (!(ratePerMinute > 0) || !std::isfinite(ratePerMinute))
-    throw UsageError("The heart rate has to be a positive number of beats a minute");
+    throw UsageError(misuse("The heart rate has to be a positive number of beats a minute"));
   if (volumesMl.empty())
-    throw DataError("There are no volumes to compute an ejection fraction from", {},
-                    "play at least one whole beat");
+    throw DataError(misuse("There are no volumes to compute an ejection fraction from"), {},
+                    misuse("play at least one whole beat"));
   for (const double volume : volumesMl)
     if (!(volume > 0) || !std::isfinite(volume))
       throw DataError("A ventricle's volume is not positive", {},

@@ -6,6 +6,7 @@
 #include "mix.h"
 #include "viscera/core/error.h"
 #include "viscera/core/parallel.h"
+#include "viscera/core/phrase.h"
 
 namespace viscera::heart {
 namespace {
@@ -17,9 +18,9 @@ constexpr Eigen::Index kInARow = 6; ///< Each but the first of them begins where
 
 HeartCourse checked(HeartCourse course) {
   if (course.instants.size() < kFewestInstants || !(course.period > 0))
-    throw DataError("the course does not cover a beat", course.name);
+    throw DataError(misuse("the course does not cover a beat"), course.name);
   if (!course.valves.empty() && course.valves.size() != course.instants.size())
-    throw DataError("valves and volumes of the heartbeat have different times", course.name);
+    throw DataError(misuse("valves and volumes of the heartbeat have different times"), course.name);
   return course;
 }
 

@@ -8,6 +8,7 @@
 #include <Eigen/Geometry>
 
 #include "viscera/core/error.h"
+#include "viscera/core/phrase.h"
 #include "viscera/heart/heart_frame.h"
 #include "viscera/sequences/curve.h"
 
@@ -104,7 +105,7 @@ ValveRings sampleHeartRings() {
 CarriedRing::CarriedRing(const ValveRing& rest, const Points& surface) : rest_(rest) {
   const auto count = static_cast<std::size_t>(surface.rows());
   if (count < 3)
-    throw DataError("a surface needs three points at least to carry the ring of a valve", "heart");
+    throw DataError(misuse("a surface needs three points at least to carry the ring of a valve"), "heart");
   const auto farness = [&](Eigen::Index i) { return (surface.row(i).transpose() - rest.center).norm(); };
   anchors_.resize(count);
   std::iota(anchors_.begin(), anchors_.end(), Eigen::Index{0});

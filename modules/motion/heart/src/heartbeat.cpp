@@ -12,7 +12,7 @@ constexpr int kTriedOfABeat = 24;
 
 } // namespace
 
-std::string Heartbeat::rateRemark(double ratePerMinute) const {
+Text Heartbeat::rateRemark(double ratePerMinute) const {
   if (ratePerMinute >= kLowestMeasuredBpm && ratePerMinute <= kHighestMeasuredBpm)
     return {};
   return "Beyond the data: people were measured from 50 to 171 beats a minute";

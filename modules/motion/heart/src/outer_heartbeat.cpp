@@ -31,8 +31,8 @@ OuterHeartbeat::OuterHeartbeat(HeartMotion motion, sequences::PoseCompensation c
       rest_(motion_.rig().restHandles()), volume_(std::move(volume)), loss_(systolicLoss) {
   compensation_.requireFor(rest_.rows(), "heart", "heartbeat");
   if (!(loss_ >= 0 && loss_ <= kLargestLoss))
-    throw DataError("a heart cannot lose that part of its volume in systole", "heartbeat",
-                    "choose 0 to 0.4; people have 0.048 to 0.106");
+    throw DataError(misuse("a heart cannot lose that part of its volume in systole"), "heartbeat",
+                    misuse("choose 0 to 0.4; people have 0.048 to 0.106"));
   restMl_ = volume_(rest_, Points::Zero(rest_.rows(), 3))[0];
   Points pose;
   for (int i = 0; i < kTriedOfAHeart; ++i)
@@ -62,7 +62,7 @@ void OuterHeartbeat::poseAt(double seconds, double ratePerMinute, Points& pose) 
   const auto root = nearestCubicRoot(missing, -kMostHeartWidening, kMostHeartWidening);
   if (!root)
     throw DataError("the heart cannot be brought to the volume that it has to hold",
-                    phrase("heartbeat at %1 s", fixed(seconds, 3)), "check the landmarks of apex and base");
+                    phrase("heartbeat at %1 s", inFixed(seconds, 3)), "check the landmarks of apex and base");
   pose += *root * added;
 }
 

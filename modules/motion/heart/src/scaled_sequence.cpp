@@ -4,13 +4,14 @@
 #include <utility>
 
 #include "viscera/core/error.h"
+#include "viscera/core/phrase.h"
 
 namespace viscera::heart {
 
 ScaledSequence::ScaledSequence(std::shared_ptr<const sequences::Sequence> standard, double scale)
     : standard_(std::move(standard)), scale_(scale) {
   if (!(scale > 0) || !std::isfinite(scale))
-    throw DataError("the size of the organ is not a positive number", standard_->name(),
+    throw DataError(misuse("the size of the organ is not a positive number"), standard_->name(),
                     "check the landmarks");
   rest_ = scale_ * standard_->restHandles();
 }

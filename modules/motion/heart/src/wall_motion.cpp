@@ -119,7 +119,7 @@ double WallGauge::rhoOf(const Region& region, const Points& points) const {
 WallPlaces WallGauge::at(const HeartSurfaces& now) const {
   if (now.leftCavity.rows() != leftCount_ || now.rightCavity.rows() != rightCount_ ||
       now.outer.rows() != outerCount_)
-    throw DataError("The surfaces are not those that were measured at rest", "heart");
+    throw DataError(misuse("The surfaces are not those that were measured at rest"), "heart");
   WallPlaces places;
   places.leftBaseMm = alongOf(leftBase_, now.leftCavity);
   places.rightBaseMm = alongOf(rightBase_, now.rightCavity);

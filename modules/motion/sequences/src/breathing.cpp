@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "viscera/core/error.h"
+#include "viscera/core/phrase.h"
 
 namespace viscera::sequences {
 namespace {
@@ -23,11 +24,12 @@ LiverBreathing::LiverBreathing(Points restHandles, const Bounds& organ, std::vec
     : rest_(std::move(restHandles)), middle_(organ.center()), groups_(std::move(groups)),
       excursion_(excursion) {
   if (rest_.rows() < kFewestBreathingHandles)
-    throw DataError("breathing needs at least four handles", "breathing");
+    throw DataError(misuse("breathing needs at least four handles"), "breathing");
   if (!rest_.allFinite() || !(organ.diagonal() > 0))
     throw DataError("the organ has no extent", "breathing");
   if (!(std::abs(excursion.domeShare) <= kLargestShare) || !(std::abs(excursion.rightShare) <= kLargestShare))
-    throw DataError("the liver cannot be pressed that far", "breathing", "use shares between 0 and 0.5");
+    throw DataError(misuse("the liver cannot be pressed that far"), "breathing",
+                    misuse("use shares between 0 and 0.5"));
 }
 
 double LiverBreathing::inspiration(double seconds, double ratePerMinute) const {

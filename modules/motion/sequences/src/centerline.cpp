@@ -18,7 +18,7 @@ void requireLine(const std::vector<Vec3>& points) {
   if (points.size() < 2)
     throw DataError("a centreline needs at least two points", "centreline");
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const std::string where = phrase("centreline point %1", i + 1);
+    const Text where = phrase("centreline point %1", i + 1);
     if (!points[i].allFinite())
       throw DataError("the point is not finite", where);
     if (i > 0 && (points[i] - points[i - 1]).norm() < 1e-3 * kSample)

@@ -13,13 +13,13 @@ namespace {
 
 void requireKeys(const std::vector<Key>& keys, std::size_t fewest) {
   if (keys.size() < fewest)
-    throw DataError(phrase("a curve needs at least %n {key|keys}", fewest), "curve");
+    throw DataError(misuse("a curve needs at least %n {key|keys}", fewest), "curve");
   for (std::size_t i = 0; i < keys.size(); ++i) {
     if (!std::isfinite(keys[i].at) || !std::isfinite(keys[i].value))
-      throw DataError("the key is not a finite number", phrase("curve key %1", i + 1));
+      throw DataError(misuse("the key is not a finite number"), phrase("curve key %1", i + 1));
     if (i > 0 && keys[i].at <= keys[i - 1].at)
-      throw DataError("the key does not lie after the one before it", phrase("curve key %1", i + 1),
-                      "sort the keys and remove doubles");
+      throw DataError(misuse("the key does not lie after the one before it"), phrase("curve key %1", i + 1),
+                      misuse("sort the keys and remove doubles"));
   }
 }
 
@@ -53,7 +53,8 @@ Curve Curve::through(std::vector<Key> keys) {
 Curve Curve::periodic(std::vector<Key> keys, double period, double rise) {
   requireKeys(keys, 1);
   if (!std::isfinite(rise) || !(period > keys.back().at - keys.front().at))
-    throw DataError("the keys do not fit into one period", "curve", "give keys of one period only");
+    throw DataError(misuse("the keys do not fit into one period"), "curve",
+                    misuse("give keys of one period only"));
   Curve curve;
   curve.period_ = period;
   curve.rise_ = rise;

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 
 #include "viscera/core/error.h"
+#include "viscera/core/phrase.h"
 #include "viscera/sequences/curve.h"
 
 namespace viscera::sequences {
@@ -57,7 +59,7 @@ GastricWaves::GastricWaves(const GastricCourse& course)
     throw DataError("the pylorus does not lie beyond the middle of the body", "gastric waves",
                     "choose the landmarks from the fundus downwards");
   if (!(course_.depth > 0) || !std::isfinite(course_.depth))
-    throw DataError("waves without depth", "gastric waves", "give a depth above 0");
+    throw DataError(misuse("waves without depth"), "gastric waves", misuse("give a depth above 0"));
 }
 
 double GastricWaves::transitSeconds() const {
@@ -152,7 +154,7 @@ const char* GastricWaves::placeOf(double age) const {
   return progress(age) >= kAntrumOnTheWay ? "wave in the antrum" : "wave in the body";
 }
 
-std::string GastricWaves::rateRemark(double ratePerMinute) {
+Text GastricWaves::rateRemark(double ratePerMinute) {
   if (ratePerMinute < kLowestNormalRate)
     return "Bradygastria: healthy people have 2 to 4 waves a minute.";
   if (ratePerMinute > kHighestNormalRate)
@@ -164,12 +166,14 @@ std::vector<Phase> GastricWaves::phases(double ratePerMinute) const {
   constexpr int kSteps = 2000;
   const double period = periodOf(ratePerMinute);
   std::vector<Phase> phases;
+  std::string_view last;
   for (int step = 0; step < kSteps; ++step) {
     const double begin = static_cast<double>(step) / kSteps;
     const std::vector<double> waves = ages((begin + 0.5 / kSteps) * period, ratePerMinute);
     const char* name = waves.empty() ? "rest" : placeOf(waves.front());
-    if (phases.empty() || phases.back().name != name)
+    if (name != last)
       phases.push_back({name, begin, 1});
+    last = name;
     phases.back().end = static_cast<double>(step + 1) / kSteps;
   }
   return phases;

@@ -43,22 +43,23 @@ std::string inSeconds(double seconds) {
 
 void requireKey(const KeyframedSequence::Track& track, std::size_t i) {
   const Keyframe& key = track.keys[i];
-  const std::string where = phrase("key %1", i + 1);
+  const Text where = phrase("key %1", i + 1);
   if (!std::isfinite(key.seconds))
-    throw DataError("its time is not a finite number", where);
+    throw DataError(diagnostic("its time is not a finite number"), where);
   if (key.pose.rows() != track.restHandles.rows())
-    throw DataError(
-        phrase("its pose has %n {handle|handles} instead of %2", key.pose.rows(), track.restHandles.rows()),
-        where);
+    throw DataError(diagnostic("its pose has %n {handle|handles} instead of %2", key.pose.rows(),
+                               track.restHandles.rows()),
+                    where);
   if (!key.pose.allFinite())
-    throw DataError("a handle's position is not a finite number", where);
+    throw DataError(diagnostic("a handle's position is not a finite number"), where);
   if (key.seconds < 0 || !(key.seconds < track.periodSeconds))
-    throw DataError(phrase("its time, %1, is outside the period of %2", inSeconds(key.seconds),
-                           inSeconds(track.periodSeconds)),
+    throw DataError(diagnostic("its time, %1, is outside the period of %2", inSeconds(key.seconds),
+                               inSeconds(track.periodSeconds)),
                     where, "move it, or lengthen the period");
   if (i > 0 && key.seconds - track.keys[i - 1].seconds < kShortestSpan)
-    throw DataError(phrase("its time, %1, is not after that of the key before it", inSeconds(key.seconds)),
-                    where, "sort the keys by time and leave a millisecond at least between two");
+    throw DataError(
+        diagnostic("its time, %1, is not after that of the key before it", inSeconds(key.seconds)), where,
+        misuse("sort the keys by time and leave a millisecond at least between two"));
 }
 
 } // namespace
@@ -100,9 +101,9 @@ KeyframedSequence::KeyframedSequence(Track track) : track_(std::move(track)) {
   if (track_.keys.empty())
     throw DataError("there is no key", track_.name, "add a key first");
   if (!(track_.periodSeconds >= kShortestSpan) || !std::isfinite(track_.periodSeconds))
-    throw DataError("the period is not a positive number of seconds", track_.name);
+    throw DataError(diagnostic("the period is not a positive number of seconds"), track_.name);
   if (!track_.restHandles.allFinite())
-    throw DataError("a handle's rest position is not a finite number", track_.name);
+    throw DataError(diagnostic("a handle's rest position is not a finite number"), track_.name);
   for (std::size_t i = 0; i < track_.keys.size(); ++i)
     requireKey(track_, i);
   if (track_.interpolation == Interpolation::curve && track_.keys.size() > 1)

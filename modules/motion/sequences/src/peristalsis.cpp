@@ -63,7 +63,7 @@ double Peristalsis::wideningFor(const Points& narrowed, const Points& added, dou
   const auto root = nearestCubicRoot(missing, kLeastWidening, kMostTubeWidening);
   if (!root)
     throw DataError("the upper stomach cannot take in what the waves press out",
-                    phrase("peristalsis after %1 s", fixed(seconds, 3)), "check the landmarks");
+                    phrase("peristalsis after %1 s", inFixed(seconds, 3)), "check the landmarks");
   return *root;
 }
 

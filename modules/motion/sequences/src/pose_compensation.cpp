@@ -15,10 +15,11 @@ PoseCompensation::PoseCompensation(const Eigen::MatrixXd& selfWeights, int terms
   assert(terms >= 0 && terms <= 16);
   const Eigen::Index n = selfWeights.rows();
   if (selfWeights.cols() != n || !selfWeights.allFinite())
-    throw DataError("the coordinates of the handles are not a finite square matrix", "pose compensation");
+    throw DataError(misuse("the coordinates of the handles are not a finite square matrix"),
+                    misuse("pose compensation"));
   for (Eigen::Index row = 0; row < n; ++row)
     if (std::abs(selfWeights.row(row).sum() - 1) > kUnityTolerance)
-      throw DataError("the coordinates do not sum to 1", phrase("handle %1", row + 1));
+      throw DataError(misuse("the coordinates do not sum to 1"), phrase("handle %1", row + 1));
   // M_k+1 = I + (I - W) M_k sums the series of W^-1 = (I - (I - W))^-1, term by term: few of them bring the
   // points at the handles nearly to where the handles were meant, and stay tame where W is close to singular.
   const Eigen::MatrixXd identity = Eigen::MatrixXd::Identity(n, n);
@@ -38,9 +39,9 @@ void PoseCompensation::apply(const Points& rest, Points& pose) const {
 void PoseCompensation::requireFor(Eigen::Index handles, const std::string& organ,
                                   const std::string& sequence) const {
   if (handleCount() != 0 && handleCount() != handles)
-    throw DataError(phrase("the compensation is for %n {handle|handles}, the organ (%2) has %3",
-                           handleCount(), organ, handles),
-                    sequence);
+    throw DataError(misuse("the compensation is for %n {handle|handles}, the organ (%2) has %3",
+                           handleCount(), named(organ), handles),
+                    named(sequence));
 }
 
 } // namespace viscera::sequences

@@ -114,7 +114,7 @@ private:
     keys_.push_back({fraction, milliliters});
   }
 
-  [[noreturn]] void fail(const std::string& problem, const std::string& tryThis) const {
+  [[noreturn]] void fail(const Text& problem, const Text& tryThis) const {
     throw DataError(problem, phrase("%1, line %2", file_, line_), tryThis);
   }
 
@@ -132,7 +132,7 @@ Curve readVolumeCurve(const std::filesystem::path& file, double periodSeconds) {
   std::ifstream stream(file);
   std::error_code unreachable;
   if (!std::filesystem::is_regular_file(file, unreachable) || !stream)
-    throw NoInputError("is not a file that can be read", file.string(), "check the name");
+    throw NoInputError("is not a file that can be read", file.string(), "check the name and the folder");
   CurveReader reader(file.string(), periodSeconds);
   for (std::string line; std::getline(stream, line);)
     reader.take(std::move(line));
@@ -144,7 +144,7 @@ Curve volumeCurve(const std::vector<std::array<double, 2>>& rows) {
   std::vector<Key> keys;
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const auto [fraction, milliliters] = rows[i];
-    const std::string place = phrase("curve key %1", i + 1);
+    const Text place = phrase("curve key %1", i + 1);
     if (!(milliliters > 0))
       throw DataError("has a volume that is not positive", place, "write volumes in ml");
     if (!(fraction >= 0 && fraction <= 1))

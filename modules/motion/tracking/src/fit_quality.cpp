@@ -29,7 +29,7 @@ Vec3 normalOf(const Points& points, const Triangles& triangles, Eigen::Index t) 
 /// Collects the verdict on a phase.
 class Judge {
 public:
-  void say(FitLight light, std::string reason) {
+  void say(FitLight light, Text reason) {
     verdict_.light = std::max(verdict_.light, light);
     verdict_.reasons.push_back(std::move(reason));
   }
@@ -39,21 +39,21 @@ private:
   FitVerdict verdict_;
 };
 
-void judgeSurface(const SurfaceQuality& surface, const std::string& name, double sliceMm, Judge& judge) {
+void judgeSurface(const SurfaceQuality& surface, const Text& name, double sliceMm, Judge& judge) {
   if (surface.meanMm > kAmberMeanMm)
     judge.say(surface.meanMm > kRedMeanMm ? FitLight::red : FitLight::amber,
-              phrase("%1 is %2 mm away on average", name, fixed(surface.meanMm, 1)));
+              phrase("%1 is %2 mm away on average", name, inFixed(surface.meanMm, 1)));
   if (surface.p95Mm > kAmberP95Mm)
     judge.say(FitLight::amber,
-              phrase("a twentieth of %1 is more than %2 mm away", name, fixed(surface.p95Mm, 1)));
+              phrase("a twentieth of %1 is more than %2 mm away", name, inFixed(surface.p95Mm, 1)));
   if (std::abs(surface.freeMl - surface.measuredMl) > kAmberVolume * surface.measuredMl)
     judge.say(FitLight::amber, phrase("%1 had to be changed by %2 % to get its volume", name,
-                                      fixed(100 * std::abs(surface.freeMl / surface.measuredMl - 1), 0)));
+                                      inFixed(100 * std::abs(surface.freeMl / surface.measuredMl - 1), 0)));
   if (surface.dice) {
     const double least = sliceMm > kThickSliceMm ? kAmberDiceOfThickSlices : kAmberDice;
     if (*surface.dice < least)
       judge.say(*surface.dice < kRedDice ? FitLight::red : FitLight::amber,
-                phrase("%1 agrees with its voxels by a Dice of %2 only", name, fixed(*surface.dice, 2)));
+                phrase("%1 agrees with its voxels by a Dice of %2 only", name, inFixed(*surface.dice, 2)));
   } else if (surface.flipped > 0) {
     judge.say(FitLight::amber,
               phrase("%n {triangle|triangles} of %2 {is|are} turned over", surface.flipped, name));
@@ -133,7 +133,7 @@ int TissueWitnesses::foldedAt(const Points& pose, Threads threads) const {
 FitVerdict verdictOf(const PhaseQuality& phase, const std::vector<std::string>& names, double sliceMm) {
   Judge judge;
   for (std::size_t i = 0; i < phase.surfaces.size(); ++i)
-    judgeSurface(phase.surfaces[i], names[i], sliceMm, judge);
+    judgeSurface(phase.surfaces[i], named(names[i]), sliceMm, judge);
   if (phase.folded > 0)
     judge.say(FitLight::amber, phrase("the tissue is folded at %n {place|places}", phase.folded));
   if (!phase.volumesMet)

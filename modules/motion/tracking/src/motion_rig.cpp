@@ -31,7 +31,7 @@ std::vector<int> sharesOf(std::size_t surfaces, std::size_t outer, int handles) 
   const int free = handles - kCorners;
   if (free < kFewestOfASurface * static_cast<int>(surfaces))
     throw DataError(phrase("%2 handles are too few for %n {surface|surfaces}", surfaces, handles), "handles",
-                    phrase("ask for %1 at least", kCorners + kFewestOfASurface * static_cast<int>(surfaces)));
+                    phrase("ask for at least %1", kCorners + kFewestOfASurface * static_cast<int>(surfaces)));
   if (surfaces == 1)
     return {free};
   std::vector<int> counts(surfaces);

@@ -23,7 +23,7 @@ constexpr double kSamePlaceMm = 1e-6;
 
 void requireAlike(const SurfaceSeries& series) {
   if (series.phases.empty())
-    throw DataError("It has no phase", series.name, "name one surface for each phase");
+    throw DataError(misuse("It has no phase"), series.name, misuse("name one surface for each phase"));
   const Eigen::Index points = series.phases.front().rows();
   for (std::size_t phase = 0; phase < series.phases.size(); ++phase) {
     if (series.phases[phase].rows() != points)
@@ -135,7 +135,7 @@ TidySeries tidySeries(SurfaceSeries series) {
 
 std::size_t outerOf(const std::vector<geometry::TriangleMesh>& surfaces) {
   if (surfaces.empty())
-    throw DataError("There is no surface", "series", "name one at least");
+    throw DataError(misuse("There is no surface"), "series", misuse("name one at least"));
   std::size_t outer = 0;
   double largest = -1;
   for (std::size_t i = 0; i < surfaces.size(); ++i)

@@ -88,7 +88,7 @@ PlannedSurface plannedSurface(const Organ& organ, const document::DocumentState&
 
 /// "End-diastolic volume: women and men, mean +- 2 standard deviations", and where that comes from.
 std::string sourceOf(const heart::NormalRange& range, const PageWords& words) {
-  return capital(words.said(range.name.c_str())) + ": " + words.named(range.meaning) + "; " +
+  return capital(words.said(range.name.c_str())) + ": " + words.inWords(range.meaning) + "; " +
          words.named(range.people) + "; " + words.named(range.source) + ".";
 }
 
@@ -127,8 +127,8 @@ void chartVentriclesOnly(LessonPlan& plan) {
 
 /// Lessons have words of their own for the phases of the samples; others are called as in the window.
 std::string titleOf(const sequences::Phase& phase, const PageWords& words) {
-  const std::string english = capital(phase.name), own = words.said(english.c_str());
-  return own != english ? own : capital(words.named(phase.name));
+  const std::string english = capital(phase.name.english()), own = words.said(english.c_str());
+  return own != english ? own : words.inWords(phase.name.capitalised());
 }
 
 void addMotion(LessonPlan& plan, const LessonSource& source, const LessonSpec& spec, const PageWords& words) {
@@ -143,15 +143,17 @@ void addMotion(LessonPlan& plan, const LessonSource& source, const LessonSpec& s
     plan.rates.insert(std::upper_bound(plan.rates.begin(), plan.rates.end(), plan.rate), plan.rate);
   const double low = sequence.lowestRatePerMinute(), high = sequence.highestRatePerMinute();
   if (plan.rates.front() < low || plan.rates.back() > high)
-    throw UsageError("It is not a rate at which the sequence can be played", "rates of the lesson",
-                     phrase("from %1 to %2 a minute", significant(low, 4), significant(high, 4)));
+    throw UsageError(misuse("It is not a rate at which the sequence can be played"),
+                     misuse("rates of the lesson"),
+                     misuse("from %1 to %2 a minute", inDigits(low, 4), inDigits(high, 4)));
   for (const double rate : plan.rates)
     for (const sequences::Phase& phase : sequence.phases(rate)) {
+      const std::string name = phase.name.english();
       const bool known = std::any_of(plan.phases.begin(), plan.phases.end(),
-                                     [&](const PlannedPhase& other) { return other.name == phase.name; });
-      const std::string* other = instead(spec, phase.name);
+                                     [&](const PlannedPhase& other) { return other.name == name; });
+      const std::string* other = instead(spec, name);
       if (!known)
-        plan.phases.push_back({phase.name, other ? *other : titleOf(phase, words)});
+        plan.phases.push_back({name, other ? *other : titleOf(phase, words)});
     }
 }
 
@@ -193,13 +195,14 @@ void addSlides(LessonPlan& plan, const document::DocumentState& state, const Les
                        std::any_of(plan.phases.begin(), plan.phases.end(),
                                    [&](const PlannedPhase& phase) { return phase.name == slide.phase; });
     if (!known)
-      throw UsageError("There is no such phase", slide.phase, "viscera play names the phases of a sequence");
+      throw UsageError(misuse("There is no such phase"), slide.phase,
+                       misuse("viscera play names the phases of a sequence"));
     for (const std::string& name : slide.hidden) {
       const auto found = std::find_if(plan.surfaces.begin(), plan.surfaces.end(), [&](const auto& surface) {
         return surface.title == name || isCalled(*state.organ(surface.organ), name);
       });
       if (found == plan.surfaces.end())
-        throw UsageError("There is no such organ to hide", name, "name one that is shown");
+        throw UsageError(misuse("There is no such organ to hide"), name, misuse("name one that is shown"));
       slide.hiddenSurfaces.push_back(static_cast<std::size_t>(found - plan.surfaces.begin()));
     }
     plan.slides.push_back(std::move(slide));
@@ -220,7 +223,7 @@ void requireKnown(const std::string& language) {
       return;
     codes += (codes.empty() ? "" : ", ") + known.code;
   }
-  throw UsageError("It is not a language of the page", language, phrase("choose one of %1", codes));
+  throw UsageError(misuse("It is not a language of the page"), language, misuse("choose one of %1", codes));
 }
 
 } // namespace
@@ -259,7 +262,7 @@ LessonPlan planLesson(const LessonSource& source, const LessonSpec& spec) {
   chartVentriclesOnly(plan);
   plan.title = !spec.title.empty() ? spec.title : plan.surfaces.front().title;
   if (spec.title.empty() && source.sequence)
-    plan.title += ": " + words.said(source.sequence->name().c_str());
+    plan.title += ": " + words.said(source.sequence->name().english().c_str());
   for (const document::Measurement& measurement : *state.measurements) {
     const bool shown =
         std::all_of(measurement.points.begin(), measurement.points.end(), [&](const auto& point) {
@@ -290,8 +293,8 @@ LessonSpec readySpecFor(const LessonSource& source) {
   if (found == samples.end())
     return {};
   LessonSpec spec = readySpec(found->id);
-  const bool itsMotion =
-      source.sequence && source.sequence->id() == found->id && source.sequence->name() == found->name;
+  const bool itsMotion = source.sequence && source.sequence->id() == found->id &&
+                         source.sequence->name().english() == found->name;
   if (!itsMotion) { // The texts speak of that motion.
     spec.title = spec.notes = {};
     spec.rates = {};

@@ -58,18 +58,19 @@ LessonSpec specFrom(const JsonReader& json, const ordered_json& tree) {
 }
 
 /// The mistake as a text for the author of the file.
-std::string problemOf(const JsonError& error) {
+Text problemOf(const JsonError& error) {
   if (error.line > 0)
-    return phrase("It is not complete JSON: the mistake is in line %1", error.line);
+    return diagnostic("It is not complete JSON: the mistake is in line %1", error.line);
   if (!error.missingKey.empty())
-    return phrase("It does not describe a lesson: \"%1\" is missing", error.missingKey);
-  return "It does not describe a lesson: a text, a number or a list stands where something else belongs";
+    return diagnostic("It does not describe a lesson: \"%1\" is missing", error.missingKey);
+  return diagnostic(
+      "It does not describe a lesson: a text, a number or a list stands where something else belongs");
 }
 
 } // namespace
 
 LessonSpec readSpec(const std::string& text, const std::string& where) {
-  const char* advice = "compare it with the example in docs/lessons.md";
+  const Text advice = misuse("compare it with the example in docs/lessons.md");
   const JsonReader json(where, advice);
   try {
     return specFrom(json, json.parse(text));

@@ -97,7 +97,7 @@ void addMotion(const MotionSamples& samples, const SampledMotion& motion, const 
     std::vector<sequences::Phase> phases = source.sequence->phases(rate);
     for (sequences::Phase& phase : phases)
       for (const PlannedPhase& planned : lesson.plan.phases)
-        if (planned.name == phase.name) {
+        if (planned.name == phase.name.english()) {
           phase.name = planned.title;
           break;
         }

@@ -65,7 +65,7 @@ PackedArray ArrayPacker::add(const std::vector<double>& values, int stride, doub
   for (std::size_t i = 0; i < values.size(); ++i) {
     const double steps = std::round(values[i] / step);
     if (!(std::abs(steps) < std::numeric_limits<std::int32_t>::max()))
-      throw DataError(phrase("a number does not fit into a lesson: %1", std::to_string(values[i])), {},
+      throw DataError(misuse("a number does not fit into a lesson: %1", std::to_string(values[i])), {},
                       "check the size of the organ, and its motion");
     whole[i] = static_cast<std::int32_t>(steps);
   }
@@ -83,7 +83,7 @@ PackedArray ArrayPacker::addFloats(const std::vector<float>& values) {
 std::vector<double> unpacked(const PackedArray& array, const std::string& bytes) {
   const auto width = static_cast<std::size_t>(array.width);
   if (array.at + array.count * width > bytes.size())
-    throw DataError("an array of the lesson ends behind its bytes");
+    throw DataError(misuse("an array of the lesson ends behind its bytes"));
   std::vector<double> values(array.count);
   if (array.step == 0) {
     for (std::size_t i = 0; i < array.count; ++i) {
@@ -135,7 +135,7 @@ std::string inflated(const std::string& bytes) {
   }
   inflateEnd(&stream);
   if (state != Z_STREAM_END)
-    throw DataError("the arrays of the lesson cannot be unpacked");
+    throw DataError(misuse("the arrays of the lesson cannot be unpacked"));
   return result;
 }
 

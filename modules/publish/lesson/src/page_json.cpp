@@ -73,7 +73,7 @@ ordered_json motionJson(const Lesson& lesson) {
   for (const auto& atRate : lesson.phases) {
     ordered_json list = ordered_json::array();
     for (const sequences::Phase& phase : atRate)
-      list.push_back({phase.name, threeDecimals(phase.begin), threeDecimals(phase.end)});
+      list.push_back({phase.name.english(), threeDecimals(phase.begin), threeDecimals(phase.end)});
     phases.push_back(std::move(list));
   }
   ordered_json instants = ordered_json::array();

@@ -22,7 +22,7 @@ constexpr Said kSaid[] = {
     {"view", QT_TRANSLATE_NOOP("Lesson", "%1. Drag or use the arrow keys to turn, two fingers, the wheel or plus and minus to come nearer.")},
     {"tools", QT_TRANSLATE_NOOP("Lesson", "View")},
     {"panel", QT_TRANSLATE_NOOP("Lesson", "Numbers")},
-    {"measurements", QT_TRANSLATE_NOOP("Lesson", "Measurements")},
+    {"measurements", "Measurements"},
     {"slides", QT_TRANSLATE_NOOP("Lesson", "Slides")},
     {"quiz", QT_TRANSLATE_NOOP("Lesson", "Quiz")},
     {"theme", QT_TRANSLATE_NOOP("Lesson", "Light or dark (T)")},
@@ -35,7 +35,7 @@ constexpr Said kSaid[] = {
     {"inferior", QT_TRANSLATE_NOOP("Lesson", "Below")},
     {"names", QT_TRANSLATE_NOOP("Lesson", "Names")},
     {"namesTip", QT_TRANSLATE_NOOP("Lesson", "Names of the parts (N)")},
-    {"handles", QT_TRANSLATE_NOOP("Lesson", "Handles")},
+    {"handles", "Handles"},
     {"handlesTip", QT_TRANSLATE_NOOP("Lesson", "Handles to drag (H)")},
     {"reset", QT_TRANSLATE_NOOP("Lesson", "Reset")},
     {"resetTip", QT_TRANSLATE_NOOP("Lesson", "Back to the original shape (R)")},
@@ -54,7 +54,7 @@ constexpr Said kSaid[] = {
     {"ofRest", QT_TRANSLATE_NOOP("Lesson", "%1 % of rest")},
     {"byHandles", QT_TRANSLATE_NOOP("Lesson", "%1 % from moved handles")},
     {"ejection", QT_TRANSLATE_NOOP("Lesson", "%1: ejection fraction")},
-    {"stroke", QT_TRANSLATE_NOOP("Lesson", "Stroke volume")},
+    {"stroke", "Stroke volume"},
     {"output", QT_TRANSLATE_NOOP("Lesson", "Cardiac output")},
     {"normal", QT_TRANSLATE_NOOP("Lesson", "normal %1")},
     {"healthy", QT_TRANSLATE_NOOP("Lesson", "%1 of healthy people")},
@@ -65,7 +65,7 @@ constexpr Said kSaid[] = {
     {"stop", QT_TRANSLATE_NOOP("Lesson", "Stop")},
     {"time", QT_TRANSLATE_NOOP("Lesson", "Moment of the cycle")},
     {"timeText", QT_TRANSLATE_NOOP("Lesson", "%1 s, %2")},
-    {"rate", QT_TRANSLATE_NOOP("Lesson", "Rate")},
+    {"rate", "Rate"},
     {"aMinute", QT_TRANSLATE_NOOP("Lesson", "%1 a minute")},
     {"chart", QT_TRANSLATE_NOOP("Lesson", "Volumes over one cycle: %1")},
     {"keys", QT_TRANSLATE_NOOP("Lesson", "Keys")},
@@ -87,46 +87,30 @@ constexpr Said kSaid[] = {
     {"lost", QT_TRANSLATE_NOOP("Lesson", "The graphics were lost. Load the page again.")},
     {"failure", QT_TRANSLATE_NOOP("Lesson", "This lesson needs a browser of 2023 or later, with JavaScript and WebGL 2.")}};
 
-/// Texts that are translated elsewhere in this module, among them names of organs, sequences and their
-/// phases.
+/// Texts that are used elsewhere in this module. Among them are names of sequences and phases that a lesson
+/// calls otherwise than the window; all other names are in the context of the numerical modules.
 [[maybe_unused]] constexpr const char* kElsewhere[] = {
-    QT_TRANSLATE_NOOP("Lesson", "Organ"), QT_TRANSLATE_NOOP("Lesson", "Left ventricle"),
-    QT_TRANSLATE_NOOP("Lesson", "Right ventricle"), QT_TRANSLATE_NOOP("Lesson", "Title"),
-    QT_TRANSLATE_NOOP("Lesson", "Notes"), QT_TRANSLATE_NOOP("Lesson", "Label in the view"),
-    QT_TRANSLATE_NOOP("Lesson", "Normal range"), QT_TRANSLATE_NOOP("Lesson", "Measurement"),
-    QT_TRANSLATE_NOOP("Lesson", "Phase"), QT_TRANSLATE_NOOP("Lesson", "Slide"),
-    QT_TRANSLATE_NOOP("Lesson", "Text of the slide"), QT_TRANSLATE_NOOP("Lesson", "Handle"),
-    QT_TRANSLATE_NOOP("Lesson", "end-diastolic volume"), QT_TRANSLATE_NOOP("Lesson", "end-systolic volume"),
-    QT_TRANSLATE_NOOP("Lesson", "ejection fraction"), QT_TRANSLATE_NOOP("Lesson", "volume after a meal"),
-    QT_TRANSLATE_NOOP("Lesson", "volume"),
+    QT_TRANSLATE_NOOP("Lesson", "Title"), QT_TRANSLATE_NOOP("Lesson", "Notes"),
+    QT_TRANSLATE_NOOP("Lesson", "Label in the view"), QT_TRANSLATE_NOOP("Lesson", "Normal range"),
+    QT_TRANSLATE_NOOP("Lesson", "Measurement"), QT_TRANSLATE_NOOP("Lesson", "Phase"),
+    QT_TRANSLATE_NOOP("Lesson", "Slide"), QT_TRANSLATE_NOOP("Lesson", "Text of the slide"),
+    QT_TRANSLATE_NOOP("Lesson", "Handle"), QT_TRANSLATE_NOOP("Lesson", "volume after a meal"),
     //: The code of your language (BCP 47): numbers are written as it does.
     QT_TRANSLATE_NOOP("Lesson", "en"),
     QT_TRANSLATE_NOOP("Lesson", "For teaching. It is not a medical device."),
-    QT_TRANSLATE_NOOP("Lesson", "Heart"), QT_TRANSLATE_NOOP("Lesson", "Stomach"),
-    QT_TRANSLATE_NOOP("Lesson", "Liver"), QT_TRANSLATE_NOOP("Lesson", "Spleen"),
-    QT_TRANSLATE_NOOP("Lesson", "Kidney"), QT_TRANSLATE_NOOP("Lesson", "Left kidney"),
-    QT_TRANSLATE_NOOP("Lesson", "Right kidney"), QT_TRANSLATE_NOOP("Lesson", "Gallbladder"),
-    QT_TRANSLATE_NOOP("Lesson", "Pancreas"), QT_TRANSLATE_NOOP("Lesson", "Heartbeat"),
-    QT_TRANSLATE_NOOP("Lesson", "Gastric peristalsis"), QT_TRANSLATE_NOOP("Lesson", "Breathing"),
-    QT_TRANSLATE_NOOP("Lesson", "Recorded"), QT_TRANSLATE_NOOP("Lesson", "Measured"),
-    QT_TRANSLATE_NOOP("Lesson", "Atrial systole"),
-    QT_TRANSLATE_NOOP("Lesson", "Isovolumic contraction"), QT_TRANSLATE_NOOP("Lesson", "Ejection"),
-    QT_TRANSLATE_NOOP("Lesson", "Isovolumic relaxation"), QT_TRANSLATE_NOOP("Lesson", "Filling"),
-    QT_TRANSLATE_NOOP("Lesson", "Wave in the body"), QT_TRANSLATE_NOOP("Lesson", "Wave in the antrum"),
+    QT_TRANSLATE_NOOP("Lesson", "Heartbeat"), QT_TRANSLATE_NOOP("Lesson", "Gastric peristalsis"),
+    QT_TRANSLATE_NOOP("Lesson", "Wave in the body"),
     QT_TRANSLATE_NOOP("Lesson", "Terminal antral contraction"),
-    QT_TRANSLATE_NOOP("Lesson", "Wave fades at the pylorus"), QT_TRANSLATE_NOOP("Lesson", "Inspiration"),
-    QT_TRANSLATE_NOOP("Lesson", "Expiration"), QT_TRANSLATE_NOOP("Lesson", "Pause")};
+    QT_TRANSLATE_NOOP("Lesson", "Wave fades at the pylorus")};
 // clang-format on
 
-/// Texts of the numerical modules that a lesson shows and that were put together (viscera/core/phrase.h):
-/// what a normal range means for people of any size, and the phases of a key sequence.
-constexpr const char* kPutTogether[] = {"%1, mean +- 2 standard deviations", "%1, on average", "key %1"};
-constexpr std::string_view kPart = "%1";
+/// The context of the texts of the numerical modules in resources/translations/names_*.ts.
+constexpr const char* kNames = "viscera::presentation";
 
 } // namespace
 
 std::string said(const char* text) {
-  return QCoreApplication::translate("Lesson", text).toStdString();
+  return PageWords().said(text);
 }
 
 PageWords::PageWords(const std::string& language) : language_(language) {
@@ -141,29 +125,24 @@ PageWords::PageWords(const std::string& language) : language_(language) {
 PageWords::~PageWords() = default;
 
 std::string PageWords::said(const char* text) const {
-  return translated("Lesson", text);
+  const std::string own = translated("Lesson", text);
+  return own == text ? named(text) : own;
 }
 
 std::string PageWords::named(const std::string& text) const {
-  const std::string exact = translated("viscera::presentation", text.c_str());
-  if (exact != text)
-    return exact;
-  for (const std::string_view pattern : kPutTogether) {
-    const std::size_t place = pattern.find(kPart);
-    const std::string_view before = pattern.substr(0, place), after = pattern.substr(place + kPart.size());
-    if (text.size() <= before.size() + after.size() || !text.starts_with(before) || !text.ends_with(after))
-      continue;
-    const std::string part = text.substr(before.size(), text.size() - before.size() - after.size());
-    return phrase(translated("viscera::presentation", pattern.data()), named(part));
-  }
-  const std::size_t end = numberAtEnd(text);
-  return end < text.size() ? named(text.substr(0, end)) + text.substr(end) : text;
+  return inWords(viscera::named(text));
 }
 
-std::string PageWords::translated(const char* context, const char* text) const {
+std::string PageWords::inWords(const Text& text) const {
+  return viscera::inWords(text, {[this](const std::string& pattern, std::optional<int> number) {
+                            return translated(kNames, pattern.c_str(), number.value_or(-1));
+                          }});
+}
+
+std::string PageWords::translated(const char* context, const char* text, int number) const {
   if (language_.empty())
-    return QCoreApplication::translate(context, text).toStdString();
-  const QString found = translation_ ? translation_->translate(context, text) : QString();
+    return QCoreApplication::translate(context, text, nullptr, number).toStdString();
+  const QString found = translation_ ? translation_->translate(context, text, nullptr, number) : QString();
   return found.isEmpty() ? text : found.toStdString();
 }
 

@@ -4,6 +4,8 @@
 #include <memory>
 #include <string>
 
+#include "viscera/core/phrase.h"
+
 class QTranslator;
 
 /// The texts of a lesson's page in its language.
@@ -25,19 +27,22 @@ public:
   PageWords(const PageWords&) = delete;
   PageWords& operator=(const PageWords&) = delete;
 
-  /// A text of the context "Lesson"; as it is when there is no translation.
+  /// A text of the context "Lesson", else a name of the numerical modules; as it is when there is no
+  /// translation.
   std::string said(const char* text) const;
 
-  /// A name or text of the numerical modules (resources/translations/names_*.ts): the people measured for a
-  /// normal range, the key of a key sequence, or a handle of a sequence. Unchanged when there is no
-  /// translation.
+  /// A name of the numerical modules (resources/translations/names_*.ts): the people measured for a normal
+  /// range, or a handle of a sequence. Unchanged when there is no translation.
   std::string named(const std::string& text) const;
+
+  /// A text of the numerical modules: what a normal range means, or the phase of a sequence.
+  std::string inWords(const Text& text) const;
 
   /// All texts of the page itself, by the keys that its script uses.
   std::map<std::string, std::string> pageStrings() const;
 
 private:
-  std::string translated(const char* context, const char* text) const;
+  std::string translated(const char* context, const char* text, int number = -1) const;
 
   std::string language_;
   std::unique_ptr<QTranslator> translation_; ///< Null for English and for the program's own language.

@@ -89,7 +89,7 @@ Table summary(const ReportSource& source) {
     table.rows.push_back({said("Coordinates"), systemOf(source)});
   const presentation::ViewState& view = source.view;
   if (view.playing && view.playing->shown && source.sequence)
-    table.rows.push_back({said("Instant"), said("%1, at %2 of its cycle", named(source.sequence->name()),
+    table.rows.push_back({said("Instant"), said("%1, at %2 of its cycle", inWords(source.sequence->name()),
                                                 fixed(100 * view.playing->fraction, 1) + " %")});
   return table;
 }
@@ -194,11 +194,12 @@ std::string originOf(const document::Organ& organ) {
 /// The remark on an organ's file, without its folder.
 std::string remarksOf(const document::Organ& organ) {
   std::string text;
-  for (std::string warning : organ.warnings) {
+  for (const Text& remark : organ.warnings) {
+    std::string warning = inWords(remark);
     if (const std::string path = organ.file.string(); !path.empty())
       for (std::size_t at = 0; (at = warning.find(path, at)) != std::string::npos;)
         warning.replace(at, path.size(), organ.file.filename().string());
-    text += (text.empty() ? "" : "; ") + withoutFolders(messageInWords(warning));
+    text += (text.empty() ? "" : "; ") + withoutFolders(warning);
   }
   return text.empty() ? said("none") : text;
 }
@@ -213,8 +214,8 @@ Section files(const ReportSource& source) {
                           std::to_string(organ->mesh->points.rows()),
                           std::to_string(organ->mesh->triangles.rows())});
   Section section{said("Files and what was done to them"), {std::move(table)}};
-  for (const std::string& note : source.notes)
-    section.blocks.push_back(Paragraph{withoutFolders(messageInWords(note))});
+  for (const Text& note : source.notes)
+    section.blocks.push_back(Paragraph{withoutFolders(inWords(note))});
   section.blocks.push_back(Paragraph{
       said("All lengths are in millimetres, all volumes in millilitres; positions are in the patient's axes "
            "LPS (to the left, to the back, to the head). Viscera is a program for teaching and "

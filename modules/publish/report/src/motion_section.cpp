@@ -112,8 +112,8 @@ Table indicesTable(const std::vector<Line>& lines, double rate) {
 std::string phasesOf(const sequences::Sequence& sequence, double rate) {
   std::string text;
   for (const sequences::Phase& phase : sequence.phases(rate))
-    text += (text.empty() ? "" : ", ") + messageInWords(phase.name) + ' ' +
-            fixed(60 / rate * phase.begin, 3) + "-" + fixed(60 / rate * phase.end, 3) + " s";
+    text += (text.empty() ? "" : ", ") + inWords(phase.name) + ' ' + fixed(60 / rate * phase.begin, 3) + "-" +
+            fixed(60 / rate * phase.end, 3) + " s";
   return text.empty() ? "-" : text;
 }
 
@@ -146,7 +146,7 @@ Section motionSection(const ReportSource& source, Threads threads, Progress& pro
   const double rate = runner.ratePerMinute();
   Table facts;
   facts.numbers = {false, false};
-  facts.rows = {{said("Sequence"), named(source.sequence->name())},
+  facts.rows = {{said("Sequence"), inWords(source.sequence->name())},
                 {said("Rate"), said("%1 a minute, one cycle takes %2 s", significant(rate, 4),
                                     fixed(runner.periodSeconds(), 3))},
                 {said("Phases"), phasesOf(*source.sequence, rate)}};
@@ -155,8 +155,7 @@ Section motionSection(const ReportSource& source, Threads threads, Progress& pro
       facts.rows.push_back({said("Prescribed"), said("the volume of %1", titleOf(*organ))});
   section.blocks.push_back(std::move(facts));
   if (!curves.obstacle.empty())
-    section.blocks.push_back(
-        Paragraph{said("A volume could not be kept: %1", messageInWords(curves.obstacle))});
+    section.blocks.push_back(Paragraph{said("A volume could not be kept: %1", inWords(curves.obstacle))});
   const std::vector<Line> lines = linesOf(source.state, curves, source.view.person);
   if (lines.empty())
     return section;
@@ -169,9 +168,8 @@ Section motionSection(const ReportSource& source, Threads threads, Progress& pro
   for (const Line& line : lines)
     for (const heart::NormalRange& range : line.ranges)
       if (range.quantity == heart::NormalRange::Quantity::ejectionPercent)
-        section.blocks.push_back(Paragraph{capital(named(range.name)) + ": " + messageInWords(range.meaning) +
-                                           "; " + messageInWords(range.people) + "; " +
-                                           messageInWords(range.source) + "."});
+        section.blocks.push_back(Paragraph{capital(named(range.name)) + ": " + inWords(range.meaning) + "; " +
+                                           named(range.people) + "; " + named(range.source) + "."});
   return section;
 }
 

@@ -224,8 +224,8 @@ Section stressSection(const ReportSource& source, const live::StressFrame& frame
       "It measures distortion and is not a pressure.")});
   section.blocks.push_back(std::move(facts));
   section.blocks.push_back(numbers(frame));
-  for (const std::string& remark : source.stressStatus.remarks)
-    section.blocks.push_back(Paragraph{withoutFolders(messageInWords(remark))});
+  for (const Text& remark : source.stressStatus.remarks)
+    section.blocks.push_back(Paragraph{withoutFolders(inWords(remark))});
   section.blocks.push_back(pictureOfStress(source, frame, threads));
   live::StressMarksReader reader;
   const live::ReadMarks marks = reader.read(source.state, frame.organ, frame.mesh, *frame.points, *frame.map);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include <QCoreApplication>
+#include <QLocale>
 #include <QRegularExpression>
 #include <QString>
 
@@ -13,9 +14,8 @@
 namespace viscera::report {
 namespace {
 
-/// Of resources/translations/names_*.ts, and of the window's translator of texts with parts.
+/// The context of resources/translations/names_*.ts.
 constexpr const char* kNames = "viscera::presentation";
-constexpr const char* kMessages = "viscera::messages";
 
 } // namespace
 
@@ -32,11 +32,14 @@ std::string said(const char* text, const std::string& first, const std::string& 
 }
 
 std::string named(const std::string& name) {
-  return name.empty() ? name : said(name.c_str());
+  return inWords(viscera::named(name));
 }
 
-std::string messageInWords(const std::string& message) {
-  return message.empty() ? message : QCoreApplication::translate(kMessages, message.c_str()).toStdString();
+std::string inWords(const Text& text) {
+  const auto translate = [](const std::string& pattern, std::optional<int> number) {
+    return QCoreApplication::translate(kNames, pattern.c_str(), nullptr, number.value_or(-1)).toStdString();
+  };
+  return viscera::inWords(text, {translate, QString(QLocale().decimalPoint()).toStdString()});
 }
 
 std::string signedNumber(double value, int digits) {

@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "viscera/core/phrase.h"
 #include "viscera/document/organ.h"
 
 namespace viscera::report {
@@ -12,10 +13,10 @@ std::string said(const char* text);
 /// The same with `first` and `second` in the places of %1 and %2.
 std::string said(const char* text, const std::string& first, const std::string& second = {});
 
-/// Likewise of a name (a system, a sequence, a phase, a quantity); unchanged when it has no translation.
+/// Likewise of a name (a system, a quantity); unchanged when it has no translation.
 std::string named(const std::string& name);
-/// Likewise of a text that is put together from parts (viscera/core/phrase.h): a warning, an obstacle.
-std::string messageInWords(const std::string& message);
+/// Likewise of a text with its parts: a warning, an obstacle, the name of a sequence.
+std::string inWords(const Text& text);
 
 /// A change with its sign: "+1.3", "-0.4"; one that the digits do not show is "0.0".
 std::string signedNumber(double value, int digits);

@@ -61,7 +61,7 @@ TEST(PatientFit, SaysWhatWouldHaveToLeaveItsRange) {
   EXPECT_FALSE(fit.met());
   expectInRange(fit.parameters);
   EXPECT_NE(std::find(fit.atLimit.begin(), fit.atLimit.end(), "systemicResistance"), fit.atLimit.end());
-  EXPECT_NE(fit.remark().find("systemicResistance"), std::string::npos);
+  EXPECT_NE(fit.remark().english().find("systemicResistance"), std::string::npos);
 }
 
 TEST(PatientFit, RefusesWhatIsNoMeasurement) {

@@ -40,9 +40,9 @@ TEST(Readings, ShowWhatIsWrongInIllness) {
 
 TEST(Readings, RangesAreWrittenWithTheBoundsTheyHave) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  EXPECT_EQ(rangeText({4, 8, {}}, 1), "4.0 - 8.0");
-  EXPECT_EQ(rangeText({1200, kInfinity, {}}, 0), "from 1200");
-  EXPECT_EQ(rangeText({-kInfinity, 20, {}}, 0), "up to 20");
+  EXPECT_EQ(rangeText({4, 8, {}}, 1).english(), "4.0 - 8.0");
+  EXPECT_EQ(rangeText({1200, kInfinity, {}}, 0).english(), "from 1200");
+  EXPECT_EQ(rangeText({-kInfinity, 20, {}}, 0).english(), "up to 20");
 }
 
 TEST(Readings, EveryControlMarksANormalRangeThatHoldsItsValueAtRest) {

@@ -223,7 +223,7 @@ TEST(CardiacCycle, NamesItsSevenPhasesInOrderAndWithoutGaps) {
     ASSERT_EQ(phases.size(), cardiacTimes(rate).diastasis() > 0 ? 7u : 6u) << rate;
     double end = 0;
     for (std::size_t i = 0; i < phases.size(); ++i) {
-      EXPECT_EQ(phases[i].name, names[i]);
+      EXPECT_EQ(phases[i].name.english(), names[i]);
       EXPECT_EQ(phases[i].begin, end);
       EXPECT_GT(phases[i].end, phases[i].begin);
       end = phases[i].end;

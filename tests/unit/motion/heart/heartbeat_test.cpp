@@ -170,10 +170,10 @@ TEST_F(CavityHeartbeatTest, DescribesItselfAsASequence) {
 }
 
 TEST_F(CavityHeartbeatTest, SaysWhichRatesLieBeyondTheData) {
-  EXPECT_EQ(heartbeat_.rateRemark(50), "");
-  EXPECT_EQ(heartbeat_.rateRemark(171), "");
-  EXPECT_NE(heartbeat_.rateRemark(49), "");
-  EXPECT_NE(heartbeat_.rateRemark(200), "");
+  EXPECT_TRUE(heartbeat_.rateRemark(50).empty());
+  EXPECT_TRUE(heartbeat_.rateRemark(171).empty());
+  EXPECT_FALSE(heartbeat_.rateRemark(49).empty());
+  EXPECT_FALSE(heartbeat_.rateRemark(200).empty());
 }
 
 TEST_F(CavityHeartbeatTest, AppliesTheCompensationToEveryPose) {

@@ -31,7 +31,7 @@ TEST(NormalRanges, OfAVentricleAreThoseOfTheTableForThatPerson) {
   const std::vector<NormalRange> women = normalRanges("Right ventricle", {anatomy::Sex::women, 1.6});
   ASSERT_EQ(women.size(), 3u);
   EXPECT_DOUBLE_EQ(women[0].high, 1.6 * (77 + 2 * 13));
-  EXPECT_NE(women[0].meaning.find("1.60 m2"), std::string::npos) << women[0].meaning;
+  EXPECT_NE(women[0].meaning.english().find("1.60 m2"), std::string::npos) << women[0].meaning;
 }
 
 TEST(NormalRanges, AreNotInventedForOtherOrgans) {

@@ -16,7 +16,7 @@ namespace {
 class Waves final : public sequences::Sequence {
 public:
   std::string id() const override { return "waves"; }
-  std::string name() const override { return "Waves"; }
+  Text name() const override { return "Waves"; }
   const Points& restHandles() const override { return rest_; }
   double standardRatePerMinute() const override { return 60; }
   double lowestRatePerMinute() const override { return 30; }

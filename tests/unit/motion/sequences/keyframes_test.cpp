@@ -116,8 +116,8 @@ TEST(Keyframes, aLoopLeadsBackToTheFirstKeyAndOtherwiseTheLastPoseStays) {
 TEST(Keyframes, phasesCoverThePeriodFromKeyToKey) {
   const auto phases = KeyframedSequence(track()).phases(15);
   ASSERT_EQ(phases.size(), 5u);
-  EXPECT_EQ(phases[0].name, "start");
-  EXPECT_EQ(phases[4].name, "key 4");
+  EXPECT_EQ(phases[0].name.english(), "start");
+  EXPECT_EQ(phases[4].name.english(), "key 4");
   for (std::size_t i = 1; i < phases.size(); ++i)
     EXPECT_EQ(phases[i].begin, phases[i - 1].end);
   EXPECT_EQ(phases.back().end, 1);

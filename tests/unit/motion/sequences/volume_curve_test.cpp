@@ -14,7 +14,7 @@ namespace {
 
 class VolumeCurveFile : public testing::Test {
 protected:
-  sequences::Curve read(const std::string& text, double periodSeconds = 0.8) {
+  Curve read(const std::string& text, double periodSeconds = 0.8) {
     std::ofstream(file_) << text;
     return readVolumeCurve(file_, periodSeconds);
   }
@@ -36,7 +36,7 @@ protected:
 
 TEST_F(VolumeCurveFile, HoldsFractionsOfTheCycleWithOrWithoutAHeader) {
   for (const char* header : {"", "fraction,volume_ml\n", "# of a ventricle\n\n"}) {
-    const sequences::Curve curve = read(std::string(header) + "0,130.5\n0.4;55\r\n0.7\t90\n");
+    const Curve curve = read(std::string(header) + "0,130.5\n0.4;55\r\n0.7\t90\n");
     EXPECT_EQ(curve.at(0), 130.5);
     EXPECT_EQ(curve.at(0.4), 55);
     EXPECT_EQ(curve.at(1.7), 90) << "every cycle is the same";
@@ -46,7 +46,7 @@ TEST_F(VolumeCurveFile, HoldsFractionsOfTheCycleWithOrWithoutAHeader) {
 TEST_F(VolumeCurveFile, TakesDecimalCommasBetweenSemicolonsOrTabs) {
   for (const char* rows :
        {"time_s;LV_ml\n0;130,5\n0,4;55,25\n0,8;130,5\n", "time_s\tLV_ml\n0\t130,5\n0,4\t55,25\n"}) {
-    const sequences::Curve curve = read(rows);
+    const Curve curve = read(rows);
     EXPECT_EQ(curve.at(0), 130.5);
     EXPECT_NEAR(curve.at(0.5), 55.25, 1e-9);
   }
@@ -54,7 +54,7 @@ TEST_F(VolumeCurveFile, TakesDecimalCommasBetweenSemicolonsOrTabs) {
 }
 
 TEST_F(VolumeCurveFile, TakesSecondsUnderAHeaderThatSaysSo) {
-  const sequences::Curve curve = read("time_s,LV_ml\n0,130\n0.4,55\n0.8,130\n");
+  const Curve curve = read("time_s,LV_ml\n0,130\n0.4,55\n0.8,130\n");
   EXPECT_NEAR(curve.at(0.5), 55, 1e-9);
   EXPECT_NEAR(curve.at(1), 130, 1e-9);
 }
@@ -62,7 +62,7 @@ TEST_F(VolumeCurveFile, TakesSecondsUnderAHeaderThatSaysSo) {
 TEST_F(VolumeCurveFile, TakesSecondsBehindAByteOrderMarkAndInCapitals) {
   for (const char* header :
        {"\xEF\xBB\xBFtime_s,LV_ml\n", "Time (s),LV (ml)\n", "\xEF\xBB\xBF\"TIME\";LV\n"}) {
-    const sequences::Curve curve = read(std::string(header) + "0;130\n0.4;55\n0.8;130\n");
+    const Curve curve = read(std::string(header) + "0;130\n0.4;55\n0.8;130\n");
     EXPECT_NEAR(curve.at(0.5), 55, 1e-9) << header;
   }
   EXPECT_EQ(read("\xEF\xBB\xBF"

@@ -129,7 +129,7 @@ TEST(FitDistances, BringsAForeignRigThereFromFarAway) {
 TEST(FitDistances, CanBeCancelled) {
   const LabelledShell shell(4, Vec3(4, 4, 4));
   const MotionRig rig = rigOf(shell, 40);
-  Progress progress([&](double fraction, const std::string&) {
+  Progress progress([&](double fraction, const Text&) {
     if (fraction > 0.3)
       throw std::logic_error("went on");
   });

@@ -110,12 +110,13 @@ TEST(Verdict, NamesWhatIsDoubtful) {
   EXPECT_EQ(verdictOf(phase, {"LV"}, 0).light, FitLight::good);
   phase.surfaces[0].meanMm = 1.8;
   EXPECT_EQ(verdictOf(phase, {"LV"}, 0).light, FitLight::amber);
-  EXPECT_EQ(verdictOf(phase, {"LV"}, 0).reasons.front(), "LV is 1.8 mm away on average");
+  EXPECT_EQ(verdictOf(phase, {"LV"}, 0).reasons.front().english(), "LV is 1.8 mm away on average");
   phase.surfaces[0].meanMm = 2.6;
   EXPECT_EQ(verdictOf(phase, {"LV"}, 0).light, FitLight::red);
   phase.surfaces[0] = good;
   phase.surfaces[0].freeMl = 80;
-  EXPECT_EQ(verdictOf(phase, {"LV"}, 0).reasons.front(), "LV had to be changed by 20 % to get its volume");
+  EXPECT_EQ(verdictOf(phase, {"LV"}, 0).reasons.front().english(),
+            "LV had to be changed by 20 % to get its volume");
   phase.surfaces[0] = good;
   phase.surfaces[0].dice = 0.94;
   EXPECT_EQ(verdictOf(phase, {"LV"}, 1).light, FitLight::amber);

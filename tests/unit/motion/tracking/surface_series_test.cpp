@@ -68,7 +68,7 @@ TEST(TidySeries, RefusesPhasesWithOtherPoints) {
     tidySeries(series);
     FAIL() << "must refuse";
   } catch (const DataError& error) {
-    EXPECT_NE(error.problem().find("Phase 2 has 15 points and the first has 16"), std::string::npos)
+    EXPECT_NE(error.problem().english().find("Phase 2 has 15 points and the first has 16"), std::string::npos)
         << error.what();
   }
 }

@@ -107,7 +107,7 @@ TEST(LessonPlan, RefusesASpecThatSpeaksOfNothing) {
     try {
       readSpec(text, "test");
     } catch (const DataError& error) {
-      return error.problem();
+      return error.problem().english();
     }
     return std::string();
   };
@@ -122,7 +122,7 @@ TEST(LessonPlan, RefusesASpecThatSpeaksOfNothing) {
     readSpec(R"({"slides": [{"title": "S"}, {"title": "U", "rate": "fast"}]})", "test");
     ADD_FAILURE() << "a rate is a number";
   } catch (const DataError& error) {
-    EXPECT_EQ(error.where(), "test, slides[1].rate");
+    EXPECT_EQ(error.where().english(), "test, slides[1].rate");
   }
   BallScene scene;
   LessonSpec spec;
@@ -251,7 +251,7 @@ TEST(LessonPlan, SaysInItsLanguageWhoWasMeasured) {
     EXPECT_THAT(notes, HasSubstr("10.1186/s12968-017-0327-9")) << language;
     for (const std::string& name : names)
       for (const heart::NormalRange& range : heart::normalRanges(name)) {
-        EXPECT_THAT(notes, Not(HasSubstr(range.meaning))) << language;
+        EXPECT_THAT(notes, Not(HasSubstr(range.meaning.english()))) << language;
         EXPECT_THAT(notes, Not(HasSubstr(range.people))) << language;
       }
   }

@@ -172,7 +172,10 @@ TEST(Page, SpeaksEachLanguageThatComesWithTheProgram) {
     ASSERT_TRUE(
         translation.load(QString::fromStdString(":/viscera/translations/viscera_" + language.code + ".qm")));
     for (const auto& [key, text] : english) {
-      const std::string translated = translation.translate("Lesson", text.c_str()).toStdString();
+      QString found = translation.translate("Lesson", text.c_str());
+      if (found.isEmpty()) // A text of the modules has its translation there.
+        found = translation.translate("viscera::presentation", text.c_str());
+      const std::string translated = found.toStdString();
       EXPECT_FALSE(translated.empty()) << language.code << " does not say: " << text;
       for (const char* place : {"%1", "%2", "%3"})
         EXPECT_EQ(countOf(text, place), countOf(translated, place)) << language.code << ": " << translated;

@@ -5,6 +5,8 @@
 #include <string_view>
 #include <vector>
 
+#include "viscera/core/phrase.h"
+
 /// A table of normal ranges of healthy adults, each row with its source. Charts, the check of imported
 /// organs, the circulation, reports and lessons read it.
 namespace viscera::anatomy {
@@ -86,7 +88,7 @@ const Norm& norm(std::string_view id);
 Range rangeOf(const Norm& norm, const Person& person = {});
 
 /// Describes how `rangeOf` is computed: "women, mean +- 2 standard deviations, for 1.8 m2 of body surface".
-std::string meaningOf(const Norm& norm, const Person& person = {});
+Text meaningOf(const Norm& norm, const Person& person = {});
 
 /// "women and men", "women", "men".
 std::string_view nameOf(Sex sex);

@@ -7,6 +7,7 @@
 #include <vtkMultiProcessController.h>
 
 #include "viscera/core/error.h"
+#include "viscera/core/phrase.h"
 
 namespace viscera::vtk_filters {
 namespace {
@@ -53,14 +54,14 @@ void Ranks::together(const std::function<void()>& part) const {
   try {
     part();
   } catch (const std::exception& error) {
-    failure = explanationOf(error);
+    failure = explanationOf(error).english();
     if (failure.empty())
       failure = "it failed without a message";
   }
   const auto failures = gatherTexts(failure);
   for (std::size_t rank = 0; rank < failures.size(); ++rank)
     if (!failures[rank].empty())
-      throw DataError(failures[rank], count() == 1 ? "" : "rank " + std::to_string(rank));
+      throw DataError(failures[rank], count() == 1 ? Text() : phrase("rank %1", rank));
 }
 
 std::vector<std::vector<double>> Ranks::gather(std::vector<double> mine) const {

@@ -5,6 +5,7 @@
 
 #include "viscera/core/arrays.h"
 #include "viscera/core/parallel.h"
+#include "viscera/core/phrase.h"
 
 namespace viscera::coordinates {
 
@@ -16,7 +17,7 @@ struct BindingReport {
   std::vector<int> failures; ///< Points for which the system has no coordinates, ascending; they do not move.
   double seconds = 0;
   int threads = 1;
-  std::vector<std::string> notes; ///< Sentences for a user: what the system had to cut or leave out.
+  std::vector<Text> notes; ///< Sentences for a user: what the system had to cut or leave out.
 };
 
 /// The coordinates of fixed points with respect to handles at rest, by which a pose of the handles gives the

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "viscera/coordinates/coordinate_system.h"
+#include "viscera/core/phrase.h"
 
 namespace viscera::coordinates {
 
@@ -19,7 +20,7 @@ public:
   virtual std::shared_ptr<const PoseLift> lift() const { return {}; }
 
   /// Sentences for the user in the report of the binding.
-  virtual std::vector<std::string> notes() const { return {}; }
+  virtual std::vector<Text> notes() const { return {}; }
 
   /// Fills `weights` (one for each handle, set to zero before) with the coordinates of `point`, mm; false
   /// where the system has none.

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "viscera/core/arrays.h"
+#include "viscera/core/phrase.h"
 
 namespace viscera::coordinates {
 
@@ -31,7 +32,7 @@ struct SpaceLayout {
   std::vector<SpacePart> parts;
   /// Upper bounds of parameters that depend on these handles; larger values have no further effect.
   std::map<std::string, double> upperBounds;
-  std::vector<std::string> notes; ///< Sentences for a user: what was cut, left out or joined.
+  std::vector<Text> notes; ///< Sentences for a user: what was cut, left out or joined.
 };
 
 } // namespace viscera::coordinates

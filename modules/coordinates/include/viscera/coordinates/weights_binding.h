@@ -2,6 +2,7 @@
 
 #include "viscera/coordinates/binding.h"
 #include "viscera/coordinates/tiled_weights.h"
+#include "viscera/core/phrase.h"
 
 namespace viscera::coordinates {
 
@@ -13,8 +14,7 @@ public:
   /// rows of `weights` are ignored. `seconds` is the time the system took, `notes` the sentences for its
   /// report.
   WeightsBinding(TiledWeights weights, const Points& restHandles, const Points& restPoints,
-                 std::vector<int> failures, double seconds, Threads threads,
-                 std::vector<std::string> notes = {});
+                 std::vector<int> failures, double seconds, Threads threads, std::vector<Text> notes = {});
   /// For systems that measured their weights while they made them, and save a pass over all of them.
   WeightsBinding(TiledWeights&& weights, const Points& restPoints, BindingReport measured);
 
@@ -38,7 +38,7 @@ private:
   void restoreFailed(Eigen::Index begin, Eigen::Index end, Points& points) const;
   static BindingReport reportOf(const TiledWeights& weights, const Points& restHandles,
                                 const Points& restPoints, std::vector<int> failures, double seconds,
-                                Threads threads, std::vector<std::string> notes);
+                                Threads threads, std::vector<Text> notes);
 
   TiledWeights weights_;
   Points failedRest_; ///< Rest positions of the points in `report_.failures`.

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "viscera/core/error.h"
+#include "viscera/core/phrase.h"
 #include "viscera/core/progress.h"
 #include "viscera/core/signal.h"
 
@@ -25,11 +26,11 @@ struct JobResult {
 /// Name and progress of a job that waits or runs, for the status bar.
 struct JobInfo {
   std::int64_t id = 0;
-  std::string name;
+  Text name;
   std::string slot;
   bool running = false;
   double fraction = 0; ///< 0 to 1.
-  std::string step;
+  Text step;
 };
 
 /// Runs long jobs on worker threads. Everything but the work itself belongs to one thread, the main thread:
@@ -54,7 +55,7 @@ public:
   /// dropped even if it was ready, so that an old result never arrives after a newer job was queued. Returns
   /// the job's id.
   template <class Value>
-  std::int64_t submit(std::string name, std::string slot, std::function<Value(Progress&)> work,
+  std::int64_t submit(Text name, std::string slot, std::function<Value(Progress&)> work,
                       std::function<void(JobResult<Value>)> done) {
     return submitAny(
         std::move(name), std::move(slot),
@@ -87,7 +88,7 @@ private:
   using AnyDone = std::function<void(std::shared_ptr<void>, std::shared_ptr<const Error>)>;
   struct Shared;
 
-  std::int64_t submitAny(std::string name, std::string slot, AnyWork work, AnyDone done);
+  std::int64_t submitAny(Text name, std::string slot, AnyWork work, AnyDone done);
 
   std::shared_ptr<Shared> shared_;
 };

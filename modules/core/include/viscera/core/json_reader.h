@@ -41,7 +41,7 @@ enum class JsonComments { refused, skipped };
 /// `where` names the file and `tryThis` says what to try. O(n) for `nlohmann::json`; an `ordered_json` keeps
 /// the order of keys and takes O(k^2) for an object with k keys. Made for these two types.
 template <class Json>
-Json parseJson(std::string_view text, const std::string& where, const std::string& tryThis,
+Json parseJson(std::string_view text, const std::string& where, const Text& tryThis,
                JsonComments comments = JsonComments::refused);
 
 /// A finite number; nothing for another value.
@@ -97,12 +97,10 @@ public:
   JsonReader(std::string where, const Format& format)
       : where_(std::move(where)), tryThis_(format.tryThis), format_(format) {}
   /// Reads files that do not state their format.
-  JsonReader(std::string where, std::string tryThis)
-      : where_(std::move(where)), tryThis_(std::move(tryThis)) {}
+  JsonReader(std::string where, Text tryThis) : where_(std::move(where)), tryThis_(std::move(tryThis)) {}
 
-  [[noreturn]] void fail(const std::string& problem, const std::string& place) const;
-  [[noreturn]] void fail(const std::string& problem, const std::string& place,
-                         const std::string& tryThis) const;
+  [[noreturn]] void fail(const Text& problem, const std::string& place) const;
+  [[noreturn]] void fail(const Text& problem, const std::string& place, const Text& tryThis) const;
 
   /// The outermost object. Where there is a format, the object is of this format and not later than this
   /// version, in mm and LPS.
@@ -172,7 +170,7 @@ public:
     const std::string name = textOf(object, key, place);
     const auto value = find(name);
     if (!value)
-      fail(phrase("there is no %1 \"%2\"", key, name), place, phrase("use one of: %1", known));
+      fail(diagnostic("there is no %1 \"%2\"", key, name), place, phrase("use one of: %1", known));
     return *value;
   }
 
@@ -194,7 +192,7 @@ private:
   [[noreturn]] void failWithout(const char* key, const std::string& place) const;
 
   std::string where_;
-  std::string tryThis_;
+  Text tryThis_;
   std::optional<Format> format_;
   std::vector<std::string> unknown_;
 };
@@ -218,6 +216,6 @@ void JsonReader::read(const nlohmann::ordered_json& value, const std::string& pl
 }
 
 /// Three numbers as a JSON array.
-nlohmann::ordered_json listOf(const Vec3& v);
+nlohmann::ordered_json jsonOf(const Vec3& v);
 
 } // namespace viscera

@@ -3,7 +3,8 @@
 #include <atomic>
 #include <functional>
 #include <mutex>
-#include <string>
+
+#include "viscera/core/phrase.h"
 
 namespace viscera {
 
@@ -12,7 +13,7 @@ namespace viscera {
 class Progress {
 public:
   /// Called with a fraction in [0, 1] and the name of the present step; calls never overlap.
-  using Listener = std::function<void(double fraction, const std::string& step)>;
+  using Listener = std::function<void(double fraction, const Text& step)>;
   /// Called whenever the job looks whether it was cancelled, on the thread that looks, from several at a
   /// time: for a waiting side that has no thread of its own. It must be cheap and must not throw; it may call
   /// `cancel()`.
@@ -22,7 +23,7 @@ public:
   explicit Progress(Listener listener, Look look = {});
 
   /// Calls the listener, at most once for each per mille of progress or new step name.
-  void report(double fraction, const std::string& step = {});
+  void report(double fraction, const Text& step = {});
 
   /// Requests the job to stop; it throws `Cancelled` when it checks next.
   void cancel() { cancelled_.store(true, std::memory_order_relaxed); }
@@ -42,7 +43,7 @@ private:
   Look look_;
   std::mutex mutex_;
   double lastFraction_ = -1;
-  std::string lastStep_;
+  Text lastStep_;
   std::atomic<bool> cancelled_{false};
   const Progress* whole_ = nullptr; ///< Of which this is a part.
 };

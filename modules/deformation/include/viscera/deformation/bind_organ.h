@@ -6,6 +6,7 @@
 
 #include "viscera/coordinates/coordinate_system.h"
 #include "viscera/core/error.h"
+#include "viscera/core/phrase.h"
 #include "viscera/geometry/triangle_mesh.h"
 
 namespace viscera::deformation {
@@ -17,8 +18,7 @@ public:
   enum class Of { hull, regions, cage };
 
   /// `outsideHull` of the `vertices` lie outside the hull of all handles.
-  UnboundVertices(std::vector<int> vertices, int outsideHull, Of of, const std::string& what,
-                  const std::string& tryThis);
+  UnboundVertices(std::vector<int> vertices, int outsideHull, Of of, const Text& what, const Text& tryThis);
 
   const std::vector<int>& vertices() const { return vertices_; } ///< Rows of the organ's points, ascending.
   int outsideHull() const { return outsideHull_; }

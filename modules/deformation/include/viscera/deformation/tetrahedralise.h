@@ -6,6 +6,7 @@
 
 #include "viscera/coordinates/coordinate_system.h"
 #include "viscera/core/error.h"
+#include "viscera/core/phrase.h"
 #include "viscera/core/progress.h"
 #include "viscera/deformation/witness_mesh.h"
 #include "viscera/geometry/triangle_mesh.h"
@@ -31,7 +32,7 @@ public:
     timeLimit,   ///< It took too long and was ended.
     memoryLimit, ///< It exceeded the memory limit.
   };
-  TetrahedraError(Reason reason, std::string what, std::string tryThis = {});
+  TetrahedraError(Reason reason, Text what, Text tryThis = {});
   Reason reason() const { return reason_; }
 
 private:

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "viscera/coordinates/binding.h"
+#include "viscera/core/phrase.h"
 #include "viscera/deformation/deformer.h"
 #include "viscera/deformation/restoration_model.h"
 #include "viscera/deformation/volume_form.h"
@@ -31,7 +32,7 @@ struct RestoredPose {
   bool restored = false;     ///< The volumes are met to `VolumeLock::kRelativeTolerance`.
   double largestShiftMm = 0; ///< How far a compensating handle had to move.
   double relativeError = 0;  ///< max |V - V*| / V* over the surfaces.
-  std::string reason;        ///< Why it failed, for the user; empty when restored.
+  Text reason;               ///< Why it failed, for the user; empty when restored.
 };
 
 /// Keeps the volume of surfaces exactly constant, or at prescribed values, while their handles move.

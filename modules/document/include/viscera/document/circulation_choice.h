@@ -4,12 +4,13 @@
 #include <string>
 
 #include "viscera/circulation/parameters.h"
+#include "viscera/core/phrase.h"
 
 namespace viscera::document {
 
 /// A circulation that the user kept, to compare the present one with it.
 struct KeptCirculation {
-  std::string name; ///< "Rest"
+  Text name; ///< "Rest"
   circulation::Parameters parameters;
 
   friend bool operator==(const KeptCirculation&, const KeptCirculation&) = default;
@@ -30,6 +31,6 @@ struct CirculationChoice {
 };
 
 /// The scenario's name, or "Fitted circulation", and whether controls were moved since: "Rest, changed".
-std::string nameOf(const CirculationChoice& choice);
+Text nameOf(const CirculationChoice& choice);
 
 } // namespace viscera::document

@@ -23,7 +23,7 @@ Command setCirculationParameter(const std::string& name, double value);
 /// Takes a circulation that was fitted to a heart, such as a patient's, and lets it move the heart. It is
 /// called "Fitted circulation" until a scenario is chosen. What was kept stays. Throws `UsageError` for
 /// parameters out of their ranges.
-Command takeCirculation(const std::string& title, const circulation::Parameters& parameters);
+Command takeCirculation(Text title, const circulation::Parameters& parameters);
 
 /// Keeps the present circulation, for comparison with later ones.
 Command keepCirculation();

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "viscera/core/phrase.h"
 #include "viscera/document/document.h"
 
 namespace viscera::document {
@@ -17,14 +18,14 @@ namespace viscera::document {
 /// functions in organ_commands.h, rig_commands.h, group_commands.h, system_commands.h,
 /// key_sequence_commands.h, measurement_commands.h, circulation_commands.h, scan_item.h and open_files.h.
 struct Command {
-  std::string name; ///< "Move handle H-3", shown in the menu.
+  Text name; ///< "Move handle H-3", shown in the menu.
   std::function<DocumentState(const DocumentState& state, IdSource& ids)> apply;
   /// Not empty: a command that follows one with the same key joins its undo step (a slider that moves).
   std::string mergeKey = {};
 };
 
 /// One command that does all of `commands` in order, or none.
-inline Command combined(std::string name, std::vector<Command> commands) {
+inline Command combined(Text name, std::vector<Command> commands) {
   return {std::move(name), [commands = std::move(commands)](DocumentState state, IdSource& ids) {
             for (const Command& command : commands)
               state = command.apply(state, ids);

@@ -18,7 +18,7 @@ namespace viscera::document::edit {
 /// A command that changes one part of the document: `change` is given a copy of that part, and if it asks for
 /// them the state before and the source of ids.
 template <class Part, class Change>
-Command onPart(std::string name, std::shared_ptr<const Part> DocumentState::*part, Change change,
+Command onPart(Text name, std::shared_ptr<const Part> DocumentState::*part, Change change,
                std::string mergeKey = {}) {
   return {std::move(name),
           [part, change = std::move(change)](DocumentState state, IdSource& ids) {
@@ -38,7 +38,8 @@ template <class Item, class AnyId>
 Item& require(std::vector<Item>& list, AnyId id, const std::string& kind) {
   const auto found = std::find_if(list.begin(), list.end(), [id](const Item& item) { return item.id == id; });
   if (found == list.end())
-    throw UsageError(phrase("There is no such %1 any more", kind), kind + " " + std::to_string(id.value));
+    throw UsageError(phrase("There is no such %1 any more", named(kind)),
+                     named(kind + " " + std::to_string(id.value)));
   return *found;
 }
 
@@ -81,7 +82,7 @@ inline std::vector<std::pair<int, int>> freeRows(const Rig& rig, const std::vect
 /// Throws `UsageError` unless there is one position for each handle.
 inline void requireMatch(const Points& positions, const std::vector<HandleId>& ids) {
   if (positions.rows() != static_cast<Eigen::Index>(ids.size()))
-    throw UsageError(phrase("There are %1 positions for %2 handles", positions.rows(), ids.size()));
+    throw UsageError(misuse("There are %1 positions for %2 handles", positions.rows(), ids.size()));
 }
 
 /// `wanted`, or with the first number from 2 that makes it new.
@@ -100,7 +101,7 @@ inline std::vector<CageTriangle> cageOf(const Rig& rig, const Triangles& rows) {
     for (std::size_t k = 0; k < 3; ++k) {
       const auto row = rows(static_cast<Eigen::Index>(t), static_cast<Eigen::Index>(k));
       if (row < 0 || static_cast<std::size_t>(row) >= rig.handles.size())
-        throw UsageError("The cage refers to a handle that does not exist", phrase("triangle %1", t));
+        throw UsageError(misuse("The cage refers to a handle that does not exist"), phrase("triangle %1", t));
       cage[t][k] = rig.handles[static_cast<std::size_t>(row)].id;
     }
   return cage;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "viscera/core/error.h"
+#include "viscera/core/phrase.h"
 #include "viscera/core/progress.h"
 #include "viscera/document/command.h"
 #include "viscera/document/organ_commands.h"
@@ -33,12 +34,12 @@ struct ReadSurface {
 /// The organs and handles read from some files, not in a document yet: organs may still be repaired, or left
 /// out.
 struct OpenedFiles {
-  std::string name; ///< Of the undo step: "Open liver.stl".
+  Text name; ///< Of the undo step: "Open liver.stl".
   std::vector<NewOrgan> organs;
   std::map<std::size_t, ReadSurface> surfaces; ///< Of those `organs` that come from surface files.
   std::optional<NewRig> rig;                   ///< When there was a handle file.
   std::shared_ptr<const ScanItem> scan;        ///< Of `openPatient`; not among what `command` adds.
-  std::vector<std::string> warnings;           ///< What a user should know, each with its file's name.
+  std::vector<Text> warnings;                  ///< What a user should know, each with its file's name.
   std::vector<Error> failures;                ///< Of files that could not be read, each with its file's name.
   std::vector<std::filesystem::path> leftOut; ///< Those files, in the same order.
 
@@ -53,7 +54,7 @@ using PlaceHandles = std::function<Command(const Organ& organ, const OrganList& 
 /// organs make room for those of the files, and the handles for theirs; without organs in the files nothing
 /// makes room. Where the document is left without handles, `place` gives the first new organ some, when it
 /// is applied.
-Command openCommand(std::string name, OpenedFiles files, bool replacing, PlaceHandles place);
+Command openCommand(Text name, OpenedFiles files, bool replacing, PlaceHandles place);
 
 /// An organ that is already read, of a file of which others are still being read.
 struct ArrivingOrgan {

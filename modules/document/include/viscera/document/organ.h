@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "viscera/core/phrase.h"
 #include "viscera/document/ids.h"
 #include "viscera/geometry/named_place.h"
 #include "viscera/geometry/surface_check.h"
@@ -45,9 +46,9 @@ struct Organ {
   OrganOrigin origin;
   /// Parts of it that have names, for a sample organ those of its definition; a session names the sample.
   std::vector<geometry::NamedPlace> places;
-  std::vector<std::string> warnings; ///< What a user should know: assumed space, implausible size, repairs.
-  int boundaryEdges = 0;             ///< Edges with one triangle. An open surface has no volume.
-  double restVolumeMm3 = 0;          ///< Signed, of the rest mesh; 0 for an open one.
+  std::vector<Text> warnings; ///< What a user should know: assumed space, implausible size, repairs.
+  int boundaryEdges = 0;      ///< Edges with one triangle. An open surface has no volume.
+  double restVolumeMm3 = 0;   ///< Signed, of the rest mesh; 0 for an open one.
 
   /// No motion of the handles in the pose may change the volume. Only of a closed surface.
   bool volumeLocked = false;

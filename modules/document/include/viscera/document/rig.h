@@ -6,6 +6,7 @@
 
 #include "viscera/coordinates/handle_set.h"
 #include "viscera/core/arrays.h"
+#include "viscera/core/phrase.h"
 #include "viscera/document/ids.h"
 
 namespace viscera::document {
@@ -66,7 +67,7 @@ struct Rig {
 };
 
 /// Describes handles for a user: "handle H-3", or "5 handles".
-std::string describe(const Rig& rig, const std::vector<HandleId>& handles);
+Text describe(const Rig& rig, const std::vector<HandleId>& handles);
 
 /// The rig as the input of a coordinate system: positions, groups, and the given cage, if any.
 coordinates::HandleSet handleSet(const Rig& rig);

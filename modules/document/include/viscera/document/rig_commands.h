@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "viscera/core/arrays.h"
+#include "viscera/core/phrase.h"
 #include "viscera/document/command.h"
 #include "viscera/sequences/sequence.h"
 
@@ -63,7 +64,7 @@ Command removeHandles(std::vector<HandleId> handles);
 Command moveRestHandles(std::vector<HandleId> handles, Points positions);
 
 /// Replaces the rig by another one, at rest: automatic placement, a file, a sequence's own handles.
-Command replaceRig(NewRig rig, std::string name = "Replace handles");
+Command replaceRig(NewRig rig, Text name = "Replace handles");
 
 /// The changes of a handle: label, lock, description, visibility, compensation. What is not given stays.
 struct HandleEdit {
@@ -81,8 +82,8 @@ Command moveHandles(std::vector<HandleId> handles, Points positions);
 
 /// Sets the whole pose (`n x 3` mm, in the order of the rig; not null), locked handles included. The document
 /// shares it: nothing is copied. Throws `DataError` for another size.
-Command setPose(std::shared_ptr<const Points> pose, std::string name = "Set pose");
-inline Command setPose(Points pose, std::string name = "Set pose") {
+Command setPose(std::shared_ptr<const Points> pose, Text name = "Set pose");
+inline Command setPose(Points pose, Text name = "Set pose") {
   return setPose(std::make_shared<const Points>(std::move(pose)), std::move(name));
 }
 

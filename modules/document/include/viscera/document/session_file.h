@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "viscera/core/phrase.h"
 #include "viscera/core/progress.h"
 #include "viscera/document/document.h"
 #include "viscera/sample_organs/sample_organ.h"
@@ -65,7 +66,7 @@ std::string nameOf(SurfaceFinding::State state);
 struct OpenedSession {
   SessionContents contents;
   std::vector<SurfaceFinding> surfaces; ///< One for each organ, in the order of the file.
-  std::vector<std::string> warnings;    ///< What a user should know: missing, changed and moved files,
+  std::vector<Text> warnings;           ///< What a user should know: missing, changed and moved files,
                                         ///< keys of the file that nothing is known about.
 };
 

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "viscera/core/phrase.h"
 #include "viscera/document/command.h"
 #include "viscera/document/document.h"
 
@@ -34,7 +35,7 @@ public:
   /// stack must live longer.
   class [[nodiscard]] Step {
   public:
-    Step(UndoStack& undo, const std::string& name);
+    Step(UndoStack& undo, const Text& name);
     Step(Step&& other) noexcept : undo_(std::exchange(other.undo_, nullptr)), number_(other.number_) {}
     Step& operator=(Step&&) = delete;
     /// Cancels the step if it is still open, as after an error or Esc during a drag.
@@ -68,10 +69,10 @@ public:
   /// Goes to the state after `steps` of all steps, like repeated `undo` or `redo`; observers are called once.
   void goTo(std::size_t steps);
   /// The name of the step that `undo` or `redo` would affect; empty when there is none.
-  std::string undoName() const;
-  std::string redoName() const;
+  Text undoName() const;
+  Text redoName() const;
   /// The names of all steps, oldest first, and how many of them are done now.
-  std::vector<std::string> names() const;
+  std::vector<Text> names() const;
   std::size_t position() const { return position_; }
 
   /// Remembers the present state as the saved one.
@@ -96,14 +97,14 @@ public:
 
 private:
   struct Entry {
-    std::string name;
+    Text name;
     std::string mergeKey;
     DocumentState before;
     DocumentState after;
     std::size_t bytes = 0; ///< Memory of the parts that are in `after` and not in `before`.
   };
 
-  void beginStep(const std::string& name);
+  void beginStep(const Text& name);
   void endStep();
   void change(DocumentState state);
   void push(Entry entry);
@@ -117,7 +118,7 @@ private:
   std::size_t position_ = 0;
   std::vector<DocumentState> clean_; ///< Those with nothing to save.
   DocumentState stepBefore_;
-  std::string stepName_;
+  Text stepName_;
   bool stepOpen_ = false;
   int stepNumber_ = 0; ///< Of the last step that was opened.
   bool sealed_ = true;

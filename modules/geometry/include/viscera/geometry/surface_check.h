@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "viscera/core/phrase.h"
 #include "viscera/geometry/triangle_mesh.h"
 
 namespace viscera::geometry {
@@ -30,7 +31,7 @@ SurfaceReport checkSurface(const TriangleMesh& mesh);
 
 /// Describes the defects as sentences for a user ("12 boundary edges: the surface is open"); empty when there
 /// are none.
-std::vector<std::string> faults(const SurfaceReport& report);
+std::vector<Text> faults(const SurfaceReport& report);
 
 /// Turns all triangles around when the signed volume is negative; true when it did. O(m).
 bool orientOutward(TriangleMesh& mesh);

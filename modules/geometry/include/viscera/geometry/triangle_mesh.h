@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "viscera/core/arrays.h"
+#include "viscera/core/phrase.h"
 
 namespace viscera::geometry {
 
@@ -40,7 +41,7 @@ VertexTriangles vertexTriangles(Eigen::Index vertexCount, const Triangles& trian
 
 /// Throws `DataError` that names the first offending element when a coordinate is not finite or a triangle's
 /// index is out of range. `where` names the mesh in the message. O(n + m).
-void requireValid(const TriangleMesh& mesh, const std::string& where);
+void requireValid(const TriangleMesh& mesh, const Text& where);
 
 /// Scales a surface about the origin, to convert coordinates from another unit. Colours stay. O(n + m).
 ///

@@ -7,6 +7,7 @@
 #include "viscera/circulation/beat.h"
 #include "viscera/circulation/indices.h"
 #include "viscera/circulation/parameters.h"
+#include "viscera/core/phrase.h"
 #include "viscera/document/circulation_choice.h"
 #include "viscera/heart/course_heartbeat.h"
 #include "viscera/live/sequence_setup.h"
@@ -18,7 +19,7 @@ namespace viscera::live {
 /// clamped. The descent of the base and the twist of the apex follow from the ejection fraction (15 mm and 10
 /// degrees at 0.58). Time 0 is the beginning of the ventricles' contraction. The left ventricle has
 /// `leftMuscle` times the muscle of the sample heart. O(samples).
-heart::HeartCourse heartCourse(const std::string& name, const circulation::Parameters& parameters,
+heart::HeartCourse heartCourse(Text name, const circulation::Parameters& parameters,
                                const circulation::Beat& beat, const circulation::Indices& indices,
                                double leftMuscle = 1);
 
@@ -48,7 +49,7 @@ private:
 /// The sample heart with the heartbeat of a circulation, and the muscle of the scenario of that name
 /// (`circulation::leftMuscleOf`). Throws `DataError` when there is no periodic beat, or when the heart cannot
 /// take such volumes. As `CirculatingHeart`.
-SequenceSetup circulatingHeart(const sample_organs::SampleLibrary& library, const std::string& name,
+SequenceSetup circulatingHeart(const sample_organs::SampleLibrary& library, const Text& name,
                                const circulation::Parameters& parameters,
                                sample_organs::Resolution resolution, Progress& progress,
                                Threads threads = {});

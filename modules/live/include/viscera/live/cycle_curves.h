@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "viscera/core/phrase.h"
 #include "viscera/core/progress.h"
 #include "viscera/heart/wall_motion.h"
 #include "viscera/live/motion_runner.h"
@@ -23,7 +24,7 @@ struct CycleCurves {
                                                 ///< open surface has zeros.
   /// How the walls move, measured on the surfaces, where a sample heart beats; none of other organs.
   std::optional<heart::WallMotion> wall;
-  std::string obstacle; ///< Why a locked or prescribed volume could not be kept somewhere; else empty.
+  Text obstacle; ///< Why a locked or prescribed volume could not be kept somewhere; else empty.
 };
 
 /// Poses the runner's organs at 96 evenly spaced instants of a cycle and where its phases begin, so that the

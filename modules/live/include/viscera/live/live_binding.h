@@ -9,6 +9,7 @@
 #include "viscera/coordinates/registry.h"
 #include "viscera/core/job_queue.h"
 #include "viscera/core/parallel.h"
+#include "viscera/core/phrase.h"
 #include "viscera/deformation/deformer.h"
 #include "viscera/document/document.h"
 #include "viscera/live/posed_organs.h"
@@ -26,7 +27,7 @@ struct BindingStatus {
     failed, ///< The organ cannot be bound to these handles: it is at rest, and `message` gives the reason.
   };
   State state = State::unbound;
-  std::string message = {}; ///< For a user: what is wrong and what to try. Empty when bound.
+  Text message = {};   ///< For a user: what is wrong and what to try. Empty when bound.
   int outsideHull = 0; ///< Failed: vertices outside the handles' hull; `addEnclosingHandles` is the remedy.
   coordinates::BindingReport report =
       {}; ///< Errors of the binding in use; `report.seconds` is the time that the window shows.

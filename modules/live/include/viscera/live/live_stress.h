@@ -7,6 +7,7 @@
 #include "viscera/coordinates/registry.h"
 #include "viscera/core/job_queue.h"
 #include "viscera/core/parallel.h"
+#include "viscera/core/phrase.h"
 #include "viscera/deformation/rotational_stress.h"
 #include "viscera/deformation/witness_gradients.h"
 #include "viscera/deformation/witness_mesh.h"
@@ -28,9 +29,9 @@ struct StressStatus {
     failed,    ///< `message` gives the reason.
   };
   State state = State::off;
-  std::string message;                           ///< For a user; empty unless failed.
+  Text message;                                  ///< For a user; empty unless failed.
   WitnessOrigin origin = WitnessOrigin::surface; ///< Meaningful once there is a mesh.
-  std::vector<std::string> remarks;              ///< Of the sampling, a sentence each.
+  std::vector<Text> remarks;                     ///< Of the sampling, a sentence each.
   bool closedForm = false;                       ///< The derivatives; false: central differences.
   int outside = 0;                               ///< Points outside the handles' hull, which do not move.
 };
@@ -103,7 +104,7 @@ public:
   /// Whether a cycle is being computed.
   bool findingCycle() const;
   /// Why the last cycle could not be computed, for a user; empty unless that failed.
-  const std::string& cycleMessage() const;
+  const Text& cycleMessage() const;
 
   /// All results for drawing. `stretchesAt` of the frame may be called as long as this object lives.
   StressFrame frame() const;

@@ -6,6 +6,7 @@
 
 #include "viscera/coordinates/registry.h"
 #include "viscera/core/job_queue.h"
+#include "viscera/core/phrase.h"
 #include "viscera/core/signal.h"
 #include "viscera/deformation/inverse_map.h"
 #include "viscera/document/document.h"
@@ -55,7 +56,7 @@ public:
   std::uint64_t revision() const;
   /// Why there is no map although one is wanted and the organs are posed; empty while there is one, or it is
   /// being bound.
-  const std::string& problem() const;
+  const Text& problem() const;
 
   /// Calls `observer` when a map has been bound or binding has failed.
   [[nodiscard]] Subscription onChange(std::function<void()> observer);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "viscera/core/arrays.h"
+#include "viscera/core/phrase.h"
 #include "viscera/deformation/selection_motion.h"
 #include "viscera/deformation/volume_lock.h"
 
@@ -74,7 +75,7 @@ public:
   /// volume grows; zero when no plane binds it. With a mirror it is the tangent plane at the start.
   Vec3 planeNormal() const;
   /// Why the volumes did not allow the last target; empty if they did.
-  const std::string& obstacle() const { return obstacle_; }
+  const Text& obstacle() const { return obstacle_; }
 
 private:
   enum class Way { free, bent, compensated };
@@ -98,7 +99,7 @@ private:
   std::shared_ptr<const Points> pose_;
   Points wanted_;                ///< The last target that was reached, before other handles compensated.
   Vec3 wantedBy_ = Vec3::Zero(); ///< The same for a translation that was bent.
-  std::string obstacle_;
+  Text obstacle_;
 };
 
 } // namespace viscera::live

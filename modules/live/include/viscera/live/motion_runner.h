@@ -8,6 +8,7 @@
 
 #include "viscera/core/job_queue.h"
 #include "viscera/core/parallel.h"
+#include "viscera/core/phrase.h"
 #include "viscera/document/document.h"
 #include "viscera/live/posed_organs.h"
 #include "viscera/live/volume_keeper.h"
@@ -71,7 +72,7 @@ public:
   /// sequence has to be `movable`.
   std::optional<Points> poseAt(double seconds);
   /// Why the volumes could not be kept in the pose asked for last; empty when they were.
-  const std::string& obstacle() const { return obstacle_; }
+  const Text& obstacle() const { return obstacle_; }
   /// The volume of each organ of the document in the pose that is shown, in the document's order, ml; 0 for
   /// an open surface. Measured once for a pose, as `PosedOrgans::volume`.
   std::vector<double> volumesMl() const;
@@ -87,7 +88,7 @@ private:
   double rate_ = 0;
   std::optional<PrescribedVolume> prescribed_;
   std::uint64_t revision_ = 0;
-  std::string obstacle_;
+  Text obstacle_;
   Points pose_; ///< The last pose of the sequence.
 };
 

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "viscera/core/phrase.h"
 #include "viscera/core/progress.h"
 #include "viscera/geometry/triangle_mesh.h"
 #include "viscera/tracking/mask.h"
@@ -48,7 +49,7 @@ struct MotionSeries {
   /// Voxels of label maps, `[phase][surface]`; else empty.
   std::vector<std::vector<tracking::Mask>> masks;
   std::vector<std::vector<double>> volumesMl; ///< Measured, `[phase][surface]`.
-  std::vector<std::string> warnings;          ///< Repairs and assumptions, a sentence each.
+  std::vector<Text> warnings;                 ///< Repairs and assumptions, a sentence each.
 
   std::size_t phases() const { return times.count(); }
   /// Distance of the slices of label maps, mm; 0 for surfaces.

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "viscera/core/parallel.h"
+#include "viscera/core/phrase.h"
 #include "viscera/core/progress.h"
 #include "viscera/geometry/triangle_mesh.h"
 #include "viscera/heart/clinical_numbers.h"
@@ -55,7 +56,7 @@ struct PatientMotion {
   double sliceMm = 0;                ///< Of label maps.
   std::vector<std::size_t> outliers; ///< Phases that fit much worse than both neighbours and should be left
                                      ///< out.
-  std::vector<std::string> warnings;
+  std::vector<Text> warnings;
 
   tracking::FitLight worst() const;
 };

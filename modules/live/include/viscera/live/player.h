@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "viscera/core/phrase.h"
 #include "viscera/core/signal.h"
 #include "viscera/live/live_binding.h"
 #include "viscera/live/motion_runner.h"
@@ -75,7 +76,7 @@ public:
   /// Seconds since the beginning of the cycle at the present rate.
   double secondsInCycle() const { return fraction_ * periodSeconds(); }
   /// The name of the phase that the place lies in; empty when there is none.
-  std::string phase() const;
+  Text phase() const;
   /// Whether time passes and there is a sequence.
   bool playing() const { return running() && sequence(); }
 

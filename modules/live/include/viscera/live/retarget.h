@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "viscera/core/parallel.h"
+#include "viscera/core/phrase.h"
 #include "viscera/core/progress.h"
 #include "viscera/document/command.h"
 #include "viscera/document/organ.h"
@@ -65,12 +66,12 @@ Landmarks completeLandmarks(const std::string& sequence, const document::Organ& 
 /// A sequence that was fitted to an organ, with its handles and landmarks.
 struct RetargetedSequence {
   std::shared_ptr<const sequences::Sequence> sequence; ///< Never null.
-  document::NewRig rig;              ///< Its rest handles, in its order, with labels and groups.
-  document::SystemChoice system;     ///< The coordinates for which it was made, softness in the organ's size.
-  Landmarks landmarks;               ///< All landmarks that were used.
-  double scale = 1;                  ///< The organ's size as a multiple of the sample organ's.
-  double restVolumeMl = 0;           ///< Of the organ.
-  std::vector<std::string> warnings; ///< Warnings for the user, such as an implausible size.
+  document::NewRig rig;          ///< Its rest handles, in its order, with labels and groups.
+  document::SystemChoice system; ///< The coordinates for which it was made, softness in the organ's size.
+  Landmarks landmarks;           ///< All landmarks that were used.
+  double scale = 1;              ///< The organ's size as a multiple of the sample organ's.
+  double restVolumeMl = 0;       ///< Of the organ.
+  std::vector<Text> warnings;    ///< Warnings for the user, such as an implausible size.
 };
 
 /// Makes the sequence `id` for `organ`: finds missing landmarks, places handles around this organ and applies

@@ -31,7 +31,7 @@ struct SeriesContents {
   std::size_t phases = 0; ///< The number of phases for which there are files or volumes.
   std::vector<SeriesItem> items;
   std::optional<double> periodSeconds; ///< As stated in the files.
-  std::string doubt;                   ///< An assumption about their times, as a sentence; or empty.
+  Text doubt;                          ///< An assumption about their times, as a sentence; or empty.
 };
 
 /// Reads which labels or surfaces the files of a series hold: names of surfaces, or labels of the first

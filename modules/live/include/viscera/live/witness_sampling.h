@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "viscera/core/parallel.h"
+#include "viscera/core/phrase.h"
 #include "viscera/core/progress.h"
 #include "viscera/deformation/witness_mesh.h"
 #include "viscera/geometry/triangle_mesh.h"
@@ -37,7 +38,7 @@ enum class WitnessOrigin {
 struct WitnessSample {
   std::shared_ptr<const deformation::WitnessMesh> mesh; ///< Never null.
   WitnessOrigin origin = WitnessOrigin::surface;
-  std::vector<std::string> remarks; ///< What the user should know, a sentence each; empty when all went well.
+  std::vector<Text> remarks; ///< What the user should know, a sentence each; empty when all went well.
 };
 
 /// The relative tolerance of the number of witnesses, unless a remark gives another deviation.

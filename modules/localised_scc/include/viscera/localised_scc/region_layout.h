@@ -6,6 +6,7 @@
 
 #include "viscera/coordinates/handle_set.h"
 #include "viscera/coordinates/space_layout.h"
+#include "viscera/core/phrase.h"
 #include "viscera/geometry/convex_polytope.h"
 
 /// Divides space into the regions and zones of localised Celestial coordinates (thesis 4.5), in which groups
@@ -57,7 +58,7 @@ public:
 
   const std::vector<Region>& regions() const { return regions_; }
   const std::vector<SwappingZone>& zones() const { return zones_; }
-  const std::vector<std::string>& notes() const { return notes_; }
+  const std::vector<Text>& notes() const { return notes_; }
 
   /// The number of sets of handles with coordinates of their own: the regions, then the zones' super-regions.
   int setCount() const { return static_cast<int>(regions_.size() + zones_.size()); }
@@ -85,7 +86,7 @@ private:
   double tolerance_ = 0;
   std::vector<Region> regions_;
   std::vector<SwappingZone> zones_;
-  std::vector<std::string> notes_;
+  std::vector<Text> notes_;
 };
 
 /// The parts of `layout`, which was made from `groups` groups, for drawing; with the upper bound of the

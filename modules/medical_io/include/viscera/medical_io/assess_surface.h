@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "viscera/core/parallel.h"
+#include "viscera/core/phrase.h"
 #include "viscera/core/progress.h"
 #include "viscera/geometry/surface_check.h"
 #include "viscera/geometry/triangle_mesh.h"
@@ -23,7 +24,7 @@ enum class FindingSubject { axes, size, holes, edges, facing, pieces, crossings,
 /// A finding about a surface that is to become an organ: something doubtful or wrong, with possible repairs.
 struct Finding {
   FindingSeverity severity = FindingSeverity::good;
-  std::string text;                 ///< A sentence without capital and full stop, for a user.
+  Text text;                        ///< A sentence without capital and full stop, for a user.
   std::vector<std::string> repairs; ///< Ids of `surfaceRepairs` that would help, best first.
   FindingSubject subject = FindingSubject::arrangement;
 

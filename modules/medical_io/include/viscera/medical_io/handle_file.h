@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "viscera/core/arrays.h"
+#include "viscera/core/phrase.h"
 #include "viscera/medical_io/space.h"
 
 namespace viscera::medical_io {
@@ -30,7 +31,7 @@ struct HandleGroupRecord {
 /// The contents of a handle file of 3D Slicer: one markup list for each group of handles.
 struct HandleFile {
   std::vector<HandleGroupRecord> groups;
-  std::vector<std::string> warnings; ///< What was repaired or left out, one sentence each.
+  std::vector<Text> warnings; ///< What was repaired or left out, one sentence each.
 
   /// The number of records; a handle that several groups share counts once for each.
   Eigen::Index count() const;
@@ -62,6 +63,6 @@ void writeHandles(const std::filesystem::path& file, const HandleFile& handles,
                   const WriteHandles& options = {});
 
 /// What a `.fcsv` file does not keep of these handles, one sentence each.
-std::vector<std::string> fcsvLoses(const HandleFile& handles);
+std::vector<Text> fcsvLoses(const HandleFile& handles);
 
 } // namespace viscera::medical_io

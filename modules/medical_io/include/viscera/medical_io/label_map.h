@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "viscera/core/arrays.h"
+#include "viscera/core/phrase.h"
 #include "viscera/core/progress.h"
 #include "viscera/medical_io/label_layer.h"
 
@@ -36,8 +37,8 @@ struct LabelMap {
   /// Of voxel (i, j, k) 0 for none, s + 1 for `segments[s]`. More than one layer when segments overlap.
   std::vector<LabelLayer> layers;
   std::vector<Segment> segments;
-  std::string space;                 ///< "RAS" or "LPS" (or another): what the file was written in.
-  std::vector<std::string> warnings; ///< Doubts and assumptions, one sentence each.
+  std::string space;          ///< "RAS" or "LPS" (or another): what the file was written in.
+  std::vector<Text> warnings; ///< Doubts and assumptions, one sentence each.
 
   std::size_t voxelCount() const {
     return std::size_t(size[0]) * std::size_t(size[1]) * std::size_t(size[2]);
@@ -79,7 +80,7 @@ LabelMap readLabelFolder(const std::filesystem::path& folder, Progress& progress
 /// spaces and underscores are the same) or by label value; all for no names. Throws `UsageError` that lists
 /// the available segments if one is missing. `where` names the map in it.
 std::vector<std::size_t> segmentsNamed(const LabelMap& map, const std::vector<std::string>& names,
-                                       const std::string& where);
+                                       const Text& where);
 
 /// Lower-case endings with their dots that `readLabelMap` takes.
 const std::vector<std::string>& labelMapExtensions();

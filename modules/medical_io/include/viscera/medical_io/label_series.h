@@ -17,7 +17,7 @@ struct SeriesTimes {
   std::vector<double> seconds; ///< One for each phase, from 0 on; empty: not stated.
   /// Duration of one cycle: as many steps as there are phases; none: not stated.
   std::optional<double> periodSeconds;
-  std::string doubt; ///< An assumption that was made, as a sentence; empty for none.
+  Text doubt; ///< An assumption that was made, as a sentence; empty for none.
 };
 
 /// The number of label maps that a NIfTI (.nii, .nii.gz) or NRRD (.nrrd, .seq.nrrd) file has along its fourth

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "viscera/core/parallel.h"
+#include "viscera/core/phrase.h"
 #include "viscera/core/progress.h"
 #include "viscera/geometry/surface_check.h"
 #include "viscera/geometry/triangle_mesh.h"
@@ -23,13 +24,13 @@ struct LabelSurfaceOptions {
 
 /// The surface of one label, with its volume and remarks.
 struct LabelSurface {
-  std::size_t segment = 0;           ///< Index into `LabelMap::segments`: its name and colour.
-  geometry::TriangleMesh mesh;       ///< mm LPS; closed, manifold, outward.
-  geometry::SurfaceReport report;    ///< Of `mesh`.
-  double volumeMm3 = 0;              ///< That the mesh encloses.
-  double voxelVolumeMm3 = 0;         ///< Of the voxels that were kept.
-  int pieces = 1;                    ///< Voxels that touch by faces; those that were kept.
-  std::vector<std::string> warnings; ///< Pieces that were left out, and other remarks for the user.
+  std::size_t segment = 0;        ///< Index into `LabelMap::segments`: its name and colour.
+  geometry::TriangleMesh mesh;    ///< mm LPS; closed, manifold, outward.
+  geometry::SurfaceReport report; ///< Of `mesh`.
+  double volumeMm3 = 0;           ///< That the mesh encloses.
+  double voxelVolumeMm3 = 0;      ///< Of the voxels that were kept.
+  int pieces = 1;                 ///< Voxels that touch by faces; those that were kept.
+  std::vector<Text> warnings;     ///< Pieces that were left out, and other remarks for the user.
 };
 
 /// Called with every surface as soon as it is made: on the thread that made it, never on two at a time.

@@ -6,13 +6,14 @@
 #include <vector>
 
 #include "viscera/core/arrays.h"
+#include "viscera/core/phrase.h"
 
 /// Whether a surface has the size of an organ, by which files in another unit are found.
 namespace viscera::medical_io {
 
 /// "liver" of 239 ml: as a sentence, when its volume is less than half or more than twice what 19 of 20
 /// adults have, or, where only averages are known, beyond three times those.
-std::optional<std::string> doubtAboutVolume(std::string_view name, double volumeMl);
+std::optional<Text> doubtAboutVolume(std::string_view name, double volumeMl);
 
 /// A unit in which a file may have been written.
 struct LengthUnit {
@@ -30,6 +31,6 @@ const std::vector<LengthUnit>& lengthUnits();
 std::vector<LengthUnit> unitsThatFit(std::string_view name, double diagonalMm, double volumeMl);
 
 /// "the size of 0.24 mm is implausible for an organ", if the size is implausible; else none.
-std::optional<std::string> doubtAboutSize(std::string_view name, double diagonalMm);
+std::optional<Text> doubtAboutSize(std::string_view name, double diagonalMm);
 
 } // namespace viscera::medical_io

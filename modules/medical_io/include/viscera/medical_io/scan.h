@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "viscera/core/arrays.h"
+#include "viscera/core/phrase.h"
 #include "viscera/core/progress.h"
 
 /// Reads scans: images whose voxels are measured values, such as a CT or an MR.
@@ -25,7 +26,7 @@ struct ValueWindow {
 struct ScanFinding {
   enum class Kind { missingSlice, doubledSlice, unevenSpacing, tilt, order, mixedSizes, damaged, other };
   Kind kind = Kind::other;
-  std::string sentence; ///< What, where, and what was done about it.
+  Text sentence; ///< What, where, and what was done about it.
 };
 
 /// A scan read from its files: the stored samples, in one block of memory, and their meaning. It does not

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "viscera/core/phrase.h"
 #include "viscera/geometry/surface_check.h"
 #include "viscera/geometry/triangle_mesh.h"
 #include "viscera/medical_io/space.h"
@@ -16,12 +17,12 @@ namespace viscera::medical_io {
 
 /// A surface that was read from a file, with its axes and warnings.
 struct SurfaceFile {
-  geometry::TriangleMesh mesh;       ///< LPS mm, triangles only, equal points merged.
-  std::string name;                  ///< From the file's contents or its name.
-  Space space = Space::lps;          ///< What the file was written in.
-  bool spaceStated = false;          ///< False: the file does not say, LPS assumed.
-  std::vector<std::string> warnings; ///< Repairs and doubts, one sentence each.
-  geometry::SurfaceReport report;    ///< Of `mesh`.
+  geometry::TriangleMesh mesh;    ///< LPS mm, triangles only, equal points merged.
+  std::string name;               ///< From the file's contents or its name.
+  Space space = Space::lps;       ///< What the file was written in.
+  bool spaceStated = false;       ///< False: the file does not say, LPS assumed.
+  std::vector<Text> warnings;     ///< Repairs and doubts, one sentence each.
+  geometry::SurfaceReport report; ///< Of `mesh`.
 };
 
 /// Reads STL, OBJ, PLY, OFF, VTK (polygons and strips), VTP, GLB or GLTF, by its extension. Equal points are

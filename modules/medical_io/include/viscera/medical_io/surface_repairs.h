@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "viscera/core/parallel.h"
+#include "viscera/core/phrase.h"
 #include "viscera/core/progress.h"
 #include "viscera/geometry/triangle_mesh.h"
 
@@ -13,8 +14,8 @@ namespace viscera::medical_io {
 
 /// A repair of a defective surface that the user can choose. No repair is applied without the user's choice.
 struct SurfaceRepair {
-  std::string id;   ///< As in `viscera convert`: "fill-holes", "unit-m".
-  std::string does; ///< What it does, as a sentence: "fills every hole with a cap".
+  std::string id; ///< As in `viscera convert`: "fill-holes", "unit-m".
+  Text does;      ///< What it does, as a sentence: "fills every hole with a cap".
   /// The repaired surface, from a valid mesh. Throws `DataError` when it is not possible, `Cancelled`. A pure
   /// function; bitwise independent of the number of threads.
   std::function<geometry::TriangleMesh(const geometry::TriangleMesh&, Progress&, Threads)> apply;
@@ -57,7 +58,7 @@ SurfaceChange surfaceChange(const geometry::TriangleMesh& before, const geometry
                             Threads threads = {});
 
 /// The change as a sentence: "20,000 triangles instead of 61,204, 0.12 mm from ...".
-std::string inWords(const SurfaceChange& change);
+Text inWords(const SurfaceChange& change);
 
 /// The surface with about `triangles` triangles, by quadric decimation (Hoppe 1999); a coarser one is
 /// returned as it is. A closed surface stays closed, but may come to intersect itself.

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "viscera/coordinates/registry.h"
+#include "viscera/core/phrase.h"
 
 namespace viscera::plugin {
 
@@ -22,7 +23,7 @@ struct PluginReport {
   std::filesystem::path file;
   PluginManifest manifest;          ///< Empty when it has none.
   std::vector<std::string> systems; ///< Ids that were added to the registry.
-  std::string problem;              ///< Why it, or one of its systems, was left out; empty when all is well.
+  Text problem;                     ///< Why it, or one of its systems, was left out; empty when all is well.
 };
 
 /// Folders and files in the order in which they are searched: `given` (from `--plugin-path`), then those of

@@ -6,13 +6,14 @@
 #include "viscera/circulation/beat.h"
 #include "viscera/circulation/indices.h"
 #include "viscera/circulation/parameters.h"
+#include "viscera/core/phrase.h"
 #include "viscera/scene/curve_panels.h"
 
 namespace viscera::presentation {
 
 /// The solved circulation that a figure draws.
 struct ShownCirculation {
-  std::string name; ///< "Aortic stenosis"
+  Text name; ///< "Aortic stenosis"
   circulation::Parameters parameters;
   circulation::Beat beat;
   circulation::Indices indices;
@@ -36,7 +37,7 @@ std::vector<scene::CurvePanel> circulationStrip(const ShownCirculation& shown, c
 
 /// An entry of the legend: the name, colour and style of a curve.
 struct CirculationLine {
-  std::string name;
+  Text name;
   Vec3 color;
   bool dashed = false;
 };

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "viscera/coordinates/handle_set.h"
+#include "viscera/core/phrase.h"
 #include "viscera/geometry/triangle_mesh.h"
 
 namespace viscera::coordinates {
@@ -16,7 +17,7 @@ Triangles cageOf(const HandleSet& handles);
 
 /// Throws `DataError` for a surface that cannot be a cage: without triangles, with indices out of range,
 /// open, or not manifold (with the number of edges). `where` names the cage in the message. O(m log m).
-void requireCage(const geometry::TriangleMesh& cage, const std::string& where = "the cage");
+void requireCage(const geometry::TriangleMesh& cage, const Text& where = "the cage");
 
 /// For every vertex of a cage (mm) the handle (`n x 3`, mm) that lies at it, to 1e-6 of the cage's size; -1
 /// where there is none. O(n v).

@@ -3,6 +3,8 @@
 #include <limits>
 #include <string>
 
+#include "viscera/core/phrase.h"
+
 namespace viscera::circulation {
 
 /// The normal range of a number in healthy adults at rest, in the unit of that number.
@@ -12,7 +14,8 @@ struct NormalValues {
   std::string source; ///< The source of the range.
   /// For a row of the table of `anatomy`: the definition of the range, and the people that were measured. Two
   /// texts, so that each can be translated.
-  std::string meaning = {}, people = {};
+  Text meaning = {};
+  std::string people = {};
 
   bool holds(double value) const { return value >= low && value <= high; }
 };

@@ -6,6 +6,7 @@
 #include "viscera/circulation/indices.h"
 #include "viscera/circulation/parameters.h"
 #include "viscera/circulation/periodic_state.h"
+#include "viscera/core/phrase.h"
 #include "viscera/core/progress.h"
 
 namespace viscera::circulation {
@@ -32,7 +33,7 @@ struct PatientFit {
   /// mmHg.
   bool met() const;
   /// The result of the fit, as a sentence.
-  std::string remark() const;
+  Text remark() const;
 };
 
 /// The names of the parameters that the fit determines, and that cannot be given with it: the names of

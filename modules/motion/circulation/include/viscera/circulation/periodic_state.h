@@ -4,6 +4,7 @@
 
 #include "viscera/circulation/beat.h"
 #include "viscera/circulation/parameters.h"
+#include "viscera/core/phrase.h"
 #include "viscera/core/progress.h"
 
 namespace viscera::circulation {
@@ -21,11 +22,11 @@ struct SolverOptions {
 /// The result of the search: a periodic beat, or the last one that was tried.
 struct PeriodicState {
   bool converged = false;
-  int beats = 0;             ///< That were integrated to find it.
-  double residual = 0;       ///< Largest change of a volume over the last beat, ml.
-  State start{};             ///< At the beginning of the ventricles' contraction.
-  Beat beat;                 ///< From there.
-  std::string failureReason; ///< Empty when converged; else the problem and a remedy, in one sentence.
+  int beats = 0;       ///< That were integrated to find it.
+  double residual = 0; ///< Largest change of a volume over the last beat, ml.
+  State start{};       ///< At the beginning of the ventricles' contraction.
+  Beat beat;           ///< From there.
+  Text failureReason;  ///< Empty when converged; else the problem and a remedy, in one sentence.
 };
 
 /// A state to begin with: the stressed volume spread over the compartments about as at rest. O(1).

@@ -7,6 +7,7 @@
 #include "viscera/anatomy/norms.h"
 #include "viscera/circulation/indices.h"
 #include "viscera/circulation/normal_values.h"
+#include "viscera/core/phrase.h"
 
 namespace viscera::circulation {
 
@@ -26,6 +27,6 @@ const std::vector<Reading>& readings();
 std::optional<NormalValues> normalOf(const Reading& reading, const anatomy::Person& person = {});
 
 /// "60 - 100", "from 1200", "up to 120".
-std::string rangeText(const NormalValues& normal, int decimals);
+Text rangeText(const NormalValues& normal, int decimals);
 
 } // namespace viscera::circulation

@@ -61,6 +61,9 @@ private:
 /// ventricle 138 and 62.5 ml: it ejects as much as the left one. A beat empties the ventricles to the same
 /// volumes at every rate; how full they get depends on the time for filling (`strokePart`). Immutable;
 /// thread-safe.
+///
+///     const CardiacBeat beat = CardiacCycle().beat(75);
+///     const double duringEjection = beat.at(beat.left().outletOpens + 0.1).volumes.leftMl;
 class CardiacCycle {
 public:
   static constexpr double kLowestRateBpm = 20;

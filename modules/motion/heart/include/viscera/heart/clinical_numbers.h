@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "viscera/anatomy/norms.h"
+#include "viscera/core/phrase.h"
 
 /// Clinical numbers computed from volumes, such as ejection fraction, and their normal ranges.
 namespace viscera::heart {
@@ -35,9 +36,9 @@ struct NormalRange {
   std::string name; ///< "end-diastolic volume"
   double low = 0;   ///< In ml or per cent, as the quantity says.
   double high = 0;
-  std::string meaning; ///< How the range is defined: "women, mean +- 2 standard deviations".
-  std::string people;  ///< The people that were measured: "800 healthy people of 45 to 74 years, ...".
-  std::string source;  ///< "Petersen 2017, doi ..."
+  Text meaning;       ///< How the range is defined: "women, mean +- 2 standard deviations".
+  std::string people; ///< The people that were measured: "800 healthy people of 45 to 74 years, ...".
+  std::string source; ///< "Petersen 2017, doi ..."
 };
 
 /// The ranges known for the organ that a name means (`anatomy::partNamed`), for that person; empty for any

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "viscera/core/phrase.h"
 #include "viscera/core/progress.h"
 #include "viscera/heart/beating_heart.h"
 #include "viscera/heart/cavity_fit.h"
@@ -12,7 +13,7 @@ namespace viscera::heart {
 
 /// A heartbeat given as states at evenly spaced instants, such as a computed circulation.
 struct HeartCourse {
-  std::string name;                     ///< "Heartbeat: exercise"
+  Text name;                            ///< "Heartbeat: exercise"
   double period = 0;                    ///< s
   std::vector<HeartInstant> instants;   ///< At 0, 1/n, 2/n ... of the beat.
   std::vector<sequences::Phase> phases; ///< Covering [0, 1].
@@ -37,7 +38,7 @@ public:
   CourseHeartbeat(const CourseHeartbeat& similar, HeartCourse course);
 
   std::string id() const override { return "heartbeat"; }
-  std::string name() const override { return course_.name; }
+  Text name() const override { return course_.name; }
   const Points& restHandles() const override { return fit_.restHandles(); }
   std::vector<sequences::HandleGroup> groups() const override { return fit_.motion().rig().groups(); }
   double standardRatePerMinute() const override { return 60 / course_.period; }

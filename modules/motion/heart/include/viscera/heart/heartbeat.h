@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "viscera/core/phrase.h"
 #include "viscera/heart/beating_heart.h"
 #include "viscera/heart/cavity_fit.h"
 #include "viscera/sequences/sequence.h"
@@ -15,13 +16,13 @@ namespace viscera::heart {
 class Heartbeat : public sequences::Sequence, public BeatingHeart {
 public:
   std::string id() const override { return "heartbeat"; }
-  std::string name() const override { return "Heartbeat"; }
+  Text name() const override { return "Heartbeat"; }
   std::vector<sequences::HandleGroup> groups() const override { return motion().rig().groups(); }
   double standardRatePerMinute() const override { return CardiacCycle::kStandardRateBpm; }
   double lowestRatePerMinute() const override { return CardiacCycle::kLowestRateBpm; }
   double highestRatePerMinute() const override { return CardiacCycle::kHighestRateBpm; }
   double finestStepSeconds() const override { return 0.01; }
-  std::string rateRemark(double ratePerMinute) const override;
+  Text rateRemark(double ratePerMinute) const override;
   std::vector<sequences::Phase> phases(double ratePerMinute) const override {
     return CardiacCycle::phases(ratePerMinute);
   }

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "viscera/core/phrase.h"
 #include "viscera/heart/beating_heart.h"
 #include "viscera/sequences/sequence.h"
 
@@ -20,13 +21,13 @@ public:
   ScaledSequence(std::shared_ptr<const sequences::Sequence> standard, double scale);
 
   std::string id() const override { return standard_->id(); }
-  std::string name() const override { return standard_->name(); }
+  Text name() const override { return standard_->name(); }
   const Points& restHandles() const override { return rest_; }
   std::vector<sequences::HandleGroup> groups() const override { return standard_->groups(); }
   double standardRatePerMinute() const override { return standard_->standardRatePerMinute(); }
   double lowestRatePerMinute() const override { return standard_->lowestRatePerMinute(); }
   double highestRatePerMinute() const override { return standard_->highestRatePerMinute(); }
-  std::string rateRemark(double ratePerMinute) const override { return standard_->rateRemark(ratePerMinute); }
+  Text rateRemark(double ratePerMinute) const override { return standard_->rateRemark(ratePerMinute); }
   double finestStepSeconds() const override { return standard_->finestStepSeconds(); }
   void poseAt(double seconds, double ratePerMinute, Points& pose) const override;
   std::vector<sequences::Phase> phases(double ratePerMinute) const override {

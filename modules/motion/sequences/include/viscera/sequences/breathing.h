@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "viscera/core/arrays.h"
+#include "viscera/core/phrase.h"
 #include "viscera/sequences/sequence.h"
 
 namespace viscera::sequences {
@@ -32,7 +33,7 @@ public:
                  const LiverExcursion& excursion = {});
 
   std::string id() const override { return "breathing"; }
-  std::string name() const override { return "Breathing"; }
+  Text name() const override { return "Breathing"; }
   const Points& restHandles() const override { return rest_; }
   std::vector<HandleGroup> groups() const override { return groups_; }
   double standardRatePerMinute() const override { return 15; }

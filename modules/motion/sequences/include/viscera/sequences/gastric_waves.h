@@ -64,7 +64,7 @@ public:
   std::vector<TravellingMark> travelling(double seconds, double ratePerMinute) const;
 
   /// "Bradygastria: ..." and "Tachygastria: ..."; empty for rates that healthy people have.
-  static std::string rateRemark(double ratePerMinute);
+  static Text rateRemark(double ratePerMinute);
 
   /// The parts of a cycle, named after the place of the wave that is farthest on its way.
   std::vector<Phase> phases(double ratePerMinute) const;

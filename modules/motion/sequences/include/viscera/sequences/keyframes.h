@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "viscera/core/arrays.h"
+#include "viscera/core/phrase.h"
 #include "viscera/sequences/curve.h"
 #include "viscera/sequences/sequence.h"
 
@@ -71,7 +72,7 @@ public:
   explicit KeyframedSequence(Track track);
 
   std::string id() const override { return "keyframes"; }
-  std::string name() const override { return track_.name; }
+  Text name() const override { return named(track_.name); }
   const Points& restHandles() const override { return track_.restHandles; }
   std::vector<HandleGroup> groups() const override { return track_.groups; }
   double standardRatePerMinute() const override { return 60 / track_.periodSeconds; }

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "viscera/core/phrase.h"
 #include "viscera/sequences/gastric_waves.h"
 #include "viscera/sequences/pose_compensation.h"
 #include "viscera/sequences/sequence.h"
@@ -25,15 +26,13 @@ public:
   Peristalsis(StomachRig rig, PoseCompensation compensation, VolumeAlong volume);
 
   std::string id() const override { return "peristalsis"; }
-  std::string name() const override { return "Gastric peristalsis"; }
+  Text name() const override { return "Gastric peristalsis"; }
   const Points& restHandles() const override { return rest_; }
   std::vector<HandleGroup> groups() const override { return rig_.groups(); }
   double standardRatePerMinute() const override { return GastricWaves::kStandardRate; }
   double lowestRatePerMinute() const override { return GastricWaves::kLowestRate; }
   double highestRatePerMinute() const override { return GastricWaves::kHighestRate; }
-  std::string rateRemark(double ratePerMinute) const override {
-    return GastricWaves::rateRemark(ratePerMinute);
-  }
+  Text rateRemark(double ratePerMinute) const override { return GastricWaves::rateRemark(ratePerMinute); }
 
   /// One call of `volume`, and O(n^2). Throws `DataError` when no B keeps the volume.
   void poseAt(double seconds, double ratePerMinute, Points& pose) const override;

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "viscera/core/arrays.h"
+#include "viscera/core/phrase.h"
 
 namespace viscera::heart {
 class BeatingHeart;
@@ -13,7 +14,7 @@ namespace viscera::sequences {
 
 /// A named part of a cycle, for the line under the timeline.
 struct Phase {
-  std::string name; ///< "ejection"
+  Text name;        ///< "ejection"
   double begin = 0; ///< Fraction of the cycle, [0, 1).
   double end = 1;
   std::string group = {}; ///< The larger part of the cycle that it belongs to: "systole"; empty for none.
@@ -49,8 +50,8 @@ class Sequence {
 public:
   virtual ~Sequence() = default;
 
-  virtual std::string id() const = 0;   ///< "heartbeat"
-  virtual std::string name() const = 0; ///< "Heartbeat"
+  virtual std::string id() const = 0; ///< "heartbeat"
+  virtual Text name() const = 0;      ///< "Heartbeat"
 
   /// The handles at rest, `n x 3` mm, to which organs are bound.
   virtual const Points& restHandles() const = 0;
@@ -64,7 +65,7 @@ public:
   virtual double lowestRatePerMinute() const = 0;
   virtual double highestRatePerMinute() const = 0;
   /// A remark on that rate, as a sentence; empty for most rates.
-  virtual std::string rateRemark(double /*ratePerMinute*/) const { return {}; }
+  virtual Text rateRemark(double /*ratePerMinute*/) const { return {}; }
 
   /// The smallest useful step through the cycle, s; 0: ordinary frames are fine enough.
   virtual double finestStepSeconds() const { return 0; }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "viscera/core/parallel.h"
+#include "viscera/core/phrase.h"
 #include "viscera/core/progress.h"
 #include "viscera/deformation/witness_gradients.h"
 #include "viscera/tracking/motion_rig.h"
@@ -69,7 +70,7 @@ enum class FitLight { good, amber, red };
 /// The verdict on a fitted phase and its reasons: a sentence for each reason.
 struct FitVerdict {
   FitLight light = FitLight::good;
-  std::vector<std::string> reasons;
+  std::vector<Text> reasons;
 };
 
 /// Judges a phase by the limits of docs/patient_motion.md. `names` of the surfaces, `sliceMm` the distance of

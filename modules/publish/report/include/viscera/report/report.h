@@ -8,6 +8,7 @@
 
 #include "viscera/coordinates/registry.h"
 #include "viscera/core/parallel.h"
+#include "viscera/core/phrase.h"
 #include "viscera/core/progress.h"
 #include "viscera/document/document.h"
 #include "viscera/live/live_stress.h"
@@ -37,8 +38,8 @@ struct ReportSource {
   std::string title = {}; ///< Empty: the first organ's name.
   std::string file = {};  ///< Of the session or organs; the report shows its name, never its folder. May be
                           ///< empty.
-  std::vector<std::string> notes = {}; ///< Warnings from opening the files, a sentence each.
-  std::string date = {};               ///< As it is to be read; empty: today's.
+  std::vector<Text> notes = {}; ///< Warnings from opening the files, a sentence each.
+  std::string date = {};        ///< As it is to be read; empty: today's.
 };
 
 /// A picture of a report with its caption.
