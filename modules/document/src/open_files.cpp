@@ -111,7 +111,8 @@ bool saysNothing(std::string name) {
   return name.empty() || std::find(kPlainNames.begin(), kPlainNames.end(), name) != kPlainNames.end();
 }
 
-/// As an organ without a parent, and as it is in the file, which has no other surface when it is `alone`.
+/// Makes the organ without a parent, and keeps the surface as the file has it. `alone`: the file has no
+/// other.
 std::pair<NewOrgan, ReadSurface> readBoth(medical_io::SurfaceFile surface, const std::filesystem::path& file,
                                           bool alone) {
   ReadSurface read{std::make_shared<const geometry::TriangleMesh>(std::move(surface.mesh)),

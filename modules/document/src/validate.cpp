@@ -34,7 +34,7 @@ void requireColor(const Vec3& color, const Text& where) {
           diagnostic("the parts of its colour do not lie between 0 and 1"), where);
 }
 
-/// For places that are checked at each movement of a drag, before their names are made.
+/// Checks places at each movement of a drag, before their names are made.
 template <class Place>
 bool isPlace(const Place& place) {
   return (place.array().abs() <= kFarthestMm).all(); // Not of what is no number.

@@ -145,7 +145,7 @@ private:
     return both += quadrics_[static_cast<std::size_t>(b)];
   }
 
-  /// Where the merged vertex goes: the same as long as neither end has changed.
+  /// The place of the merged vertex, which stays the same as long as neither end changes.
   Vec3 placeOf(const Quadric& both, VertexIndex a, VertexIndex b) const {
     return middle_ + bestPlace(both, surface_.point(a) - middle_, surface_.point(b) - middle_);
   }

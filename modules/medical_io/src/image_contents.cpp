@@ -26,7 +26,7 @@ public:
 
   /// Looks at a value that is new; false when these are no labels.
   bool accept(double stored) {
-    // As a sample of a scan has it.
+    // A sample of a scan has the same rounding.
     const bool exact = whole_ && std::abs(stored) < kLargestExact;
     const double sample = exact ? stored : double(static_cast<float>(stored));
     const double value = slope_ * sample + intercept_;
@@ -51,7 +51,7 @@ public:
     last_ = sample;
   }
 
-  /// Of all values, each of which was accepted.
+  /// Tells whether the accepted values, taken together, are labels.
   bool areLabels() const {
     return ids_.size() <= kFewValues + 1 || double(equal_) >= kMostlyEqual * double(pairs_);
   }

@@ -135,7 +135,7 @@ private:
   std::vector<std::uint64_t> buffer_; ///< The widest scalar has eight bytes.
 };
 
-/// Where voxels are as they are, from byte `begin` on; `whole` is what the header promises.
+/// The place of voxels that are not packed, from byte `begin` on; `whole` is what the header promises.
 struct PlainVoxels {
   std::uint64_t begin = 0;
   std::uint64_t whole = 0;

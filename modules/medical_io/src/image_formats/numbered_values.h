@@ -15,8 +15,8 @@
 /// Stored values of an image as numbers of the different ones, block by block as they are read.
 namespace viscera::medical_io {
 
-/// Where the equal values end that begin at `begin` of `count` values of one size, at any address. O(length),
-/// eight bytes at a time.
+/// Returns the end of the equal values that begin at `begin` of `count` values of one size, at any address.
+/// O(length), eight bytes at a time.
 template <class Bits>
 std::size_t endOfRun(const char* values, std::size_t begin, std::size_t count) {
   constexpr std::size_t kWord = sizeof(std::uint64_t), kInWord = kWord / sizeof(Bits);
@@ -50,7 +50,7 @@ public:
   std::size_t take(const char* bytes, std::size_t count, Scalar scalar, std::endian order,
                    const Accept& accept, const Run& run);
 
-  /// Those that have numbers, by their numbers: as stored, and as `loadDouble` gives them.
+  /// The values that have numbers, by their numbers: as stored, and as `loadDouble` gives them.
   const std::vector<Stored>& stored() const { return stored_; }
   const std::vector<double>& values() const { return values_; }
 

@@ -13,7 +13,7 @@ struct NewOrgan {
   Organ organ; ///< From `makeOrgan`; it gets its id when it is added, and `parent` may be an organ of the
                ///< document.
   int parentInBatch = -1; ///< Or the index of its parent among the organs added with it.
-  /// Of its surface as it was read, before `makeOrgan`; none: it was not read from a file.
+  /// The report of its surface as it was read, before `makeOrgan`; none: no file was read.
   std::optional<geometry::SurfaceReport> report = {};
 };
 

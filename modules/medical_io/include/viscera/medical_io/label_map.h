@@ -34,7 +34,7 @@ struct LabelMap {
   /// From (i, j, k) to mm LPS; the centre of the first voxel is (0, 0, 0). May be oblique, left-handed and
   /// sheared; never singular.
   Eigen::Affine3d indexToLps = Eigen::Affine3d::Identity();
-  /// Of voxel (i, j, k) 0 for none, s + 1 for `segments[s]`. More than one layer when segments overlap.
+  /// Voxels hold 0 for no segment and s + 1 for `segments[s]`. Segments that overlap take several layers.
   std::vector<LabelLayer> layers;
   std::vector<Segment> segments;
   std::string space;          ///< "RAS" or "LPS" (or another): what the file was written in.
