@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 #include <charconv>
+#include <iterator>
 #include <ostream>
 #include <system_error>
 
@@ -18,6 +19,9 @@ struct Text::Node {
 
 namespace {
 
+/// The names of kinds of texts in files, in the order of the kinds.
+constexpr const char* kKinds[] = {"message", "verbatim",   "name",   "number",
+                                  "list",    "diagnostic", "misuse", "sentence"};
 /// Numbers that are too large for an `int` have the form of this one.
 constexpr int kMany = 2147483647;
 /// The sentences before texts that stay in English.
@@ -142,6 +146,22 @@ std::string Text::english() const {
 
 Text Text::capitalised() const {
   return empty() || node_->kind == Kind::sentence ? *this : Text(Kind::sentence, {}, {*this});
+}
+
+Text::Pieces Text::pieces() const {
+  if (empty())
+    return {kKinds[static_cast<std::size_t>(Kind::verbatim)], {}, {}};
+  return {kKinds[static_cast<std::size_t>(node_->kind)], node_->words, node_->parts};
+}
+
+std::optional<Text> Text::of(Pieces pieces) {
+  const auto kind = std::find(std::begin(kKinds), std::end(kKinds), pieces.kind);
+  if (kind == std::end(kKinds))
+    return std::nullopt;
+  const auto which = static_cast<Kind>(kind - std::begin(kKinds));
+  if (which == Kind::sentence && pieces.parts.size() != 1)
+    return std::nullopt;
+  return Text(which, std::move(pieces.words), std::move(pieces.parts));
 }
 
 bool operator==(const Text& a, const Text& b) {

@@ -12,6 +12,7 @@
 #include "session_json.h"
 #include "session_scan.h"
 #include "stored_surface.h"
+#include "stored_text.h"
 #include "viscera/core/atomic_file.h"
 #include "viscera/core/error.h"
 #include "viscera/core/file_facts.h"
@@ -77,6 +78,7 @@ ordered_json organWithSurface(const Organ& organ, bool embed, const fs::path& fo
   if (embed || !(sample || unchanged)) {
     item["surface"] = storedSurface(*organ.mesh);
     item["warnings"] = organ.warnings;
+    item["remarks"] = storedTexts(organ.warnings);
   }
   return item;
 }
@@ -333,6 +335,17 @@ private:
       }
   }
 
+  /// With their patterns and parts; in a session of an older version, which has no `remarks`, in English.
+  std::vector<Text> warningsOf(const ordered_json& item, const std::string& place) {
+    const auto english = reader_.valueOf<std::vector<std::string>>(item, "warnings", place);
+    if (item.contains("remarks"))
+      return textsFrom(reader_, item.at("remarks"), place + ".remarks");
+    std::vector<Text> warnings;
+    for (const std::string& warning : english)
+      warnings.push_back(named(warning));
+    return warnings;
+  }
+
   Organ embedded(const ordered_json& item, const std::string& place, const std::string& hash,
                  SurfaceFinding& finding) {
     geometry::TriangleMesh mesh = surfaceFrom(reader_, item.at("surface"), place + ".surface");
@@ -344,12 +357,7 @@ private:
     } catch (const DataError& error) {
       reader_.fail(error.problem(), place + ".surface");
     }
-    organ.warnings.clear();
-    for (const ordered_json& warning : reader_.listOf(item, "warnings", place)) {
-      if (!warning.is_string())
-        reader_.fail(diagnostic("It is not a text"), place + ".warnings");
-      organ.warnings.push_back(named(warning.get<std::string>()));
-    }
+    organ.warnings = warningsOf(item, place);
     finding.state = State::embedded;
     if (item.contains("source")) {
       const Origin origin = originOf(item.at("source"), place + ".source");

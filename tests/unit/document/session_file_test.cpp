@@ -3,7 +3,10 @@
 #include <array>
 #include <fstream>
 #include <functional>
+#include <memory>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -260,6 +263,57 @@ TEST(SessionFile, SaysThatAnOrgansFileHasChangedAndUsesIt) {
   EXPECT_THAT(joined(opened.warnings), HasSubstr("liver.vtp has changed"));
   EXPECT_NEAR((*opened.contents.state.organs)[1]->mesh->points.row(0).norm(), 45, 1e-3);
   EXPECT_TRUE((*opened.contents.state.organs)[1]->volumeLocked);
+}
+
+/// A session whose only organ has these remarks, as written.
+ordered_json sessionWithRemarks(const TemporaryFolder& folder, std::vector<Text> remarks) {
+  SessionContents contents = fullContents(folder);
+  auto organ = std::make_shared<Organ>(*contents.state.organs->front());
+  organ->warnings = std::move(remarks);
+  contents.state.organs = std::make_shared<const OrganList>(OrganList{organ});
+  contents.embedSurfaces = true;
+  write(folder / "remarks.viscera", contents);
+  return jsonOf(folder / "remarks.viscera");
+}
+
+TEST(SessionFile, KeepsTheRemarksOnAnOrganWithTheirParts) {
+  TemporaryFolder folder;
+  const std::vector<Text> remarks = {
+      phrase("%n {piece|pieces}, the largest of %1 ml", 2, inFixed(1.5, 1)).capitalised(),
+      phrase("%1: %2", named("Liver"), listOf({std::string("a|b"), Text(), diagnostic("no %1", "end")})),
+      misuse("there is no view %1", 3)};
+  const ordered_json written = sessionWithRemarks(folder, remarks);
+  EXPECT_EQ(written["organs"][0]["warnings"], inEnglish(remarks));
+  const OpenedSession opened = readBack(folder / "remarks.viscera");
+  EXPECT_EQ(joined(opened.warnings), "") << "every key is known";
+  EXPECT_EQ(opened.contents.state.organs->front()->warnings, remarks);
+}
+
+TEST(SessionFile, OfAnOlderVersionHasItsRemarksInEnglish) {
+  TemporaryFolder folder;
+  const std::vector<Text> remarks = {phrase("%n {piece|pieces}", 2), "it has no volume"};
+  ordered_json old = sessionWithRemarks(folder, remarks);
+  old["organs"][0].erase("remarks");
+  const OpenedSession opened = readBack(folder.put("old.viscera", old.dump()));
+  EXPECT_EQ(inEnglish(opened.contents.state.organs->front()->warnings), inEnglish(remarks));
+}
+
+TEST(SessionFile, WithARemarkOfNoKnownKindIsRefused) {
+  TemporaryFolder folder;
+  ordered_json root = sessionWithRemarks(folder, {phrase("%n {piece|pieces}", 2)});
+  const auto refusal = [&](const ordered_json& remark) {
+    root["organs"][0]["remarks"][0] = remark;
+    try {
+      readBack(folder.put("b.viscera", root.dump()));
+    } catch (const DataError& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  EXPECT_THAT(refusal({{"kind", "song"}, {"words", "la"}}), HasSubstr("organs[0].remarks[0]"));
+  EXPECT_THAT(refusal({{"kind", "sentence"}}), HasSubstr("no text of a known kind"));
+  EXPECT_THAT(refusal({{"kind", "list"}, {"parts", {1}}}), HasSubstr("remarks[0].parts[0]"));
+  EXPECT_EQ(refusal({{"kind", "message"}, {"words", "%3 {"}}), "") << "a place without a part stays as it is";
 }
 
 TEST(SessionFile, ReportsKeysThatNothingIsKnownAbout) {

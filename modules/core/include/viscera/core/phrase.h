@@ -53,6 +53,17 @@ public:
   /// The text with a capital letter first, as a sentence begins.
   Text capitalised() const;
 
+  /// A text taken apart, as a file keeps it.
+  struct Pieces {
+    std::string kind; ///< "message", "verbatim", "name", "number", "list", "diagnostic", "misuse", "sentence".
+    std::string words;       ///< The pattern, the verbatim text, the name or the digits.
+    std::vector<Text> parts; ///< Of patterns and lists; a sentence has one.
+  };
+  /// An empty text is verbatim without words.
+  Pieces pieces() const;
+  /// The text of such pieces. Nothing for an unknown kind, and for a sentence that has not one part.
+  static std::optional<Text> of(Pieces pieces);
+
   /// Whether both were made from the same patterns and parts. O(length).
   friend bool operator==(const Text& a, const Text& b);
 
