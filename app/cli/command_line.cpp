@@ -23,6 +23,7 @@
 #include "cli/stage_options.h"
 #include "cli/version_text.h"
 #include "viscera/core/error.h"
+#include "viscera/medical_io/file_kind.h"
 #include "viscera/sample_organs/sample_organ.h"
 
 namespace viscera::app::cli {
@@ -213,6 +214,25 @@ void requireFiles(const WindowOptions& window, std::ostream& err) {
   }
 }
 
+/// The formats that are read, for the end of the help.
+std::string formatsText() {
+  using medical_io::FileKind;
+  std::string text = "Files (* also written):\n";
+  for (const auto& [kind, title] : {std::pair(FileKind::surface, "organs"),
+                                    {FileKind::labelMap, "label maps, scans"},
+                                    {FileKind::handles, "handles"},
+                                    {FileKind::sequence, "sequences"},
+                                    {FileKind::session, "sessions"}}) {
+    text += std::string("  ") + title + ":";
+    for (const medical_io::FileFormat& format : medical_io::fileFormats())
+      if (format.kind == kind)
+        for (const std::string& ending : format.endings)
+          text += ' ' + ending + (format.written ? "*" : "");
+    text += '\n';
+  }
+  return text;
+}
+
 /// What shells offer for the values of options, beside files.
 ValueWords valueWords() {
   ValueWords words{{"SEQUENCE", {"heartbeat", "peristalsis", "breathing"}}};
@@ -245,6 +265,7 @@ int runCommandLine(int argc, const char* const* argv, std::ostream& out, std::os
   CLI::App app("Organs deformed by handles, without a cage. Without a command the window opens.", "viscera");
   app.set_version_flag("--version", versionText);
   app.require_subcommand(0, 1);
+  app.footer(formatsText);
   WindowOptions window;
   std::string windowSize;
   addWindowOptions(app, window, windowSize);

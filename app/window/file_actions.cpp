@@ -9,6 +9,7 @@
 
 #include "viscera/core/error.h"
 #include "viscera/document/session_file.h"
+#include "viscera/medical_io/file_kind.h"
 #include "viscera/medical_io/handle_file.h"
 #include "viscera/medical_io/label_map.h"
 #include "viscera/medical_io/scan.h"
@@ -97,8 +98,8 @@ void FileActions::rememberFolder(const QString& file) {
 }
 
 void FileActions::chooseAndOpen(bool check) {
-  const QString surfaces = patterns(medical_io::surfaceExtensions());
-  const QString labels = patterns(medical_io::labelMapExtensions());
+  const QString surfaces = patterns(medical_io::endingsOf(medical_io::FileKind::surface));
+  const QString labels = patterns(medical_io::endingsOf(medical_io::FileKind::labelMap));
   const QString handles = QStringLiteral("*%1 *.fcsv").arg(QLatin1String(kHandleEnding));
   QStringList filters;
   if (openSession_)
@@ -298,9 +299,10 @@ void FileActions::saveHandles(const QString& file) {
 }
 
 void FileActions::chooseAndLoadCage() {
-  const QString file = QFileDialog::getOpenFileName(
-      window_, tr("Load a cage"), folder(),
-      tr("Closed surfaces (%1);;All files (*)").arg(patterns(medical_io::surfaceExtensions())));
+  const QString file =
+      QFileDialog::getOpenFileName(window_, tr("Load a cage"), folder(),
+                                   tr("Closed surfaces (%1);;All files (*)")
+                                       .arg(patterns(medical_io::endingsOf(medical_io::FileKind::surface))));
   if (!file.isEmpty())
     loadCage(file);
 }
@@ -328,9 +330,9 @@ void FileActions::chooseAndExportOrgan() {
   if (!organ)
     return workspace_.note(tr("There is no organ to export. Open one first."), 6);
   const QString start = folder() + QLatin1Char('/') + text(organ->name) + QStringLiteral(".vtp");
-  const QString file =
-      QFileDialog::getSaveFileName(window_, tr("Export the organ in its present pose"), start,
-                                   tr("Surfaces (%1)").arg(patterns(medical_io::surfaceExtensions())));
+  const QString file = QFileDialog::getSaveFileName(
+      window_, tr("Export the organ in its present pose"), start,
+      tr("Surfaces (%1)").arg(patterns(medical_io::endingsOf(medical_io::FileKind::surface))));
   if (!file.isEmpty())
     exportOrgan(file);
 }

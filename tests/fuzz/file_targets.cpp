@@ -3,6 +3,7 @@
 #include "fuzz_target.h"
 #include "good_files.h"
 #include "viscera/geometry/surface_check.h"
+#include "viscera/medical_io/file_kind.h"
 #include "viscera/medical_io/handle_file.h"
 #include "viscera/medical_io/surface_file.h"
 
@@ -23,7 +24,7 @@ std::vector<std::string> goodFilesEnding(const std::vector<std::string>& endings
 }
 
 void readAnySurface(Bytes bytes) {
-  const auto& endings = medical_io::surfaceExtensions();
+  const auto& endings = medical_io::endingsOf(medical_io::FileKind::surface);
   const Choice choice = choose(bytes, endings.size());
   const medical_io::SurfaceFile read =
       medical_io::readSurface(scratchFile("a" + endings[choice.kind], choice.rest));
@@ -48,8 +49,10 @@ void readAnyHandles(Bytes bytes) {
 } // namespace
 
 Target surfaceFileTarget() {
-  return {"surfaces", readAnySurface,
-          [] { return goodFilesEnding(medical_io::surfaceExtensions(), tests::FileUse::surface); }};
+  return {"surfaces", readAnySurface, [] {
+            return goodFilesEnding(medical_io::endingsOf(medical_io::FileKind::surface),
+                                   tests::FileUse::surface);
+          }};
 }
 
 Target handleFileTarget() {

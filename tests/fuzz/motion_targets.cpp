@@ -6,6 +6,7 @@
 #include "viscera/core/error.h"
 #include "viscera/live/motion_series.h"
 #include "viscera/live/retarget.h"
+#include "viscera/medical_io/file_kind.h"
 #include "viscera/medical_io/handle_file.h"
 #include "viscera/medical_io/surface_file.h"
 
@@ -20,7 +21,7 @@ constexpr int kMostPhases = 6;
 
 /// Files of one folder, all of the format that the first byte chooses, as phases of one surface.
 void readSurfacePhases(Bytes bytes) {
-  const auto& endings = medical_io::surfaceExtensions();
+  const auto& endings = medical_io::endingsOf(medical_io::FileKind::surface);
   const Choice choice = choose(bytes, endings.size());
   const std::filesystem::path folder = scratchFolder() / "phases";
   std::filesystem::remove_all(folder);
@@ -53,7 +54,7 @@ void readSurfacePhases(Bytes bytes) {
 /// A tetrahedron that grows and shrinks again, of the same points in all phases or of others in the third.
 std::string surfacePhases(std::size_t format, bool corresponding) {
   const tests::TemporaryFolder folder;
-  const auto file = folder / ("a" + medical_io::surfaceExtensions()[format]);
+  const auto file = folder / ("a" + medical_io::endingsOf(medical_io::FileKind::surface)[format]);
   std::string out;
   int phase = 0;
   for (const double size : {60, 63, 66, 63}) {
@@ -68,8 +69,9 @@ std::string surfacePhases(std::size_t format, bool corresponding) {
 
 std::vector<std::string> surfacePhaseSeeds() {
   std::vector<std::string> out;
-  for (std::size_t format = 0; format < medical_io::surfaceExtensions().size(); ++format)
-    if (medical_io::surfaceExtensions()[format] != ".gltf") // Which is read, but not written.
+  for (std::size_t format = 0; format < medical_io::endingsOf(medical_io::FileKind::surface).size(); ++format)
+    if (medical_io::endingsOf(medical_io::FileKind::surface)[format] !=
+        ".gltf") // Which is read, but not written.
       out.push_back(surfacePhases(format, true));
   out.push_back(surfacePhases(0, false));
   return out;

@@ -16,6 +16,7 @@
 #include "viscera/document/scan_item.h"
 #include "viscera/document/session_file.h"
 #include "viscera/geometry/convex_hull.h"
+#include "viscera/medical_io/file_kind.h"
 #include "viscera/medical_io/heart_labels.h"
 #include "viscera/medical_io/scan.h"
 #include "viscera/medical_io/surface_file.h"
@@ -60,29 +61,25 @@ std::vector<std::filesystem::path> withoutHalves(const std::vector<std::filesyst
   return rest;
 }
 
-void requireKnown(const std::filesystem::path& file, Sessions sessions) {
-  const auto& extensions = medical_io::surfaceExtensions();
-  const std::string name = lowerName(file);
-  if (endsWith(name, kSessionEnding) && sessions == Sessions::nowhere)
+/// What a file or folder is; throws for what is not opened as an organ or as handles.
+medical_io::FileKind kindToOpen(const std::filesystem::path& file, Sessions sessions) {
+  using medical_io::FileKind;
+  std::error_code error;
+  const bool folder = std::filesystem::is_directory(file, error);
+  const FileKind kind = folder ? FileKind::labelMap : medical_io::fileKind(file);
+  if (kind == FileKind::session && sessions == Sessions::nowhere)
     throw UsageError("A session cannot be opened beside another", file.string(), "open it with File > Open");
-  if (endsWith(name, kSessionEnding))
+  if (kind == FileKind::session)
     throw UsageError("A session is opened alone", file.string(),
                      "open it by itself, and the other files after it");
-  if (isHandleFile(file) || medical_io::isLabelMap(file) ||
-      std::any_of(extensions.begin(), extensions.end(),
-                  [&](const std::string& e) { return endsWith(name, e); }))
-    return;
-  if (medical_io::isScan(file))
+  if (kind == FileKind::scan || (folder && !medical_io::isLabelMap(file) && medical_io::isScan(file)))
     throw UsageError(
         "It is a scan, not an organ", file.string(),
         "open it beside the organs (File > Open a scan), or make a label map of it first, with 3D "
         "Slicer or TotalSegmentator");
-  std::string known = sessions == Sessions::alone ? std::string(kSessionEnding) + ", " : std::string();
-  known += ".mrk.json, .fcsv";
-  for (const auto* list : {&extensions, &medical_io::labelMapExtensions()})
-    for (const std::string& extension : *list)
-      known += ", " + extension;
-  throw UsageError("This kind of file is not supported", file.string(), phrase("use one of: %1", known));
+  if (kind == FileKind::unknown || kind == FileKind::sequence)
+    medical_io::refuse(file);
+  return kind;
 }
 
 void addWarnings(std::vector<Text>& all, const std::filesystem::path& file,
@@ -281,14 +278,14 @@ void addLabels(OpenedFiles& opened, medical_io::LabelMap map, const std::filesys
 /// Adds what a file holds; nothing when it throws.
 void addFile(OpenedFiles& opened, const std::filesystem::path& file, Progress& progress,
              const ArrivingOrganListener& arrives, Sessions sessions) {
-  requireKnown(file, sessions);
-  if (isHandleFile(file)) {
+  const medical_io::FileKind kind = kindToOpen(file, sessions);
+  if (kind == medical_io::FileKind::handles) {
     if (opened.rig)
       throw UsageError("Two handle files cannot be opened at a time", file.string(), "choose one of them");
     const medical_io::HandleFile handles = medical_io::readHandles(file);
     opened.rig = rigFrom(handles, file.string());
     addWarnings(opened.warnings, file, handles.warnings);
-  } else if (medical_io::isLabelMap(file)) {
+  } else if (kind == medical_io::FileKind::labelMap) {
     addLabels(opened, medical_io::readLabelMap(file, progress), file, progress, arrives);
   } else {
     addSurfaces(opened, file, arrives);

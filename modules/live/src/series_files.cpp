@@ -9,9 +9,9 @@
 #include "viscera/core/error.h"
 #include "viscera/core/phrase.h"
 #include "viscera/core/text.h"
+#include "viscera/medical_io/file_kind.h"
 #include "viscera/medical_io/heart_labels.h"
 #include "viscera/medical_io/label_map.h"
-#include "viscera/medical_io/surface_file.h"
 
 namespace viscera::live {
 namespace {
@@ -34,11 +34,7 @@ bool isDigit(char c) {
 }
 
 bool isSurface(const fs::path& file) {
-  std::string extension = file.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  const auto& all = medical_io::surfaceExtensions();
-  return std::find(all.begin(), all.end(), extension) != all.end();
+  return medical_io::fileKind(file) == medical_io::FileKind::surface;
 }
 
 /// The files of a folder that are surfaces or label maps.

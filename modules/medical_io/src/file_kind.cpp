@@ -1,42 +1,31 @@
 #include "viscera/medical_io/file_kind.h"
 
-#include <algorithm>
 #include <array>
 
 #include "dicom/dicom_mark.h"
 #include "file_bytes.h"
 #include "file_signature.h"
-#include "scalar.h"
 #include "viscera/core/error.h"
-#include "viscera/medical_io/label_map.h"
-#include "viscera/medical_io/surface_file.h"
 
 namespace viscera::medical_io {
 namespace {
 
-FileKind kindOfEnding(const std::filesystem::path& file) {
-  static constexpr std::array<std::pair<std::string_view, FileKind>, 4> kEndings = {
-      {{".mrk.json", FileKind::handles},
-       {".fcsv", FileKind::handles},
-       {".sequence.json", FileKind::sequence},
-       {".viscera", FileKind::session}}};
-  const std::string ending = extensionOf(file);
-  const auto isOneOf = [&](const std::vector<std::string>& endings) {
-    return std::find(endings.begin(), endings.end(), ending) != endings.end();
-  };
-  if (isOneOf(surfaceExtensions()))
-    return FileKind::surface;
-  if (isOneOf(labelMapExtensions()))
-    return FileKind::labelMap;
-  return lookUp(kEndings, ending).value_or(FileKind::unknown);
+/// Enough for a signature, but for the words of JSON.
+constexpr std::size_t kFirstBytes = 4096;
+
+FileBytes beginOf(const std::filesystem::path& file) {
+  FileBytes begin = readBeginOfFile(file, kFirstBytes);
+  const std::size_t first = begin.view().find_first_not_of(" \t\r\n\xef\xbb\xbf");
+  const bool json = first != std::string_view::npos && begin.view()[first] == '{';
+  return json ? readBeginOfFile(file, kMostHeaderBytes) : begin;
 }
 
 } // namespace
 
 FileKind fileKind(const std::filesystem::path& file) {
-  const FileKind byName = kindOfEnding(file);
+  const FileKind byName = fileKind(signatureOfEnding(file));
   try {
-    const Signature found = signatureOf(readBeginOfFile(file, kMostHeaderBytes));
+    const Signature found = signatureOf(beginOf(file));
     if (found == Signature::dicom && dicomKind(file) == DicomKind::image)
       return FileKind::scan;
     const FileKind byContents = fileKind(found);
@@ -45,6 +34,10 @@ FileKind fileKind(const std::filesystem::path& file) {
     // Empty: the name is all there is.
     return byName;
   }
+}
+
+void refuse(const std::filesystem::path& file, FileKind wanted) {
+  refuse(beginOf(file), wanted);
 }
 
 std::string_view nameOf(FileKind kind) {

@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <map>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "viscera/core/phrase.h"
 
@@ -12,39 +15,125 @@
 namespace viscera::medical_io {
 namespace {
 
-struct Kind {
-  Signature signature;
-  FileKind kind;
-  std::string_view description;
-  std::string_view extension;
+/// A format, told by its bytes, by its ending or by both.
+struct Format {
+  Signature signature; ///< Or `unknown`: it has no mark.
+  FileKind kind;       ///< Or `unknown`: Viscera does not read it.
+  std::string_view name;
+  std::string_view description; ///< For a sentence: "an STL surface".
+  std::string_view endings;     ///< With blanks between; the usual one is the first.
+  bool written;
 };
-constexpr std::array<Kind, 20> kKinds = {{
-    {Signature::unknown, FileKind::unknown, "a file of an unknown kind", ""},
-    {Signature::stl, FileKind::surface, "an STL surface", ".stl"},
-    {Signature::obj, FileKind::surface, "an OBJ surface", ".obj"},
-    {Signature::ply, FileKind::surface, "a PLY surface", ".ply"},
-    {Signature::off, FileKind::surface, "an OFF surface", ".off"},
-    {Signature::legacyVtk, FileKind::surface, "a legacy VTK file", ".vtk"},
-    {Signature::vtp, FileKind::surface, "a VTK XML surface", ".vtp"},
-    {Signature::otherVtkXml, FileKind::unknown, "a VTK XML file that holds no surface", ""},
-    {Signature::glb, FileKind::surface, "a binary glTF scene", ".glb"},
-    {Signature::gltf, FileKind::surface, "a glTF scene", ".gltf"},
-    {Signature::markups, FileKind::handles, "a 3D Slicer markups file", ".mrk.json"},
-    {Signature::fcsv, FileKind::handles, "a 3D Slicer fiducial table", ".fcsv"},
-    {Signature::otherJson, FileKind::unknown, "a JSON file", ".json"},
-    {Signature::nifti, FileKind::labelMap, "a NIfTI image", ".nii"},
-    {Signature::nrrd, FileKind::labelMap, "an NRRD image", ".nrrd"},
-    {Signature::metaImage, FileKind::labelMap, "a MetaImage", ".mha"},
-    {Signature::dicom, FileKind::labelMap, "a DICOM file", ".dcm"},
-    {Signature::gzip, FileKind::unknown, "a gzip-compressed file", ".gz"},
-    {Signature::zip, FileKind::unknown, "a ZIP archive", ".zip"},
-    {Signature::picture, FileKind::unknown, "a picture", ""},
-}};
+constexpr std::array kRead = std::to_array<Format>({
+    {Signature::stl, FileKind::surface, "STL", "an STL surface", ".stl", true},
+    {Signature::obj, FileKind::surface, "OBJ", "an OBJ surface", ".obj", true},
+    {Signature::ply, FileKind::surface, "PLY", "a PLY surface", ".ply", true},
+    {Signature::off, FileKind::surface, "OFF", "an OFF surface", ".off", true},
+    {Signature::legacyVtk, FileKind::surface, "VTK", "a legacy VTK file", ".vtk", true},
+    {Signature::vtp, FileKind::surface, "VTP", "a VTK XML surface", ".vtp", true},
+    {Signature::glb, FileKind::surface, "GLB", "a binary glTF scene", ".glb", true},
+    {Signature::gltf, FileKind::surface, "glTF", "a glTF scene", ".gltf", false},
+    {Signature::nifti, FileKind::labelMap, "NIfTI", "a NIfTI image", ".nii .nii.gz .hdr .hdr.gz .img .img.gz",
+     true},
+    {Signature::nrrd, FileKind::labelMap, "NRRD", "an NRRD image", ".nrrd .seg.nrrd .nhdr .seg.nhdr", true},
+    {Signature::metaImage, FileKind::labelMap, "MetaImage", "a MetaImage", ".mha .mhd", true},
+    {Signature::dicom, FileKind::labelMap, "DICOM", "a DICOM file", ".dcm .ima", false},
+    {Signature::markups, FileKind::handles, "3D Slicer markups", "a 3D Slicer markups file", ".mrk.json",
+     true},
+    {Signature::fcsv, FileKind::handles, "3D Slicer fiducials", "a 3D Slicer fiducial table", ".fcsv", true},
+    {Signature::sequence, FileKind::sequence, "Viscera sequence", "a Viscera sequence", ".sequence.json",
+     true},
+    {Signature::session, FileKind::session, "Viscera session", "a Viscera session", ".viscera", true},
+});
+
+/// A kind of file that Viscera names, but does not read.
+struct Unread {
+  Signature signature;
+  std::string_view description;
+  std::string_view endings;
+  const char* wayOut;
+};
+constexpr const char* kExportASurface = "export it as STL, OBJ, PLY or GLB";
+constexpr std::array kUnread = std::to_array<Unread>({
+    {Signature::gzip, "a gzip-compressed file", ".gz", "unpack it first"},
+    {Signature::zip, "a ZIP archive", ".zip", "unpack it first, and open what is inside"},
+    {Signature::unknown, "an archive", ".tar .tgz .7z .rar .xz .zst",
+     "unpack it first, and open what is inside"},
+    {Signature::picture, "a picture", ".png .jpg .jpeg .gif .bmp",
+     "open the images that it was made from: a DICOM series, NIfTI, NRRD or MetaImage"},
+    {Signature::otherVtkXml, "a VTK XML file that holds no surface", ".vti .vtr .vts",
+     "save its surface as .vtp, or its image as .mha, in ParaView or 3D Slicer"},
+    {Signature::otherJson, "a JSON file", ".json", "open a file of organs, handles or a sequence"},
+    {Signature::unknown, "a CAD model", ".stp .step .igs .iges .brep .sldprt .x_t", kExportASurface},
+    {Signature::unknown, "a scene of a 3D program",
+     ".fbx .dae .blend .3ds .max .ma .mb .c4d .wrl .vrml .x3d .usd .usdz .u3d", kExportASurface},
+    {Signature::unknown, "a scene of 3D Slicer", ".mrb .mrml",
+     "save its segmentation and its models in 3D Slicer, and open these"},
+    {Signature::unknown, "a document", ".pdf .doc .docx .odt .txt .rtf .html .htm",
+     "open the files of the organs"},
+    {Signature::unknown, "a table", ".csv .tsv .xls .xlsx .ods", "open the files of the organs"},
+});
 
 constexpr std::size_t kSignatureBytes = 4096;
 
-const Kind& kindOf(Signature signature) {
-  return *std::find_if(kKinds.begin(), kKinds.end(), [&](const Kind& k) { return k.signature == signature; });
+/// Whether a table's list of endings has this one.
+bool listsEnding(std::string_view endings, std::string_view ending) {
+  while (!ending.empty() && !endings.empty())
+    if (takeWord(endings) == ending)
+      return true;
+  return false;
+}
+
+/// The row of a table for what bytes say, or else an ending.
+template <class Rows>
+auto rowOf(const Rows& rows, Signature found, std::string_view ending) -> decltype(rows.data()) {
+  const auto row = std::find_if(rows.begin(), rows.end(), [&](const auto& one) {
+    return found != Signature::unknown ? one.signature == found : listsEnding(one.endings, ending);
+  });
+  return row == rows.end() ? nullptr : &*row;
+}
+
+/// What a table says of a file; empty for a kind that none of them knows.
+struct Known {
+  Text description;
+  std::string_view ending; ///< The usual one.
+  Text wayOut;             ///< Of a kind that Viscera does not read.
+};
+
+Known knownAs(Signature found, std::string_view ending) {
+  if (const Format* format = rowOf(kRead, found, ending)) {
+    std::string_view endings = format->endings;
+    return {named(format->description), takeWord(endings), {}};
+  }
+  if (const Unread* unread = rowOf(kUnread, found, ending))
+    return {named(unread->description), {}, unread->wayOut};
+  return {};
+}
+
+Text refusalOf(FileKind wanted) {
+  switch (wanted) {
+  case FileKind::surface:
+    return "It is not a surface";
+  case FileKind::handles:
+    return "It is not a handle file";
+  case FileKind::labelMap:
+    return "It is not a label map";
+  case FileKind::scan:
+    return "It is not a scan in a known format";
+  default:
+    return "This kind of file is not supported";
+  }
+}
+
+/// The endings of the formats of that kind, of all for `unknown`.
+std::string usualEndings(FileKind wanted) {
+  const FileKind kind = wanted == FileKind::scan ? FileKind::labelMap : wanted;
+  std::string list;
+  for (const FileFormat& format : fileFormats())
+    if (kind == FileKind::unknown || format.kind == kind)
+      for (const std::string& ending : format.endings)
+        list += (list.empty() ? "" : ", ") + ending;
+  return list;
 }
 
 bool isBinaryStl(const FileBytes& file) {
@@ -79,6 +168,10 @@ Signature binarySignature(const FileBytes& file, std::string_view begin) {
 /// By the names that stand near the beginning: good enough to choose a reader, which then checks.
 Signature jsonSignature(std::string_view whole) {
   const auto has = [&](std::string_view key) { return whole.find(key) != whole.npos; };
+  if (has("\"viscera-session\""))
+    return Signature::session;
+  if (has("\"viscera-sequence\""))
+    return Signature::sequence;
   if (has("\"markups\"") && has("\"controlPoints\""))
     return Signature::markups;
   if (has("\"asset\"") && (has("\"meshes\"") || has("\"nodes\"")))
@@ -151,21 +244,62 @@ Signature signatureOf(const FileBytes& file) {
   return binary != Signature::unknown ? binary : textSignature(file, begin);
 }
 
+Signature signatureOfEnding(const std::filesystem::path& file) {
+  const Format* format = rowOf(kRead, Signature::unknown, extensionOf(file));
+  return format == nullptr ? Signature::unknown : format->signature;
+}
+
 FileKind fileKind(Signature signature) {
-  return kindOf(signature).kind;
+  const Format* format = signature == Signature::unknown ? nullptr : rowOf(kRead, signature, {});
+  return format == nullptr ? FileKind::unknown : format->kind;
 }
 
-Text looksLike(const Text& problem, Signature found) {
-  return found == Signature::unknown
-             ? problem
-             : phrase("%1; it looks like %2", problem, named(kindOf(found).description));
+const std::vector<FileFormat>& fileFormats() {
+  static const std::vector<FileFormat> kFormats = [] {
+    std::vector<FileFormat> list;
+    for (const Format& format : kRead) {
+      FileFormat& one =
+          list.emplace_back(FileFormat{format.kind, std::string(format.name), {}, format.written});
+      for (std::string_view rest = format.endings; !rest.empty();)
+        one.endings.emplace_back(takeWord(rest));
+    }
+    return list;
+  }();
+  return kFormats;
 }
 
-void failAsAnotherKind(const FileBytes& file, Signature found, const Text& otherwise) {
-  const Kind& kind = kindOf(found);
-  file.fail(phrase("It is named %1 but looks like %2", extensionOf(file.file), named(kind.description)),
-            kind.extension.empty() ? otherwise
-                                   : phrase("rename it to end in %1", std::string(kind.extension)));
+const std::vector<std::string>& endingsOf(FileKind kind) {
+  static const std::map<FileKind, std::vector<std::string>> kEndings = [] {
+    std::map<FileKind, std::vector<std::string>> all;
+    for (const FileFormat& format : fileFormats())
+      all[format.kind].insert(all[format.kind].end(), format.endings.begin(), format.endings.end());
+    return all;
+  }();
+  static const std::vector<std::string> kNone;
+  const auto found = kEndings.find(kind);
+  return found == kEndings.end() ? kNone : found->second;
+}
+
+Signature signatureFor(const FileBytes& file, FileKind wanted) {
+  const Signature found = signatureOf(file), promised = signatureOfEnding(file.file);
+  const bool packed = found == Signature::gzip && extensionOf(file.file).ends_with(".gz");
+  const Signature own = found == Signature::unknown || packed ? promised : found;
+  if (promised != Signature::unknown && own != promised) {
+    const Known known = knownAs(own, {});
+    file.fail(phrase("It is named %1 but looks like %2", extensionOf(file.file), known.description),
+              known.wayOut.empty() ? phrase("rename it to end in %1", std::string(known.ending))
+                                   : known.wayOut);
+  }
+  if (fileKind(own) != wanted)
+    refuse(file, wanted);
+  return own;
+}
+
+void refuse(const FileBytes& file, FileKind wanted) {
+  const Known known = knownAs(signatureOf(file), extensionOf(file.file));
+  const Text problem = refusalOf(wanted);
+  file.fail(known.description.empty() ? problem : phrase("%1; it looks like %2", problem, known.description),
+            known.wayOut.empty() ? phrase("known endings: %1", usualEndings(wanted)) : known.wayOut);
 }
 
 } // namespace viscera::medical_io

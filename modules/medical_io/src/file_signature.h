@@ -22,6 +22,8 @@ enum class Signature {
   gltf,
   markups,
   fcsv,
+  sequence,
+  session,
   otherJson,
   nifti,
   nrrd,
@@ -36,15 +38,19 @@ enum class Signature {
 /// Cheap.
 Signature signatureOf(const FileBytes& file);
 
+/// The signature that a name promises: `unknown` for an ending of no format, or of several.
+Signature signatureOfEnding(const std::filesystem::path& file);
+
+/// The signature of the reader that a file of this kind goes to: the one of its bytes. A file whose bytes
+/// tell nothing, and a compressed one, has the one of its ending, so that its reader says what is wrong.
+/// Throws `DataError` for a file whose name promises another format than its bytes have, and for one of
+/// another kind.
+Signature signatureFor(const FileBytes& file, FileKind wanted);
+
 /// What a file of that signature holds.
 FileKind fileKind(Signature signature);
 
-/// The problem, followed by the format that the file seems to have: "It is not a handle file; it looks like
-/// an STL surface". The problem alone for a file of no recognisable kind.
-Text looksLike(const Text& problem, Signature found);
-
-/// Throws `DataError` for a file whose name promises another kind. `otherwise` says what to try when its kind
-/// has no usual ending.
-[[noreturn]] void failAsAnotherKind(const FileBytes& file, Signature found, const Text& otherwise);
+/// See `refuse` in file_kind.h, for a file of which the beginning is in memory.
+[[noreturn]] void refuse(const FileBytes& file, FileKind wanted);
 
 } // namespace viscera::medical_io

@@ -83,7 +83,7 @@ HandleFile readAny(const FileBytes& file) {
     return readFcsv(file);
   const bool json = extension == ".json" || extension == ".mrk.json";
   if (!json && found != Signature::markups)
-    file.fail(looksLike("It is not a handle file", found), "handles come from .mrk.json or .fcsv files");
+    refuse(file, FileKind::handles);
   return readMarkups(file);
 }
 

@@ -19,44 +19,19 @@ namespace viscera::medical_io {
 namespace {
 
 struct LabelMapFormat {
-  std::string_view extension;
   Signature signature;
   ImageHeader (*readHeader)(FileBytes&); ///< Null for DICOM, whose segmentations have no plain voxels.
 };
 
-constexpr std::array<LabelMapFormat, 15> kLabelMapFormats = {{{".nii", Signature::nifti, niftiHeader},
-                                                              {".nii.gz", Signature::nifti, niftiHeader},
-                                                              {".hdr", Signature::nifti, niftiHeader},
-                                                              {".hdr.gz", Signature::nifti, niftiHeader},
-                                                              {".img", Signature::nifti, niftiHeader},
-                                                              {".img.gz", Signature::nifti, niftiHeader},
-                                                              {".nrrd", Signature::nrrd, nrrdHeader},
-                                                              {".seg.nrrd", Signature::nrrd, nrrdHeader},
-                                                              {".nhdr", Signature::nrrd, nrrdHeader},
-                                                              {".seg.nhdr", Signature::nrrd, nrrdHeader},
-                                                              {".mha", Signature::metaImage, metaImageHeader},
-                                                              {".mhd", Signature::metaImage, metaImageHeader},
-                                                              {".dcm", Signature::dicom, nullptr},
-                                                              {".ima", Signature::dicom, nullptr},
-                                                              {"", Signature::dicom, nullptr}}};
+constexpr std::array<LabelMapFormat, 4> kLabelMapFormats = {{{Signature::nifti, niftiHeader},
+                                                             {Signature::nrrd, nrrdHeader},
+                                                             {Signature::metaImage, metaImageHeader},
+                                                             {Signature::dicom, nullptr}}};
 
-/// Which reader the name asks for, as long as the contents do not look like something else. DICOM files often
-/// have no ending, or a number for one.
 const LabelMapFormat& formatOf(const FileBytes& file) {
-  const std::string extension = extensionOf(file.file);
-  const Signature found = signatureOf(file);
-  const auto format = std::find_if(kLabelMapFormats.begin(), kLabelMapFormats.end(),
-                                   [&](const LabelMapFormat& f) { return f.extension == extension; });
-  if (format == kLabelMapFormats.end()) {
-    if (found == Signature::dicom)
-      return kLabelMapFormats.back();
-    file.fail(looksLike(phrase("Viscera reads no label maps that end in \"%1\"", extension), found),
-              "known endings: .nii, .nii.gz, .hdr, .img, .nrrd, .seg.nrrd, .nhdr, .mha, .mhd, .dcm");
-  }
-  const bool packedNifti = format->signature == Signature::nifti && found == Signature::gzip;
-  if (found == Signature::unknown || found == format->signature || packedNifti)
-    return *format;
-  failAsAnotherKind(file, found, "save it as a label map");
+  const Signature signature = signatureFor(file, FileKind::labelMap);
+  return *std::find_if(kLabelMapFormats.begin(), kLabelMapFormats.end(),
+                       [&](const LabelMapFormat& format) { return format.signature == signature; });
 }
 
 void warnOfEmptySegments(LabelMap& map, const std::vector<StatedSegment>& stated) {
@@ -190,20 +165,8 @@ LabelMap readLabelMap(const std::filesystem::path& file, Progress& progress) {
   return map;
 }
 
-const std::vector<std::string>& labelMapExtensions() {
-  static const std::vector<std::string> kExtensions = [] {
-    std::vector<std::string> list;
-    for (const LabelMapFormat& format : kLabelMapFormats)
-      if (!format.extension.empty())
-        list.emplace_back(format.extension);
-    return list;
-  }();
-  return kExtensions;
-}
-
 bool isLabelMap(const std::filesystem::path& fileOrFolder) {
   const auto isOne = [](const std::filesystem::path& file) {
-    const auto& all = labelMapExtensions();
     switch (dicomKind(file)) {
     case DicomKind::segmentation:
       return true;
@@ -213,7 +176,7 @@ bool isLabelMap(const std::filesystem::path& fileOrFolder) {
     case DicomKind::none:
       break;
     }
-    return std::find(all.begin(), all.end(), extensionOf(file)) != all.end();
+    return fileKind(signatureOfEnding(file)) == FileKind::labelMap;
   };
   std::error_code error;
   if (!std::filesystem::is_directory(fileOrFolder, error))

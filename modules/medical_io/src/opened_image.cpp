@@ -1,12 +1,14 @@
 #include "opened_image.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 #include <vector>
 
 #include "file_signature.h"
 #include "image_formats/sample_collector.h"
+#include "scalar.h"
 #include "viscera/core/phrase.h"
 
 namespace viscera::medical_io {
@@ -16,31 +18,16 @@ using HeaderReader = ImageHeader (*)(FileBytes&);
 
 /// The reader by what the file begins with, and by its ending where that says nothing.
 HeaderReader headerReaderOf(const FileBytes& begin) {
-  const std::string extension = extensionOf(begin.file);
-  const bool namedNifti =
-      extension.starts_with(".nii") || extension.starts_with(".hdr") || extension.starts_with(".img");
-  const Signature found = signatureOf(begin);
-  switch (found) {
-  case Signature::nifti:
-    return niftiSeriesHeader;
-  case Signature::nrrd:
-    return nrrdHeader;
-  case Signature::metaImage:
-    return metaImageHeader;
-  case Signature::gzip:
-  case Signature::unknown:
-    if (namedNifti)
-      return niftiSeriesHeader;
-    if (extension.ends_with("nrrd") || extension.ends_with("nhdr"))
-      return nrrdHeader;
-    if (extension == ".mha" || extension == ".mhd")
-      return metaImageHeader;
-    break;
-  default:
-    break;
-  }
-  begin.fail(looksLike("It is not a scan in a known format", found),
-             "open a NIfTI, NRRD or MetaImage file, or a DICOM series");
+  static constexpr std::array<std::pair<Signature, HeaderReader>, 3> kReaders = {
+      {{Signature::nifti, niftiSeriesHeader},
+       {Signature::nrrd, nrrdHeader},
+       {Signature::metaImage, metaImageHeader}}};
+  Signature found = signatureOf(begin);
+  if (found == Signature::gzip || found == Signature::unknown)
+    found = signatureOfEnding(begin.file);
+  if (const auto reader = lookUp(kReaders, found))
+    return *reader;
+  refuse(begin, FileKind::scan);
 }
 
 /// Milliseconds of the phases of a file with several of them; their numbers where the file states no times.

@@ -1,10 +1,8 @@
-#include <algorithm>
-#include <array>
 #include <new>
-#include <string_view>
 
 #include "dicom/dicom_mark.h"
 #include "dicom/dicom_scan.h"
+#include "file_signature.h"
 #include "image_formats/sample_collector.h"
 #include "opened_image.h"
 #include "viscera/core/error.h"
@@ -49,10 +47,11 @@ ScanSeries describeImage(const std::filesystem::path& path) {
   return series;
 }
 
+/// A `.seg.nrrd` is always a label map.
 bool endsLikeAnImage(const std::filesystem::path& file) {
-  static constexpr std::array<std::string_view, 10> kEndings = {
-      ".nii", ".nii.gz", ".hdr", ".hdr.gz", ".img", ".img.gz", ".nrrd", ".nhdr", ".mha", ".mhd"};
-  return std::find(kEndings.begin(), kEndings.end(), extensionOf(file)) != kEndings.end();
+  const Signature named = signatureOfEnding(file);
+  return fileKind(named) == FileKind::labelMap && named != Signature::dicom &&
+         !extensionOf(file).starts_with(".seg.");
 }
 
 } // namespace

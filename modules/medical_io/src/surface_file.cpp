@@ -18,49 +18,40 @@ namespace viscera::medical_io {
 namespace {
 
 struct SurfaceFormat {
-  std::string_view extension;
   Signature signature;
   RawSurface (*read)(const FileBytes&);
   void (*write)(std::ostream&, const geometry::TriangleMesh&, const WriteSurface&);
 };
 
-const std::array<SurfaceFormat, 8>& formats() {
-  static const std::array<SurfaceFormat, 8> kSurfaceFormats = {{
-      {".stl", Signature::stl, readStl, writeStl},
-      {".obj", Signature::obj, readObj, writeObj},
-      {".ply", Signature::ply, readPly, writePly},
-      {".off", Signature::off, readOff, writeOff},
-      {".vtk", Signature::legacyVtk, readLegacyVtk, writeLegacyVtk},
-      {".vtp", Signature::vtp, readVtp, writeVtp},
-      {".glb", Signature::glb, readGltf, writeGlb},
-      {".gltf", Signature::gltf, readGltf, nullptr},
-  }};
-  return kSurfaceFormats;
-}
+constexpr std::array<SurfaceFormat, 8> kSurfaceFormats = {{
+    {Signature::stl, readStl, writeStl},
+    {Signature::obj, readObj, writeObj},
+    {Signature::ply, readPly, writePly},
+    {Signature::off, readOff, writeOff},
+    {Signature::legacyVtk, readLegacyVtk, writeLegacyVtk},
+    {Signature::vtp, readVtp, writeVtp},
+    {Signature::glb, readGltf, writeGlb},
+    {Signature::gltf, readGltf, nullptr},
+}};
 
-const SurfaceFormat* formatOf(const std::filesystem::path& file) {
-  const std::string extension = extensionOf(file);
-  const auto& all = formats();
+/// Null for a signature of no surface.
+const SurfaceFormat* formatOf(Signature signature) {
   const auto found =
-      std::find_if(all.begin(), all.end(), [&](const SurfaceFormat& f) { return f.extension == extension; });
-  return found == all.end() ? nullptr : &*found;
+      std::find_if(kSurfaceFormats.begin(), kSurfaceFormats.end(),
+                   [signature](const SurfaceFormat& format) { return format.signature == signature; });
+  return found == kSurfaceFormats.end() ? nullptr : &*found;
 }
 
-std::string extensionList(bool writable) {
+const SurfaceFormat& formatOf(const FileBytes& file) {
+  return *formatOf(signatureFor(file, FileKind::surface));
+}
+
+std::string writtenEndings() {
   std::string list;
-  for (const SurfaceFormat& format : formats())
-    if (!writable || format.write != nullptr)
-      list += (list.empty() ? "" : ", ") + std::string(format.extension);
+  for (const FileFormat& format : fileFormats())
+    if (format.kind == FileKind::surface && format.written)
+      list += (list.empty() ? "" : ", ") + format.endings.front();
   return list;
-}
-
-/// Names the real kind of a file whose name promises another. A file of no recognisable kind goes to the
-/// reader that its name asks for, which says what is wrong.
-void requireKind(const FileBytes& file, const SurfaceFormat& format) {
-  const Signature found = signatureOf(file);
-  if (found == Signature::unknown || found == format.signature)
-    return;
-  failAsAnotherKind(file, found, "export it as a surface of triangles");
 }
 
 geometry::TriangleMesh inSpace(const geometry::TriangleMesh& mesh, Space space) {
@@ -74,15 +65,9 @@ geometry::TriangleMesh inSpace(const geometry::TriangleMesh& mesh, Space space) 
 
 RawSurface readRawSurface(const std::filesystem::path& file) {
   const FileBytes bytes = readWholeFile(file);
-  const SurfaceFormat* format = formatOf(file);
-  if (format == nullptr) {
-    bytes.fail(looksLike(phrase("Viscera reads no surface files that end in \"%1\"", extensionOf(file)),
-                         signatureOf(bytes)),
-               phrase("known endings: %1", extensionList(false)));
-  }
-  requireKind(bytes, *format);
+  const SurfaceFormat& format = formatOf(bytes);
   try {
-    return format->read(bytes);
+    return format.read(bytes);
   } catch (const std::bad_alloc&) {
     bytes.fail("it does not fit into memory", "reduce the surface first");
   }
@@ -101,7 +86,7 @@ std::vector<SurfacePart> readSurfaces(const std::filesystem::path& file) {
   std::vector<SurfacePart> parts;
   if (extensionOf(file) == ".glb") {
     const FileBytes bytes = readWholeFile(file);
-    requireKind(bytes, *formatOf(file));
+    formatOf(bytes);
     try {
       for (RawPart& raw : readGltfParts(bytes))
         parts.push_back(
@@ -117,25 +102,15 @@ std::vector<SurfacePart> readSurfaces(const std::filesystem::path& file) {
 
 void writeSurface(const std::filesystem::path& file, const geometry::TriangleMesh& mesh,
                   const WriteSurface& options) {
-  const SurfaceFormat* format = formatOf(file);
+  const SurfaceFormat* format = formatOf(signatureOfEnding(file));
   if (format == nullptr || format->write == nullptr)
     throw CannotCreateError(phrase("surfaces cannot be written as \"%1\"", extensionOf(file)), file.string(),
-                            phrase("use one of: %1", extensionList(true)));
+                            phrase("use one of: %1", writtenEndings()));
   geometry::requireValid(mesh, file.string());
   if (mesh.triangles.rows() == 0)
     throw DataError("there is no triangle to write", file.string(), "choose a surface that has some");
   const geometry::TriangleMesh written = inSpace(mesh, options.space);
   writeAtomically(file, [&](std::ostream& out) { format->write(out, written, options); });
-}
-
-const std::vector<std::string>& surfaceExtensions() {
-  static const std::vector<std::string> kExtensions = [] {
-    std::vector<std::string> list;
-    for (const SurfaceFormat& format : formats())
-      list.emplace_back(format.extension);
-    return list;
-  }();
-  return kExtensions;
 }
 
 } // namespace viscera::medical_io

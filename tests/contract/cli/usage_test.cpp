@@ -1,4 +1,5 @@
 #include "cli_test.h"
+#include "viscera/medical_io/file_kind.h"
 
 namespace viscera::app::cli {
 
@@ -8,6 +9,8 @@ TEST_F(CliUsage, HelpAndVersionGoToStandardOutput) {
   const test::ProcessResult help = run({"--help"});
   EXPECT_EQ(help.exitCode, kOk);
   EXPECT_EQ(help.err, "");
+  for (const medical_io::FileFormat& format : medical_io::fileFormats())
+    EXPECT_NE(help.out.find(' ' + format.endings.front()), std::string::npos) << format.name;
   for (const std::string command : {"info", "systems", "sample", "handles", "bind", "deform", "play",
                                     "render", "properties", "reproduce", "circulate"}) {
     EXPECT_NE(help.out.find(command), std::string::npos) << command;

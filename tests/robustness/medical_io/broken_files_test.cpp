@@ -266,7 +266,7 @@ LabelMap readLabels(const std::filesystem::path& file) {
 TEST(BrokenFile, RandomBytesUnderEveryNameAreRefused) {
   const TemporaryFolder folder;
   std::mt19937 random(17);
-  for (const std::string& extension : surfaceExtensions())
+  for (const std::string& extension : endingsOf(FileKind::surface))
     for (const std::size_t length : {1U, 3U, 4U, 79U, 84U, 85U, 134U, 1000U, 20000U}) {
       std::string bytes;
       for (std::size_t k = 0; k < length; ++k)
@@ -274,7 +274,7 @@ TEST(BrokenFile, RandomBytesUnderEveryNameAreRefused) {
       EXPECT_THROW(readSurface(folder.put("a" + extension, bytes)), DataError) << extension << " " << length;
       EXPECT_THROW(readHandles(folder.put("a.mrk.json", bytes)), DataError);
       EXPECT_THROW(readHandles(folder.put("a.fcsv", bytes)), DataError);
-      for (const std::string& labels : labelMapExtensions())
+      for (const std::string& labels : endingsOf(FileKind::labelMap))
         EXPECT_THROW(readLabels(folder.put("a" + labels, bytes)), DataError) << labels << " " << length;
       std::fill(bytes.begin(), bytes.end(), '\0');
       EXPECT_THROW(readSurface(folder.put("a" + extension, bytes)), DataError) << extension << " " << length;

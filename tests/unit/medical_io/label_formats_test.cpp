@@ -355,7 +355,7 @@ TEST_F(LabelFormats, UnderAnotherNameSayWhatTheyAre) {
   EXPECT_THAT(problemOfLabels(folder_.put("a.nrrd", tests::niftiFile(twoPlainOrgans()))),
               HasSubstr("a NIfTI image"));
   EXPECT_THAT(problemOfLabels(folder_.put("a.stl", tests::niftiFile(twoPlainOrgans()))),
-              HasSubstr("reads no label maps that end in"));
+              HasSubstr("It is named .stl but looks like a NIfTI image"));
 }
 
 class LabelFolder : public testing::Test {

@@ -10,6 +10,7 @@
 #include "viscera/core/error.h"
 #include "viscera/geometry/surface_check.h"
 #include "viscera/geometry/volume.h"
+#include "viscera/medical_io/file_kind.h"
 
 namespace viscera::medical_io {
 namespace {
@@ -45,14 +46,27 @@ TEST(ReadSurface, MissingFilesAndFoldersAreNoInput) {
 
 TEST(ReadSurface, EmptyFilesAreSaidToBeEmpty) {
   const TemporaryFolder folder;
-  for (const std::string& extension : surfaceExtensions())
+  for (const std::string& extension : endingsOf(FileKind::surface))
     EXPECT_THAT(problemOfSurface(folder.put("empty" + extension, "")), HasSubstr("empty")) << extension;
 }
 
-TEST(ReadSurface, UnknownEndingsAreListedWithWhatTheFileLooksLike) {
+TEST(ReadSurface, BytesTellAFileOfAnUnknownEnding) {
   const TemporaryFolder folder;
-  EXPECT_THAT(problemOfSurface(folder.put("organ.xyz", tetrahedronObj())),
-              testing::AllOf(HasSubstr(".xyz"), HasSubstr("an OBJ surface"), HasSubstr(".vtp")));
+  EXPECT_EQ(readSurface(folder.put("organ.xyz", tetrahedronObj())).mesh.triangles.rows(), 4);
+  EXPECT_EQ(readSurface(folder.put("organ", tetrahedronObj())).mesh.triangles.rows(), 4);
+  EXPECT_THAT(problemOfSurface(folder.put("organ.xyz", "\x01\x02 nothing known")),
+              testing::AllOf(HasSubstr("It is not a surface"), HasSubstr(".stl"), HasSubstr(".vtp")));
+}
+
+TEST(ReadSurface, WhatIsNotReadIsNamedWithAWayOut) {
+  const TemporaryFolder folder;
+  const auto problem = [&](const char* name) {
+    return problemOfSurface(folder.put(name, "ISO-10303-21;\nHEADER;\n"));
+  };
+  EXPECT_THAT(problem("heart.step"), testing::AllOf(HasSubstr("a CAD model"), HasSubstr("export it as STL")));
+  EXPECT_THAT(problem("case.mrb"), testing::AllOf(HasSubstr("a scene of 3D Slicer"), HasSubstr("save")));
+  EXPECT_THAT(problemOfSurface(folder.put("a.seg.nrrd", "NRRD0004\ntype: short\n")),
+              testing::AllOf(HasSubstr("It is not a surface"), HasSubstr("an NRRD image")));
 }
 
 TEST(ReadSurface, AWronglyNamedFileIsNamedAsWhatItIs) {

@@ -82,9 +82,6 @@ LabelMap readLabelFolder(const std::filesystem::path& folder, Progress& progress
 std::vector<std::size_t> segmentsNamed(const LabelMap& map, const std::vector<std::string>& names,
                                        const Text& where);
 
-/// Lower-case endings with their dots that `readLabelMap` takes.
-const std::vector<std::string>& labelMapExtensions();
-
 /// Whether the name ends like a label map's, or it is a DICOM segmentation of any name, or a folder that
 /// holds such a file. Slices of a DICOM series are none: `isScan`. Of other formats the name does not tell a
 /// label map from a scan: `imageContents` does. Only reading checks whether the file is valid.

@@ -78,7 +78,4 @@ struct NamedSurface {
 /// be written or does not end in .glb, `DataError` for no surface, or one that is not valid.
 void writeSurfaces(const std::filesystem::path& file, const std::vector<NamedSurface>& surfaces);
 
-/// Lower-case extensions with the dot that `readSurface` takes.
-const std::vector<std::string>& surfaceExtensions();
-
 } // namespace viscera::medical_io
