@@ -125,6 +125,51 @@ double TextScanner::number(std::string_view part) {
   return *value;
 }
 
+double TextScanner::coordinate(std::string_view part) {
+  const std::string_view token = word();
+  if (token.empty())
+    failAtEnd(part);
+  return coordinateFrom(token, part);
+}
+
+double TextScanner::coordinateFrom(std::string_view word, std::string_view part) {
+  const std::size_t comma = word.find(',');
+  std::optional<double> value;
+  if (comma == word.npos) {
+    value = parseNumber(word);
+    const bool point = word.find('.') != word.npos;
+    marks_.points = marks_.points || point;
+    marks_.none = marks_.none || (!point && value != 0.0);
+  } else {
+    std::string english(word);
+    english[comma] = '.';
+    value = word.find('.') == word.npos ? parseNumber(english) : std::nullopt;
+    if (!value)
+      failAtCommas();
+    const std::string_view whole = word.substr(0, comma).substr(word.find_first_of("0123456789,"));
+    const std::string_view behind = word.substr(comma + 1);
+    marks_.commas = true;
+    marks_.decimalCommas =
+        marks_.decimalCommas || behind.size() != 3 || whole.size() > 3 || whole.starts_with('0');
+  }
+  if (!value)
+    fail(diagnostic("expected %2, found %1", inQuotes(word), part));
+  return *value;
+}
+
+void TextScanner::failAtCommas() const {
+  file_.fail("the commas in its numbers may be decimal marks or separate thousands or numbers",
+             "export it with decimal points");
+}
+
+void TextScanner::finishCommas(std::vector<Text>& warnings) const {
+  if (!marks_.commas)
+    return;
+  if (marks_.points || (marks_.none && !marks_.decimalCommas))
+    failAtCommas();
+  warnings.push_back("the commas in its numbers were read as decimal marks");
+}
+
 std::int64_t TextScanner::integer(std::string_view part) {
   const std::string_view token = word();
   if (token.empty())

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "file_bytes.h"
 
@@ -46,6 +47,14 @@ public:
 
   /// The next word as a number; `part` names what is read. Throws `DataError` with the line's number.
   double number(std::string_view part);
+  /// The next word as a coordinate, whose decimal mark may be a comma (`finishCommas`).
+  double coordinate(std::string_view part);
+  /// `word`, which was read, as a coordinate; `part` names it.
+  double coordinateFrom(std::string_view word, std::string_view part);
+  /// Says in a warning that coordinates have decimal commas. Throws `DataError` when the commas may separate
+  /// thousands: some coordinates have points, or all commas stand before three digits and not every
+  /// coordinate has one.
+  void finishCommas(std::vector<Text>& warnings) const;
   std::int64_t integer(std::string_view part);
   /// A number of things that is not negative and of which each takes `bytesEach` bytes or more of what is
   /// left.
@@ -63,11 +72,20 @@ public:
 
 private:
   void skipSpace();
+  [[noreturn]] void failAtCommas() const;
 
+  /// The forms of the coordinates so far.
+  struct DecimalMarks {
+    bool points = false;
+    bool commas = false;
+    bool decimalCommas = false; ///< Commas that cannot separate thousands.
+    bool none = false;          ///< Numbers other than 0 without a mark.
+  };
   const FileBytes& file_;
   std::string_view text_;
   std::size_t at_ = 0;
   std::size_t start_ = 0; ///< Of the word or line last read.
+  DecimalMarks marks_;
 };
 
 /// `text` shortened and made printable, in quotes, for messages.

@@ -274,5 +274,55 @@ TEST(VtpFile, OtherVtkXmlIsNamed) {
               HasSubstr("no surface"));
 }
 
+/// A tetrahedron of 100 mm in text, with these values behind it.
+std::string textTetrahedron(const std::string& values, const std::string& beforeMode = {}) {
+  return "# vtk DataFile Version 3.0\nmade by hand\n" + beforeMode +
+         "ASCII\nDATASET POLYDATA\nPOINTS 4 float\n0 0 0 100 0 0\n0 100 0 0 0 100\nPOLYGONS 4 16\n"
+         "3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n" +
+         values;
+}
+
+TEST(LegacyVtk, ValuesThatAreNotTheShapeDoNotKeepItFromOpening) {
+  const TemporaryFolder folder;
+  const std::string scalars = "POINT_DATA 4\nSCALARS s float 1\nLOOKUP_TABLE default\n";
+  for (const std::string& values : {
+           scalars + "-1.#IND 1.#QNAN -1.#IND00 1.#INF\n",
+           scalars + "nan(ind) -nan(ind) inf -nan\n",
+           scalars + "1,5 0 2,25 1e+20\n",
+           std::string("POINT_DATA 4\nSCALARS s bit 1\nLOOKUP_TABLE default\n0 1 1 0\n"),
+           std::string("CELL_DATA 4\nFIELD f 2\nmask 1 4 bit\n1 0 1 0\nb 1 4 double\n1.#J 2 3 4\n"),
+           std::string("POINT_DATA 4\nCOLOR_SCALARS c 3\n-1.#IND 0 1 0 0 0 1 1 1 0 0 0\n"),
+       }) {
+    const SurfaceFile read = readSurface(folder.put("a.vtk", textTetrahedron(values)));
+    EXPECT_NEAR(read.report.volumeMm3, 1e6 / 6, 1e-6) << values;
+    EXPECT_FALSE(warnsOf(read, "not understood")) << values;
+  }
+  EXPECT_NEAR(readSurface(folder.put("b.vtk", textTetrahedron("", "\n"))).report.volumeMm3, 1e6 / 6, 1e-6)
+      << "a blank line before ASCII";
+  std::string binary = "# vtk DataFile Version 3.0\nx\nBINARY\nDATASET POLYDATA\nPOINTS 3 float\n" +
+                       std::string(36, '\0') + "\nPOLYGONS 1 4\n";
+  const std::size_t places = binary.find("POINTS 3 float\n") + 15;
+  binary.replace(places + 12, 4, std::string("\x42\xc8\0\0", 4)); // 100
+  binary.replace(places + 28, 4, std::string("\x42\xc8\0\0", 4));
+  for (const int corner : {3, 0, 1, 2})
+    binary += std::string(3, '\0') + static_cast<char>(corner);
+  binary += "\nPOINT_DATA 3\nSCALARS s bit 3\nLOOKUP_TABLE default\n\xa5\x80\nVECTORS v float\n" +
+            std::string(36, '\0');
+  const SurfaceFile read = readSurface(folder.put("c.vtk", binary));
+  EXPECT_EQ(read.mesh.triangles.rows(), 1);
+  EXPECT_FALSE(warnsOf(read, "not understood")) << "nine bits are two bytes";
+}
+
+TEST(LegacyVtk, PointsThatAreNoNumbersAreDamage) {
+  const TemporaryFolder folder;
+  for (const char* bad : {"-1.#IND", "nan(ind)", "inf"}) {
+    std::string text = textTetrahedron("");
+    text.replace(text.find("100"), 3, bad);
+    EXPECT_THROW(readSurface(folder.put("a.vtk", text)), DataError) << bad;
+  }
+  EXPECT_THROW(readSurface(folder.put("b.vtk", textTetrahedron("POINT_DATA 4\nNORMALS n float\n1 2 x\n"))),
+               DataError);
+}
+
 } // namespace
 } // namespace viscera::medical_io

@@ -25,6 +25,7 @@ public:
       readPoint();
     for (std::uint64_t f = 0; f < faces_; ++f)
       readFace();
+    scanner_.finishCommas(raw_.warnings);
     return std::move(raw_);
   }
 
@@ -74,8 +75,13 @@ private:
     return static_cast<std::uint64_t>(*count);
   }
 
-  double takeNumber(std::string_view word) const {
-    const std::optional<double> value = parseNumber(word);
+  double takeCoordinate(std::string_view word) { return scanner_.coordinateFrom(word, "a number"); }
+
+  /// Of a colour; with a decimal comma where the coordinates have it.
+  double takeChannel(std::string_view word) const {
+    std::string english(word);
+    std::replace(english.begin(), english.end(), ',', '.');
+    const std::optional<double> value = parseNumber(english);
     if (!value)
       scanner_.fail(diagnostic("expected %2, found %1", inQuotes(word), "a number"));
     return *value;
@@ -83,9 +89,9 @@ private:
 
   void readPoint() {
     std::string_view line = nextLine("a point");
-    const double x = takeNumber(takeWord(line));
-    const double y = takeNumber(takeWord(line));
-    raw_.addPoint(x, y, takeNumber(takeWord(line)));
+    const double x = takeCoordinate(takeWord(line));
+    const double y = takeCoordinate(takeWord(line));
+    raw_.addPoint(x, y, takeCoordinate(takeWord(line)));
     for (int axis = 0; axis < 3 && hasNormals_; ++axis)
       takeWord(line);
     readColor(line);
@@ -96,8 +102,8 @@ private:
     std::vector<double> channels;
     bool fractions = false;
     for (std::string_view word = takeWord(line); !word.empty(); word = takeWord(line)) {
-      fractions = fractions || word.find('.') != word.npos;
-      channels.push_back(takeNumber(word));
+      fractions = fractions || word.find_first_of(".,") != word.npos;
+      channels.push_back(takeChannel(word));
     }
     if (channels.size() != 3 && channels.size() != 4)
       return;

@@ -87,6 +87,7 @@ public:
     }
     if (!haveFaces_)
       file_.fail("It holds points, but no faces", "export it as a surface of triangles");
+    text_.finishCommas(raw_.warnings);
     return std::move(raw_);
   }
 
@@ -168,8 +169,9 @@ private:
   }
 
   double next(const ValueType& type, ByteCursor& bytes) {
-    return binary_ ? loadDouble(bytes.takeBytes(sizeOf(type.scalar), "a value").data(), type.scalar, order_)
-                   : text_.number("a value");
+    if (binary_)
+      return loadDouble(bytes.takeBytes(sizeOf(type.scalar), "a value").data(), type.scalar, order_);
+    return isWhole(type.scalar) ? text_.number("a value") : text_.coordinate("a value");
   }
 
   /// A number as an index. -1 ends a strip; what can be no index becomes -2, which is refused later.

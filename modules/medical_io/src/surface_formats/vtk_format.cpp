@@ -26,10 +26,10 @@
 namespace viscera::medical_io {
 namespace {
 
-/// The type of an array; none for texts.
+/// The type of an array; none for texts and for what is only skipped.
 using Type = std::optional<Scalar>;
 
-constexpr std::array<std::pair<std::string_view, Type>, 16> kVtkTypes = {{{"unsigned_char", Scalar::uint8},
+constexpr std::array<std::pair<std::string_view, Type>, 17> kVtkTypes = {{{"unsigned_char", Scalar::uint8},
                                                                           {"char", Scalar::int8},
                                                                           {"signed_char", Scalar::int8},
                                                                           {"unsigned_short", Scalar::uint16},
@@ -44,7 +44,21 @@ constexpr std::array<std::pair<std::string_view, Type>, 16> kVtkTypes = {{{"unsi
                                                                           {"float", Scalar::float32},
                                                                           {"double", Scalar::float64},
                                                                           {"string", std::nullopt},
-                                                                          {"utf8_string", std::nullopt}}};
+                                                                          {"utf8_string", std::nullopt},
+                                                                          {"bit", std::nullopt}}};
+
+/// Whether a word stands for a number: also "-1.#IND" and "1.#QNAN", which Windows wrote.
+bool isNumberOfAnyForm(std::string_view word) {
+  std::string form = lowered(word);
+  std::replace(form.begin(), form.end(), ',', '.');
+  if (parseNumber(form))
+    return true;
+  if (form.starts_with('-') || form.starts_with('+'))
+    form.erase(0, 1);
+  const std::size_t mark = form.find(".#");
+  return form.starts_with("nan") ||
+         (mark != form.npos && mark > 0 && form.find_first_not_of("0123456789") == mark);
+}
 
 /// Attributes of which every element has a fixed number of values, behind "KEYWORD name type".
 constexpr std::array<std::pair<std::string_view, std::uint64_t>, 9> kFixedAttributes = {
@@ -66,6 +80,7 @@ public:
     readHeader();
     while (!scanner_.atEnd() && readSection()) {
     }
+    scanner_.finishCommas(raw_.warnings);
     return std::move(raw_);
   }
 
@@ -79,7 +94,9 @@ private:
     offsetsApart_ = version != first.npos && parseNumber(trimmed(first.substr(version))).value_or(0) >= 5.0;
     const std::string_view title = scanner_.line();
     raw_.takeComment(title);
-    const std::string mode = lowered(trimmed(scanner_.line()));
+    std::string mode = lowered(trimmed(scanner_.line()));
+    while (mode.empty() && scanner_.remaining() > 0)
+      mode = lowered(trimmed(scanner_.line()));
     if (mode != "ascii" && mode != "binary")
       scanner_.fail(diagnostic("expected %2, found %1", inQuotes(mode), "ASCII or BINARY"));
     binary_ = mode == "binary";
@@ -127,6 +144,7 @@ private:
   Type readType() {
     const std::string_view word = scanner_.word();
     const auto type = lookUp(kVtkTypes, lowered(word));
+    bits_ = lowered(word) == "bit";
     if (!type)
       scanner_.fail(diagnostic("%1 is not a type of numbers", inQuotes(word)));
     return *type;
@@ -172,7 +190,31 @@ private:
   std::vector<double> readNumbers(std::uint64_t count, const Type& type) {
     if (!type)
       scanner_.fail(diagnostic("it has text in place of numbers"));
-    return readValues(count, *type, loadDouble, &TextScanner::number, "a number");
+    return readValues(count, *type, loadDouble, &TextScanner::coordinate, "a number");
+  }
+
+  /// Channels of colours; what is no number is 0.
+  std::vector<double> readChannels(std::uint64_t count, Scalar type) {
+    if (binary_)
+      return readNumbers(count, type);
+    requireRoom(count);
+    std::vector<double> values;
+    for (std::uint64_t i = 0; i < count; ++i) {
+      std::string form(nextOfAnyForm());
+      std::replace(form.begin(), form.end(), ',', '.');
+      values.push_back(parseNumber(form).value_or(0.0));
+    }
+    return values;
+  }
+
+  /// The next word of an array that is not the shape.
+  std::string_view nextOfAnyForm() {
+    const std::string_view word = scanner_.word();
+    if (word.empty())
+      scanner_.failAtEnd("a number");
+    if (!isNumberOfAnyForm(word))
+      scanner_.fail(diagnostic("expected %2, found %1", inQuotes(word), "a number"));
+    return word;
   }
 
   std::vector<std::int64_t> readIntegers(std::uint64_t count, const Type& type) {
@@ -312,7 +354,7 @@ private:
       skipValues(count, type);
       return;
     }
-    const std::vector<double> values = readNumbers(count, type);
+    const std::vector<double> values = readChannels(count, *type);
     for (std::size_t i = 0; i < values.size(); ++i)
       if (i % components < 3)
         raw_.addChannel(values[i] * scale);
@@ -334,7 +376,7 @@ private:
       const std::uint64_t components = scanner_.count("the number of components", 0);
       const std::uint64_t tuples = scanner_.count("the number of values", 0);
       const Type type = readType();
-      if (!type)
+      if (!type && !bits_)
         readTexts(name, saturatedProduct(components, tuples));
       else if (attributes_)
         readColors(tuples, components, type, 1.0);
@@ -344,15 +386,15 @@ private:
   }
 
   void skipValues(std::uint64_t count, const Type& type) {
-    if (!type)
+    if (!type && !bits_)
       return readTexts({}, count);
     if (binary_) {
-      binaryData(count, *type);
+      binaryData(type ? count : count / 8 + (count % 8 > 0 ? 1 : 0), type.value_or(Scalar::uint8));
       return;
     }
     requireRoom(count);
     for (std::uint64_t i = 0; i < count; ++i)
-      scanner_.number("a number");
+      nextOfAnyForm();
   }
 
   void readTexts(std::string_view array, std::uint64_t count) {
@@ -388,6 +430,7 @@ private:
   bool offsetsApart_ = false; ///< Since version 5 cells have an array of offsets instead of their sizes.
   bool attributes_ = false;
   bool ofPoints_ = false;
+  bool bits_ = false; ///< The type last read is one of single bits, eight in a byte.
   std::uint64_t elements_ = 0;
 };
 
