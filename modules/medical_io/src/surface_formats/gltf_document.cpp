@@ -32,9 +32,34 @@ constexpr std::array<std::pair<std::uint64_t, ComponentType>, 6> kComponentTypes
 constexpr std::array<std::pair<std::string_view, std::size_t>, 7> kComponents = {
     {{"SCALAR", 1}, {"VEC2", 2}, {"VEC3", 3}, {"VEC4", 4}, {"MAT2", 4}, {"MAT3", 9}, {"MAT4", 16}}};
 
-/// Extensions that change how a surface looks, but not what shape it has.
-constexpr std::array<std::string_view, 4> kHarmless = {"KHR_materials", "KHR_texture",
-                                                       "KHR_mesh_quantization", "KHR_lights"};
+/// How the names of extensions begin that change how a surface looks, but not what shape it has. With
+/// quantization, accessors have types that are read anyway.
+constexpr std::array<std::string_view, 14> kHarmless = {
+    "KHR_materials",   "KHR_texture", "KHR_mesh_quantization", "KHR_lights",           "KHR_xmp",
+    "EXT_texture",     "EXT_lights",  "EXT_materials",         "MSFT_texture",         "MSFT_packing",
+    "ADOBE_materials", "KHR_audio",   "KHR_techniques_webgl",  "KHR_animation_pointer"};
+
+constexpr std::string_view kDraco = "KHR_draco_mesh_compression";
+/// Extensions that store points in compressed form.
+constexpr std::array<std::string_view, 3> kCompressions = {kDraco, "EXT_meshopt_compression",
+                                                           "KHR_meshopt_compression"};
+
+/// The extension of an object that has one of these names; null when it has none.
+const nlohmann::json* extensionIn(const nlohmann::json& object, std::string_view name) {
+  const auto extensions = object.is_object() ? object.find("extensions") : object.end();
+  if (!object.is_object() || extensions == object.end() || !extensions->is_object())
+    return nullptr;
+  const auto found = extensions->find(std::string(name));
+  return found == extensions->end() ? nullptr : &*found;
+}
+
+/// Whether a buffer stands for what is unpacked of others, and so has no data in the file.
+bool isFallback(const nlohmann::json& buffer) {
+  for (const std::string_view name : kCompressions)
+    if (const nlohmann::json* extension = extensionIn(buffer, name))
+      return extension->is_object() && extension->value("fallback", nlohmann::json(false)) == true;
+  return false;
+}
 
 /// "%20" becomes a space.
 std::string decodedUri(std::string_view uri) {
@@ -110,12 +135,28 @@ void GltfDocument::requireUnderstood() const {
     return;
   for (const Json& extension : *required) {
     const std::string name = extension.is_string() ? extension.get<std::string>() : std::string();
+    if (std::find(kCompressions.begin(), kCompressions.end(), name) != kCompressions.end())
+      failAsCompressed(name);
     const bool harmless = std::any_of(kHarmless.begin(), kHarmless.end(),
                                       [&](std::string_view prefix) { return name.starts_with(prefix); });
     if (!harmless)
       file_.fail(phrase("It needs the glTF extension %1, which Viscera does not know", inQuotes(name)),
-                 "export it without compression");
+                 "export it without this extension, or as STL or PLY");
   }
+}
+
+void GltfDocument::failAsCompressed(std::string_view extension) const {
+  file_.fail(phrase("Its geometry is compressed (%1), which Viscera does not read", std::string(extension)),
+             "export it without compression (in Blender: leave out Data > Compression), or as STL or PLY");
+}
+
+void GltfDocument::requireUncompressed(const Json& primitive) const {
+  if (extensionIn(primitive, kDraco) == nullptr)
+    return;
+  // Beside the compressed points there may be plain ones, for programs that cannot unpack.
+  const Json& points = entry("accessors", whole(primitive.at("attributes"), "POSITION"));
+  if (!points.contains("bufferView"))
+    failAsCompressed(kDraco);
 }
 
 void GltfDocument::loadBuffers() {
@@ -131,6 +172,9 @@ void GltfDocument::loadBuffers() {
     const std::string uri = textIn(buffer, "uri");
     if (uri.empty() && i == 0 && hasBinary_) {
       buffers_.push_back(binary_);
+    } else if (uri.empty() && isFallback(buffer)) {
+      buffers_.emplace_back();
+      continue;
     } else if (uri.empty()) {
       fail(diagnostic("buffer %1 has no data", i));
     } else {
@@ -224,6 +268,9 @@ std::string_view GltfDocument::dataOf(const Json& bufferView, std::uint64_t offs
   if (buffer >= buffers_.size())
     fail(diagnostic("accessor %1 refers to buffer %2, but there are %3", accessor, buffer, buffers_.size()));
   const std::string_view bytes = buffers_[static_cast<std::size_t>(buffer)];
+  for (const std::string_view name : kCompressions)
+    if (bytes.empty() && extensionIn(bufferView, name) != nullptr)
+      failAsCompressed(name);
   const std::uint64_t begin = whole(bufferView, "byteOffset", 0);
   const std::uint64_t length = whole(bufferView, "byteLength");
   if (begin > bytes.size() || length > bytes.size() - begin || offset > length)

@@ -40,6 +40,9 @@ public:
   /// A scalar accessor of whole numbers.
   std::vector<std::int64_t> indices(std::uint64_t accessor) const;
 
+  /// Throws for a primitive whose points are only in compressed form.
+  void requireUncompressed(const Json& primitive) const;
+
   [[noreturn]] void fail(const Text& problem) const { file_.fail(problem); }
 
 private:
@@ -55,6 +58,7 @@ private:
   void parseGlb();
   void parseJson(std::string_view text);
   void requireUnderstood() const;
+  [[noreturn]] void failAsCompressed(std::string_view extension) const;
   void loadBuffers();
   std::string loadUri(const std::string& uri) const;
   View view(std::uint64_t accessor) const;
