@@ -23,15 +23,29 @@ std::vector<std::string> goodFilesEnding(const std::vector<std::string>& endings
   return out;
 }
 
+/// Writes what the good files have beside them.
+bool placeHalves() {
+  for (const tests::GoodFile& file : tests::goodFiles())
+    if (file.use == tests::FileUse::surface && !file.besideName.empty())
+      scratchFile(file.besideName,
+                  {reinterpret_cast<const std::uint8_t*>(file.besideBytes.data()), file.besideBytes.size()});
+  return true;
+}
+
 void readAnySurface(Bytes bytes) {
+  static const bool placed = placeHalves();
+  require(placed, "The blocks are beside the file.");
   const auto& endings = medical_io::endingsOf(medical_io::FileKind::surface);
   const Choice choice = choose(bytes, endings.size());
-  const medical_io::SurfaceFile read =
-      medical_io::readSurface(scratchFile("a" + endings[choice.kind], choice.rest));
-  geometry::requireValid(read.mesh, "what was read");
-  require(read.mesh.triangles.rows() > 0, "A surface that was read has triangles.");
-  require(read.mesh.points.cwiseAbs().maxCoeff() <= 1e9, "Coordinates are at most 1000 km.");
-  geometry::checkSurface(read.mesh);
+  for (const medical_io::SurfacePart& part :
+       medical_io::readSurfaces(scratchFile("a" + endings[choice.kind], choice.rest))) {
+    const geometry::TriangleMesh& mesh = part.surface.mesh;
+    geometry::requireValid(mesh, "what was read");
+    require(mesh.triangles.rows() > 0, "A surface that was read has triangles.");
+    require(mesh.points.cwiseAbs().maxCoeff() <= 1e9, "Coordinates are at most 1000 km.");
+    require(!part.surface.name.empty(), "An organ has a name.");
+    geometry::checkSurface(mesh);
+  }
 }
 
 void readAnyHandles(Bytes bytes) {

@@ -70,8 +70,8 @@ std::string surfacePhases(std::size_t format, bool corresponding) {
 std::vector<std::string> surfacePhaseSeeds() {
   std::vector<std::string> out;
   for (std::size_t format = 0; format < medical_io::endingsOf(medical_io::FileKind::surface).size(); ++format)
-    if (medical_io::endingsOf(medical_io::FileKind::surface)[format] !=
-        ".gltf") // Which is read, but not written.
+    if (const std::string& ending = medical_io::endingsOf(medical_io::FileKind::surface)[format];
+        ending != ".gltf" && !ending.starts_with(".vtm")) // Which are read, but not written.
       out.push_back(surfacePhases(format, true));
   out.push_back(surfacePhases(0, false));
   return out;

@@ -31,6 +31,7 @@ constexpr std::array kRead = std::to_array<Format>({
     {Signature::off, FileKind::surface, "OFF", "an OFF surface", ".off", true},
     {Signature::legacyVtk, FileKind::surface, "VTK", "a legacy VTK file", ".vtk", true},
     {Signature::vtp, FileKind::surface, "VTP", "a VTK XML surface", ".vtp", true},
+    {Signature::vtm, FileKind::surface, "VTM", "VTK XML multiblock data", ".vtm .vtmb", false},
     {Signature::glb, FileKind::surface, "GLB", "a binary glTF scene", ".glb", true},
     {Signature::gltf, FileKind::surface, "glTF", "a glTF scene", ".gltf", false},
     {Signature::nifti, FileKind::labelMap, "NIfTI", "a NIfTI image", ".nii .nii.gz .hdr .hdr.gz .img .img.gz",
@@ -184,6 +185,8 @@ Signature xmlSignature(std::string_view begin) {
   if (root == begin.npos)
     return Signature::unknown;
   const std::string_view tag = begin.substr(root, begin.find('>', root) - root);
+  if (tag.find("\"vtkMultiBlock") != tag.npos)
+    return Signature::vtm;
   return tag.find("\"PolyData\"") != tag.npos ? Signature::vtp : Signature::otherVtkXml;
 }
 

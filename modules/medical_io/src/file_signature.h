@@ -17,6 +17,7 @@ enum class Signature {
   off,
   legacyVtk,
   vtp,
+  vtm,
   otherVtkXml,
   glb,
   gltf,

@@ -17,6 +17,7 @@
 #include "viscera/core/parallel.h"
 #include "viscera/core/phrase.h"
 #include "viscera/core/text.h"
+#include "viscera/medical_io/part_names.h"
 
 namespace viscera::medical_io {
 namespace {
@@ -41,22 +42,8 @@ Vec3 colorOfLabel(std::string_view name, std::int64_t label) {
   return anatomy::colorNamed(name).value_or(colorOfHue(turns - std::floor(turns)));
 }
 
-/// One line of UTF-8 without anything that a list or a terminal stumbles over.
-std::string printable(std::string name) {
-  name = toUtf8(std::move(name));
-  std::erase_if(name, [](char c) { return static_cast<unsigned char>(c) < ' ' || c == '\x7f'; });
-  const std::size_t begin = name.find_first_not_of(' ');
-  return begin == name.npos ? std::string() : name.substr(begin, name.find_last_not_of(' ') - begin + 1);
-}
-
 constexpr std::size_t kNamesTold = 12;
 constexpr Eigen::Index kSlicesAtOnce = 8;
-
-std::string comparable(std::string_view name) {
-  std::string text = lowered(trimmed(name));
-  std::replace(text.begin(), text.end(), '_', ' ');
-  return text;
-}
 
 std::string someNames(const LabelMap& map) {
   std::string list;
@@ -127,7 +114,7 @@ void nameSegments(LabelMap& map, const std::vector<StatedSegment>& stated) {
     const auto found = known.find({segment.layer, segment.label});
     if (found == known.end())
       continue;
-    segment.name = printable(found->second->name);
+    segment.name = printableName(found->second->name);
     segment.named = !segment.name.empty();
     segment.colored = found->second->color.has_value();
     segment.color = found->second->color.value_or(segment.color);
@@ -193,7 +180,7 @@ std::vector<std::size_t> segmentsNamed(const LabelMap& map, const std::vector<st
     const auto number = parseInteger(trimmed(name));
     bool known = false;
     for (std::size_t s = 0; s < map.segments.size(); ++s)
-      if (comparable(map.segments[s].name) == comparable(name) || number == map.segments[s].label) {
+      if (comparableName(map.segments[s].name) == comparableName(name) || number == map.segments[s].label) {
         chosen.insert(s);
         known = true;
       }

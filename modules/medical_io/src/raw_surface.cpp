@@ -7,17 +7,13 @@
 #include <unordered_map>
 #include <utility>
 
-#include <vtkIdList.h>
-#include <vtkNew.h>
-#include <vtkPoints.h>
-#include <vtkPolygon.h>
-
 #include "file_bytes.h"
-#include "quiet_vtk.h"
+#include "polygon_triangles.h"
 #include "space_tag.h"
 #include "viscera/core/error.h"
 #include "viscera/core/phrase.h"
 #include "viscera/geometry/surface_check.h"
+#include "viscera/medical_io/part_names.h"
 #include "viscera/medical_io/plausible_size.h"
 
 namespace viscera::medical_io {
@@ -29,73 +25,7 @@ constexpr std::size_t kMostCorners = 600'000'000;
 /// 1000 km: a coordinate beyond is a damaged number, and its cube would not be a volume any more.
 constexpr double kFarthestCornerMm = 1e9;
 
-constexpr std::int32_t kNone = -1;
 constexpr auto kExportAgain = "export the surface again";
-
-constexpr std::size_t kLargestEarCut = 2000;
-
-Vec3 normalOf(const Points& points, std::int32_t a, std::int32_t b, std::int32_t c) {
-  const Vec3 pa = points.row(a);
-  const Vec3 pb = points.row(b);
-  const Vec3 pc = points.row(c);
-  return (pb - pa).cross(pc - pa);
-}
-
-void cutQuadrilateral(std::span<const std::int32_t> q, const Points& points,
-                      std::vector<std::array<std::int32_t, 3>>& out) {
-  const bool straight = normalOf(points, q[0], q[1], q[2]).dot(normalOf(points, q[0], q[2], q[3])) > 0;
-  const bool crossed = normalOf(points, q[1], q[2], q[3]).dot(normalOf(points, q[1], q[3], q[0])) > 0;
-  const double firstDiagonal = (points.row(q[0]) - points.row(q[2])).squaredNorm();
-  const double secondDiagonal = (points.row(q[1]) - points.row(q[3])).squaredNorm();
-  if (straight != crossed ? straight : firstDiagonal <= secondDiagonal) {
-    out.push_back({q[0], q[1], q[2]});
-    out.push_back({q[0], q[2], q[3]});
-  } else {
-    out.push_back({q[1], q[2], q[3]});
-    out.push_back({q[1], q[3], q[0]});
-  }
-}
-
-bool cutEars(std::span<const std::int32_t> polygon, const Points& points,
-             std::vector<std::array<std::int32_t, 3>>& out) {
-  vtkNew<vtkPolygon> cutter;
-  const QuietVtk quiet(cutter);
-  cutter->GetPoints()->SetDataTypeToDouble();
-  for (std::size_t k = 0; k < polygon.size(); ++k) {
-    cutter->GetPoints()->InsertNextPoint(points.row(polygon[k]).data());
-    cutter->GetPointIds()->InsertNextId(static_cast<vtkIdType>(k));
-  }
-  vtkNew<vtkIdList> ears;
-  const bool cut = cutter->Triangulate(ears) != 0;
-  if (!cut || static_cast<std::size_t>(ears->GetNumberOfIds()) != 3 * (polygon.size() - 2))
-    return false;
-  for (vtkIdType i = 0; i < ears->GetNumberOfIds(); i += 3)
-    out.push_back({polygon[static_cast<std::size_t>(ears->GetId(i))],
-                   polygon[static_cast<std::size_t>(ears->GetId(i + 1))],
-                   polygon[static_cast<std::size_t>(ears->GetId(i + 2))]});
-  return true;
-}
-
-} // namespace
-
-bool triangulatePolygon(std::span<const std::int32_t> polygon, const Points& points,
-                        std::vector<std::array<std::int32_t, 3>>& out) {
-  if (polygon.size() == 3) {
-    out.push_back({polygon[0], polygon[1], polygon[2]});
-    return true;
-  }
-  if (polygon.size() == 4) {
-    cutQuadrilateral(polygon, points, out);
-    return true;
-  }
-  if (polygon.size() <= kLargestEarCut && cutEars(polygon, points, out))
-    return true;
-  for (std::size_t k = 1; k + 1 < polygon.size(); ++k)
-    out.push_back({polygon[0], polygon[k], polygon[k + 1]});
-  return false;
-}
-
-namespace {
 
 /// Checks the surface, and appends what a user should know before working with it: it is open, inside out, in
 /// pieces; its size is none that an organ has in mm, with the units that would explain it; its volume is far
@@ -121,9 +51,7 @@ public:
   SurfaceFile run() {
     if (raw_.colors.size() != raw_.coordinates.size())
       raw_.colors.clear();
-    checkSizes();
-    markUsed();
-    checkCoordinates();
+    target_ = usedPoints(raw_, file_);
     mergePoints();
     cutPolygons();
     compact();
@@ -133,72 +61,14 @@ public:
   }
 
 private:
-  [[noreturn]] void fail(const Text& problem, const char* tryThis = kExportAgain) const {
+  [[noreturn]] void fail(const Text& problem, const Text& tryThis) const {
     throw DataError(problem, file_, tryThis);
   }
 
-  void checkSizes() const {
-    if (raw_.polygonCount() == 0)
-      fail(raw_.pointCount() > 0 ? "It holds no triangles, only points" : "It holds no triangles",
-           "export it as a surface of triangles");
-    if (raw_.pointCount() > std::numeric_limits<std::int32_t>::max() || raw_.corners.size() > kMostCorners)
-      fail(phrase("It is too large: %1 points", raw_.pointCount()), "reduce the surface first");
-  }
-
-  void markUsed() {
-    const auto count = static_cast<std::int64_t>(raw_.pointCount());
-    target_.assign(raw_.pointCount(), kNone);
-    std::size_t at = 0;
-    for (std::size_t polygon = 0; polygon < raw_.polygonCount(); ++polygon)
-      for (; at < raw_.ends[polygon]; ++at) {
-        const std::int64_t point = raw_.corners[at];
-        if (point < 0 || point >= count)
-          fail(diagnostic("polygon %1 refers to point %2, but there are %3 (counted from 0)", polygon, point,
-                          count));
-        target_[static_cast<std::size_t>(point)] = 0;
-      }
-  }
-
-  void checkCoordinates() const {
-    for (std::size_t point = 0; point < target_.size(); ++point)
-      for (std::size_t axis = 0; axis < 3 && target_[point] != kNone; ++axis) {
-        const double value = raw_.coordinates[3 * point + axis];
-        if (!std::isfinite(value))
-          fail(diagnostic("point %1 has a coordinate that is not a finite number", point));
-        if (std::abs(value) > kFarthestCornerMm)
-          fail(diagnostic("point %1 lies more than 1000 km away: the file is damaged", point));
-      }
-  }
-
   void mergePoints() {
-    struct Hash {
-      std::size_t operator()(const std::array<double, 3>& p) const {
-        std::uint64_t hash = 0;
-        for (const double value : p) {
-          std::uint64_t bits = 0;
-          std::memcpy(&bits, &value, sizeof bits);
-          hash = (hash ^ bits) * 0x9E3779B97F4A7C15ULL;
-          hash ^= hash >> 29U;
-        }
-        return static_cast<std::size_t>(hash);
-      }
-    };
-    std::unordered_map<std::array<double, 3>, std::int32_t, Hash> places;
-    places.reserve(target_.size());
-    std::size_t used = 0;
-    for (std::size_t point = 0; point < target_.size(); ++point) {
-      if (target_[point] == kNone)
-        continue;
-      ++used;
-      // Adding zero makes -0 and 0, which are equal, the same bits.
-      const std::array<double, 3> place = {raw_.coordinates[3 * point] + 0.0,
-                                           raw_.coordinates[3 * point + 1] + 0.0,
-                                           raw_.coordinates[3 * point + 2] + 0.0};
-      const auto [found, isNew] = places.try_emplace(place, static_cast<std::int32_t>(kept_.size()));
-      target_[point] = found->second;
-      if (isNew)
-        kept_.push_back(point);
-    }
+    const auto used =
+        target_.size() - static_cast<std::size_t>(std::count(target_.begin(), target_.end(), kUnusedPoint));
+    numberPlaces(raw_, target_, kept_);
     merged_ = used - kept_.size();
     unused_ = target_.size() - used;
     points_.resize(static_cast<Eigen::Index>(kept_.size()), 3);
@@ -212,9 +82,9 @@ private:
     triangles_.reserve(raw_.polygonCount());
     std::vector<std::int32_t> polygon;
     std::size_t at = 0;
-    for (const std::size_t end : raw_.ends) {
+    for (std::size_t number = 0; number < raw_.polygonCount(); ++number) {
       polygon.clear();
-      for (; at < end; ++at) {
+      for (; at < raw_.ends[number]; ++at) {
         const std::int32_t corner = target_[static_cast<std::size_t>(raw_.corners[at])];
         if (polygon.empty() || polygon.back() != corner)
           polygon.push_back(corner);
@@ -223,8 +93,8 @@ private:
         polygon.pop_back();
       if (polygon.size() < 3)
         ++dropped_;
-      else if (!triangulatePolygon(polygon, points_, triangles_))
-        ++fans_;
+      else
+        cut(polygon, number);
     }
     dropped_ +=
         std::erase_if(triangles_, [](const auto& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; });
@@ -233,15 +103,26 @@ private:
            "check its scale and its number format");
   }
 
+  void cut(const std::vector<std::int32_t>& polygon, std::size_t number) {
+    const PolygonCut result = triangulatePolygon(polygon, points_, triangles_);
+    if (result == PolygonCut::failed)
+      fail(diagnostic("polygon %1 (counted from 0) of %2 corners cannot be divided into triangles: its edges "
+                      "cross each other",
+                      raw_.polygonsInFile.empty() ? number : raw_.polygonsInFile[number], polygon.size()),
+           "divide its polygons into triangles in the program that made it, and export it again");
+    if (result == PolygonCut::uneven)
+      ++uneven_;
+  }
+
   /// Points may have lost their last triangle.
   void compact() {
-    std::vector<std::int32_t> place(kept_.size(), kNone);
+    std::vector<std::int32_t> place(kept_.size(), kUnusedPoint);
     for (const auto& triangle : triangles_)
       for (const std::int32_t corner : triangle)
         place[static_cast<std::size_t>(corner)] = 0;
     std::int32_t next = 0;
     for (std::int32_t& p : place)
-      if (p != kNone)
+      if (p != kUnusedPoint)
         p = next++;
     unused_ += kept_.size() - static_cast<std::size_t>(next);
 
@@ -249,7 +130,7 @@ private:
     if (!raw_.colors.empty())
       mesh_.colors.resize(next, 3);
     for (std::size_t i = 0; i < place.size(); ++i) {
-      if (place[i] == kNone)
+      if (place[i] == kUnusedPoint)
         continue;
       mesh_.points.row(place[i]) = points_.row(static_cast<Eigen::Index>(i));
       for (std::size_t k = 0; k < 3 && !raw_.colors.empty(); ++k)
@@ -270,7 +151,9 @@ private:
 
   SurfaceFile finish() {
     SurfaceFile result;
-    result.name = raw_.name.empty() ? stemOf(file_) : raw_.name;
+    result.name = printableName(raw_.name);
+    if (result.name.empty())
+      result.name = stemOf(file_);
     result.space = raw_.space.value_or(Space::lps);
     result.spaceStated = raw_.space.has_value();
     result.warnings = std::move(raw_.warnings);
@@ -283,9 +166,10 @@ private:
       warnings.push_back(phrase("%n {triangle|triangles} with a repeated corner dropped", dropped_));
     if (unused_ > 0)
       warnings.push_back(phrase("%n {point|points} without a triangle dropped", unused_));
-    if (fans_ > 0)
-      warnings.push_back(
-          phrase("%n {polygon|polygons} cut into fans, which is wrong where they are not convex", fans_));
+    if (uneven_ > 0)
+      warnings.push_back(phrase(
+          "%n {polygon that is not flat was|polygons that are not flat were} cut into triangles that overlap",
+          uneven_));
     result.mesh = std::move(mesh_);
     appendSurfaceWarnings(result);
     return result;
@@ -293,18 +177,91 @@ private:
 
   RawSurface raw_;
   std::string file_;
-  std::vector<std::int32_t> target_; ///< For every point of the file its merged point, or kNone when unused.
-  std::vector<std::size_t> kept_;    ///< For every merged point the file's first point at its place.
-  Points points_;                    ///< The merged points.
+  std::vector<std::int32_t>
+      target_; ///< For every point of the file its merged point, or kUnusedPoint when unused.
+  std::vector<std::size_t> kept_; ///< For every merged point the file's first point at its place.
+  Points points_;                 ///< The merged points.
   std::vector<std::array<std::int32_t, 3>> triangles_;
   geometry::TriangleMesh mesh_;
   std::size_t merged_ = 0;
   std::size_t unused_ = 0;
   std::size_t dropped_ = 0;
-  std::size_t fans_ = 0;
+  std::size_t uneven_ = 0;
+};
+
+/// Throws when the sizes are those of no organ.
+void requireSizes(const RawSurface& raw, const std::string& file) {
+  if (raw.polygonCount() == 0)
+    throw DataError(raw.pointCount() > 0 ? "It holds no triangles, only points" : "It holds no triangles",
+                    file, "export it as a surface of triangles");
+  if (raw.pointCount() > std::numeric_limits<std::int32_t>::max() || raw.corners.size() > kMostCorners)
+    throw DataError(phrase("It is too large: %1 points", raw.pointCount()), file, "reduce the surface first");
+}
+
+void requireCoordinates(const RawSurface& raw, std::size_t point, const std::string& file) {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const double value = raw.coordinates[3 * point + axis];
+    if (!std::isfinite(value))
+      throw DataError(diagnostic("point %1 has a coordinate that is not a finite number", point), file,
+                      kExportAgain);
+    if (std::abs(value) > kFarthestCornerMm)
+      throw DataError(diagnostic("point %1 lies more than 1000 km away: the file is damaged", point), file,
+                      kExportAgain);
+  }
+}
+
+struct PlaceHash {
+  std::size_t operator()(const std::array<double, 3>& p) const {
+    std::uint64_t hash = 0;
+    for (const double value : p) {
+      std::uint64_t bits = 0;
+      std::memcpy(&bits, &value, sizeof bits);
+      hash = (hash ^ bits) * 0x9E3779B97F4A7C15ULL;
+      hash ^= hash >> 29U;
+    }
+    return static_cast<std::size_t>(hash);
+  }
 };
 
 } // namespace
+
+std::vector<std::int32_t> usedPoints(const RawSurface& raw, const std::string& file) {
+  requireSizes(raw, file);
+  const auto count = static_cast<std::int64_t>(raw.pointCount());
+  std::vector<std::int32_t> used(raw.pointCount(), kUnusedPoint);
+  std::size_t at = 0;
+  for (std::size_t polygon = 0; polygon < raw.polygonCount(); ++polygon)
+    for (; at < raw.ends[polygon]; ++at) {
+      const std::int64_t point = raw.corners[at];
+      if (point < 0 || point >= count)
+        throw DataError(diagnostic("polygon %1 refers to point %2, but there are %3 (counted from 0)",
+                                   polygon, point, count),
+                        file, kExportAgain);
+      used[static_cast<std::size_t>(point)] = 0;
+    }
+  for (std::size_t point = 0; point < used.size(); ++point)
+    if (used[point] != kUnusedPoint)
+      requireCoordinates(raw, point, file);
+  return used;
+}
+
+void numberPlaces(const RawSurface& raw, std::vector<std::int32_t>& places,
+                  std::vector<std::size_t>& firstAt) {
+  std::unordered_map<std::array<double, 3>, std::int32_t, PlaceHash> known;
+  known.reserve(places.size());
+  for (std::size_t point = 0; point < places.size(); ++point) {
+    if (places[point] == kUnusedPoint)
+      continue;
+    // Adding zero makes -0 and 0, which are equal, the same bits.
+    const std::array<double, 3> place = {raw.coordinates[3 * point] + 0.0,
+                                         raw.coordinates[3 * point + 1] + 0.0,
+                                         raw.coordinates[3 * point + 2] + 0.0};
+    const auto [found, isNew] = known.try_emplace(place, static_cast<std::int32_t>(firstAt.size()));
+    places[point] = found->second;
+    if (isNew)
+      firstAt.push_back(point);
+  }
+}
 
 void RawSurface::takeComment(std::string_view comment) {
   if (!space)

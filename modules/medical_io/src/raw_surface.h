@@ -14,8 +14,18 @@
 
 namespace viscera::medical_io {
 
+/// A part of a file that has a name of its own: a group of an OBJ file, a node of a scene, a solid, a block.
+struct RawPart {
+  std::string name;          ///< Empty: it has none.
+  std::string material;      ///< Of its only one; empty: it has none, or several.
+  std::optional<Vec3> color; ///< Red green blue, 0 to 1; of that material.
+  double opacity = 1;        ///< 0 to 1.
+  int cavityOf = -1;         ///< The part whose cavity this is; -1: of none.
+  bool plain = false;        ///< Its points have no colours, whatever stands in the place of them.
+};
+
 /// A surface as read by a format's reader, before it is converted to a mesh: unchecked, with polygons of any
-/// size.
+/// size. All parts of a file together, which `organsOf` takes apart.
 struct RawSurface {
   std::vector<double> coordinates;   ///< `3 n`, in the file's axes.
   std::vector<std::uint8_t> colors;  ///< `3 n`; of any other size: not used.
@@ -25,7 +35,11 @@ struct RawSurface {
   std::optional<Space> space;        ///< Empty: the file does not say.
   bool pointsAreShared = true;       ///< False for STL, in which every triangle repeats its points.
   std::vector<Text> warnings;
-  std::uint64_t ignoredCells = 0; ///< Lines and points among the cells of a VTK file.
+  std::uint64_t ignoredCells = 0;    ///< Lines and points among the cells of a VTK file.
+  std::vector<RawPart> parts;        ///< Empty: the file has none.
+  std::vector<std::uint32_t> partOf; ///< For every polygon its part; of any other size: there are no parts.
+  bool partsAreOrgans = false;       ///< The file says itself that each part is an organ.
+  std::vector<std::uint64_t> polygonsInFile; ///< For every polygon its number in the file; empty: as here.
 
   std::size_t pointCount() const { return coordinates.size() / 3; }
   std::size_t polygonCount() const { return ends.size(); }
@@ -56,18 +70,22 @@ struct RawSurface {
 /// coordinates.
 RawSurface readRawSurface(const std::filesystem::path& file);
 
+/// For every point whether a polygon uses it: 0, or `kUnusedPoint`. Throws `DataError`, which names `file`,
+/// for a surface without polygons or of a size that is no organ's, a corner that is no point, and a used
+/// point that is not finite or more than 1000 km away.
+std::vector<std::int32_t> usedPoints(const RawSurface& raw, const std::string& file);
+inline constexpr std::int32_t kUnusedPoint = -1;
+
+/// For every used point the number of its place, the same for points with equal coordinates; others keep
+/// `kUnusedPoint`. `firstAt` gets for every place its first point. O(n).
+void numberPlaces(const RawSurface& raw, std::vector<std::int32_t>& places,
+                  std::vector<std::size_t>& firstAt);
+
 /// Makes a valid mesh of it: checks indices and coordinates, merges equal points (the first keeps its place
 /// and its colour), cuts polygons into triangles, drops triangles with a repeated corner and points without a
 /// triangle, turns RAS into LPS. Triangles without area but with three different corners stay: without them a
-/// closed surface would have slits. `file` is named in errors. Throws `DataError`.
+/// closed surface would have slits. A flat polygon that crosses itself is an error with its number. `file` is
+/// named in errors. Throws `DataError`.
 SurfaceFile assembleSurface(RawSurface&& raw, const std::filesystem::path& file);
-
-/// Cuts a polygon of three or more different corners (rows of `points`) into triangles of the same
-/// orientation and appends them. Quadrilaterals are cut so that no triangle turns over, along the shorter
-/// diagonal where both ways do; larger polygons by ears, which is quadratic, so that those above 2000 corners
-/// become a fan. False when a polygon that is not a triangle or quadrilateral had to become a fan, which is
-/// right only for a convex one.
-bool triangulatePolygon(std::span<const std::int32_t> polygon, const Points& points,
-                        std::vector<std::array<std::int32_t, 3>>& out);
 
 } // namespace viscera::medical_io

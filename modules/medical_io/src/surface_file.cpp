@@ -10,9 +10,12 @@
 #include "file_signature.h"
 #include "raw_surface.h"
 #include "surface_formats.h"
+#include "surface_parts.h"
+#include "text_scanner.h"
 #include "viscera/core/atomic_file.h"
 #include "viscera/core/error.h"
 #include "viscera/core/phrase.h"
+#include "viscera/medical_io/part_names.h"
 
 namespace viscera::medical_io {
 namespace {
@@ -23,13 +26,14 @@ struct SurfaceFormat {
   void (*write)(std::ostream&, const geometry::TriangleMesh&, const WriteSurface&);
 };
 
-constexpr std::array<SurfaceFormat, 8> kSurfaceFormats = {{
+constexpr std::array<SurfaceFormat, 9> kSurfaceFormats = {{
     {Signature::stl, readStl, writeStl},
     {Signature::obj, readObj, writeObj},
     {Signature::ply, readPly, writePly},
     {Signature::off, readOff, writeOff},
     {Signature::legacyVtk, readLegacyVtk, writeLegacyVtk},
     {Signature::vtp, readVtp, writeVtp},
+    {Signature::vtm, readVtm, nullptr},
     {Signature::glb, readGltf, writeGlb},
     {Signature::gltf, readGltf, nullptr},
 }};
@@ -54,6 +58,16 @@ std::string writtenEndings() {
   return list;
 }
 
+/// What `read` gives, or an error when memory is short.
+template <class Read>
+auto inMemory(const std::filesystem::path& file, const Read& read) {
+  try {
+    return read();
+  } catch (const std::bad_alloc&) {
+    throw DataError("it does not fit into memory", file.string(), "reduce the surface first");
+  }
+}
+
 geometry::TriangleMesh inSpace(const geometry::TriangleMesh& mesh, Space space) {
   geometry::TriangleMesh result = mesh;
   if (space == Space::ras)
@@ -66,38 +80,51 @@ geometry::TriangleMesh inSpace(const geometry::TriangleMesh& mesh, Space space) 
 RawSurface readRawSurface(const std::filesystem::path& file) {
   const FileBytes bytes = readWholeFile(file);
   const SurfaceFormat& format = formatOf(bytes);
-  try {
-    return format.read(bytes);
-  } catch (const std::bad_alloc&) {
-    bytes.fail("it does not fit into memory", "reduce the surface first");
-  }
+  return inMemory(file, [&] { return format.read(bytes); });
 }
 
-SurfaceFile readSurface(const std::filesystem::path& file) {
-  RawSurface raw = readRawSurface(file);
-  try {
-    return assembleSurface(std::move(raw), file);
-  } catch (const std::bad_alloc&) {
-    throw DataError("it does not fit into memory", file.string(), "reduce the surface first");
-  }
+SurfaceFile readSurface(const std::filesystem::path& file, SeveralOrgans several) {
+  return inMemory(file, [&] {
+    RawSurface raw = readRawSurface(file);
+    if (several == SeveralOrgans::join && organNames(raw, file).size() > 1) {
+      if (std::any_of(raw.parts.begin(), raw.parts.end(), [](const RawPart& part) { return part.plain; }))
+        raw.colors.clear();
+      return assembleSurface(std::move(raw), file);
+    }
+    requireOneOrgan(raw, file);
+    return assembleSurface(std::move(organsOf(std::move(raw), file).front().surface), file);
+  });
 }
 
 std::vector<SurfacePart> readSurfaces(const std::filesystem::path& file) {
-  std::vector<SurfacePart> parts;
-  if (extensionOf(file) == ".glb") {
-    const FileBytes bytes = readWholeFile(file);
-    formatOf(bytes);
-    try {
-      for (RawPart& raw : readGltfParts(bytes))
-        parts.push_back(
-            {assembleSurface(std::move(raw.surface), file), raw.color, raw.opacity, raw.cavityOf});
-    } catch (const std::bad_alloc&) {
-      bytes.fail("it does not fit into memory", "reduce the surface first");
+  return inMemory(file, [&] {
+    std::vector<SurfacePart> parts;
+    for (RawOrgan& organ : organsOf(readRawSurface(file), file)) {
+      parts.push_back(
+          {assembleSurface(std::move(organ.surface), file), organ.color, organ.opacity, organ.cavityOf});
+      organ.surface = {};
     }
+    warnOfNested(parts);
+    return parts;
+  });
+}
+
+std::size_t partNamed(const std::vector<SurfacePart>& parts, const std::string& name, const Text& where) {
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    if (comparableName(parts[i].surface.name) == comparableName(name))
+      return i;
+    names.push_back(parts[i].surface.name);
   }
-  if (parts.empty())
-    parts.push_back({readSurface(file), {}, 1, -1});
-  return parts;
+  const std::optional<std::int64_t> number = parseInteger(trimmed(name));
+  if (number && *number >= 1 && static_cast<std::uint64_t>(*number) <= parts.size())
+    return static_cast<std::size_t>(*number - 1);
+  throw noSuchOrgan(name, names, where);
+}
+
+SurfacePart readSurfacePart(const std::filesystem::path& file, const std::string& name) {
+  std::vector<SurfacePart> parts = readSurfaces(file);
+  return std::move(parts[partNamed(parts, name, file.string())]);
 }
 
 void writeSurface(const std::filesystem::path& file, const geometry::TriangleMesh& mesh,

@@ -1,9 +1,7 @@
 #pragma once
 
 #include <iosfwd>
-#include <optional>
 #include <string>
-#include <vector>
 
 #include "file_bytes.h"
 #include "raw_surface.h"
@@ -25,15 +23,8 @@ RawSurface readVtp(const FileBytes& file);
 /// GLB, or the JSON of a GLTF, whose buffers are beside it.
 RawSurface readGltf(const FileBytes& file);
 
-/// One of the organs in a file that Viscera has written (SurfacePart).
-struct RawPart {
-  RawSurface surface;
-  std::optional<Vec3> color;
-  double opacity = 1;
-  int cavityOf = -1;
-};
-/// The organs of such a GLB; none when it is another program's, or holds one surface only.
-std::vector<RawPart> readGltfParts(const FileBytes& file);
+/// VTK's multiblock data: the surfaces beside the file that its blocks name, each a part.
+RawSurface readVtm(const FileBytes& file);
 
 void writeStl(std::ostream& out, const geometry::TriangleMesh& mesh, const WriteSurface& options);
 void writeObj(std::ostream& out, const geometry::TriangleMesh& mesh, const WriteSurface& options);

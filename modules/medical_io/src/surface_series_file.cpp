@@ -3,7 +3,9 @@
 #include <array>
 #include <cmath>
 
+#include "polygon_triangles.h"
 #include "raw_surface.h"
+#include "surface_parts.h"
 #include "viscera/core/error.h"
 #include "viscera/core/phrase.h"
 
@@ -27,9 +29,9 @@ Triangles trianglesOf(const RawSurface& raw, const Points& points, const std::fi
   std::vector<std::array<std::int32_t, 3>> triangles;
   std::vector<std::int32_t> polygon;
   std::size_t at = 0;
-  for (const std::size_t end : raw.ends) {
+  for (std::size_t number = 0; number < raw.polygonCount(); ++number) {
     polygon.clear();
-    for (; at < end; ++at) {
+    for (; at < raw.ends[number]; ++at) {
       const std::int64_t corner = raw.corners[at];
       if (corner < 0 || corner >= points.rows())
         throw DataError(diagnostic("a polygon refers to point %1, but there are %2 (counted from 0)", corner,
@@ -37,8 +39,12 @@ Triangles trianglesOf(const RawSurface& raw, const Points& points, const std::fi
                         file.string(), "export the surface again");
       polygon.push_back(static_cast<std::int32_t>(corner));
     }
-    if (polygon.size() >= 3)
-      triangulatePolygon(polygon, points, triangles);
+    if (polygon.size() >= 3 && triangulatePolygon(polygon, points, triangles) == PolygonCut::failed)
+      throw DataError(
+          diagnostic("polygon %1 (counted from 0) of %2 corners cannot be divided into triangles: "
+                     "its edges cross each other",
+                     number, polygon.size()),
+          file.string(), "export the surface again");
   }
   if (triangles.empty())
     throw DataError("It holds no triangles", file.string(), "export it as a surface of triangles");
@@ -69,6 +75,7 @@ SurfaceSeriesFile readSurfaceSeries(const std::vector<std::filesystem::path>& fi
     if (i == 0 || series.correspond)
       series.phases.push_back(pointsIn(raw, files[i]));
     if (i == 0) {
+      requireOneOrgan(raw, files[i]);
       first = std::move(raw);
       series.triangles = trianglesOf(first, series.phases.front(), files[i]);
     }

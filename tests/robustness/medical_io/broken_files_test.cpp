@@ -60,11 +60,15 @@ Eigen::Index sizeOf(const std::filesystem::path& file, FileUse use) {
     EXPECT_TRUE(read.positions().allFinite()) << file;
     return read.count();
   }
-  const SurfaceFile read = readSurface(file);
-  EXPECT_NO_THROW(geometry::requireValid(read.mesh, file.string()));
-  EXPECT_GT(read.mesh.triangles.rows(), 0) << file;
-  EXPECT_TRUE(read.mesh.colors.rows() == 0 || read.mesh.colors.rows() == read.mesh.points.rows()) << file;
-  return read.mesh.triangles.rows();
+  Eigen::Index triangles = 0;
+  for (const SurfacePart& part : readSurfaces(file)) {
+    const geometry::TriangleMesh& mesh = part.surface.mesh;
+    EXPECT_NO_THROW(geometry::requireValid(mesh, file.string()));
+    EXPECT_GT(mesh.triangles.rows(), 0) << file;
+    EXPECT_TRUE(mesh.colors.rows() == 0 || mesh.colors.rows() == mesh.points.rows()) << file;
+    triangles += mesh.triangles.rows();
+  }
+  return triangles;
 }
 
 class BrokenFiles : public testing::Test {
@@ -237,7 +241,7 @@ TEST_F(BrokenFiles, OfRandomBytesBehindTheRightBeginningAreReadOrRefused) {
 TEST_F(BrokenFiles, UnderTheNamesOfOtherFormatsAreRefused) {
   forEachGoodFile([&] {
     const std::string own = std::filesystem::path(good_.name).extension();
-    for (const char* extension : {".stl", ".obj", ".ply", ".off", ".vtk", ".vtp", ".glb", ".gltf"})
+    for (const char* extension : {".stl", ".obj", ".ply", ".off", ".vtk", ".vtp", ".vtm", ".glb", ".gltf"})
       if (extension != own) {
         ++tried_;
         EXPECT_THROW(readSurface(folder_.put(std::string("wrong") + extension, bytes())), DataError)

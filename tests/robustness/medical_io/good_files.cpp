@@ -1,6 +1,7 @@
 #include "good_files.h"
 
 #include <cstdlib>
+#include <utility>
 
 #include <vtkNew.h>
 #include <vtkPolyDataWriter.h>
@@ -90,6 +91,42 @@ GoodFile textPly() {
     text += "\n";
   }
   return {"text.ply", text};
+}
+
+/// Two organs, one of which has a face with a keyhole.
+GoodFile groups() {
+  std::string text = "g liver\nusemtl m\n";
+  const auto addPoints = [&](const Points& points, double beside) {
+    for (Eigen::Index v = 0; v < points.rows(); ++v)
+      text += "v " + std::to_string(points(v, 0) + beside) + " " + std::to_string(points(v, 1)) + " " +
+              std::to_string(points(v, 2)) + "\n";
+  };
+  const geometry::TriangleMesh mesh = box(30, 40, 50);
+  addPoints(mesh.points, 0);
+  for (Eigen::Index t = 0; t < mesh.triangles.rows(); ++t) {
+    text += "f";
+    for (int k = 0; k < 3; ++k)
+      text += " " + std::to_string(mesh.triangles(t, k) + 1);
+    text += "\n";
+  }
+  Points plate(8, 3);
+  plate << 0, 0, 0, 10, 0, 0, 10, 10, 0, 0, 10, 0, 4, 4, 0, 4, 6, 0, 6, 6, 0, 6, 4, 0;
+  text += "g plate\n";
+  addPoints(plate, 90);
+  return {"groups.obj", text + "f -8 -7 -6 -5 -8 -4 -3 -2 -1 -4\n", FileUse::surface, true};
+}
+
+/// Blocks of two names that are one file.
+GoodFile blocks() {
+  GoodFile block = vtp("block.vtp", vtkXMLWriter::Ascii, true, false);
+  return {"blocks.vtm",
+          "<VTKFile type=\"vtkMultiBlockDataSet\" version=\"1.0\"><vtkMultiBlockDataSet>"
+          "<DataSet index=\"0\" name=\"liver\" file=\"block.vtp\"/><Block index=\"1\" name=\"b\">"
+          "<DataSet index=\"0\" file=\"block.vtp\"/></Block></vtkMultiBlockDataSet></VTKFile>",
+          FileUse::surface,
+          false,
+          "block.vtp",
+          std::move(block.bytes)};
 }
 
 /// Its buffer within the file: one triangle, 36 bytes in base64.
@@ -188,6 +225,8 @@ std::vector<GoodFile> goodFiles() {
   list.push_back(textStl());
   list.push_back(textPly());
   list.push_back(gltf());
+  list.push_back(groups());
+  list.push_back(blocks());
   list.push_back(legacyVtk("text.vtk", false, 42, false));
   list.push_back(legacyVtk("strips.vtk", true, 42, true));
   list.push_back(legacyVtk("offsets.vtk", true, 51, true));

@@ -49,6 +49,12 @@ SurfaceFile readScene(const json& scene) {
   return readSurface(folder.put("scene.gltf", scene.dump()));
 }
 
+std::vector<SurfacePart> readParts(const json& scene) {
+  const TemporaryFolder folder;
+  folder.put("the buffer.bin", tetrahedronBuffer());
+  return readSurfaces(folder.put("scene.gltf", scene.dump()));
+}
+
 std::string problemOf(const json& scene) {
   try {
     readScene(scene);
@@ -106,9 +112,12 @@ TEST(Gltf, TwoNodesOfOneMeshAreTwoSurfaces) {
   json scene = tetrahedronScene();
   scene["scenes"][0]["nodes"] = {0, 1};
   scene["nodes"].push_back({{"mesh", 0}, {"translation", {500, 0, 0}}});
-  const SurfaceFile read = readScene(scene);
-  EXPECT_EQ(geometry::checkSurface(read.mesh).components, 2);
-  EXPECT_EQ(read.mesh.points.rows(), 8);
+  EXPECT_THROW(readScene(scene), UsageError);
+  const std::vector<SurfacePart> parts = readParts(scene);
+  ASSERT_EQ(parts.size(), 2u);
+  EXPECT_EQ(parts[0].surface.name, "Apex");
+  EXPECT_EQ(parts[1].surface.name, "Apex 2");
+  EXPECT_EQ(boundsOf(parts[1].surface.mesh.points).low.x(), 500);
 }
 
 TEST(Gltf, CyclesIndicesAndSizesAreChecked) {
@@ -157,6 +166,85 @@ TEST(Gltf, CompressedAndOldScenesAreRefusedByName) {
   scene.erase("meshes");
   scene["nodes"][0].erase("mesh");
   EXPECT_THAT(problemOf(scene), HasSubstr("no triangles"));
+}
+
+TEST(Gltf, WhatOnlyConcernsPicturesDoesNotKeepAShapeFromOpening) {
+  for (const char* extension : {"EXT_texture_webp", "KHR_texture_basisu", "KHR_texture_transform",
+                                "KHR_materials_pbrSpecularGlossiness", "KHR_materials_unlit",
+                                "EXT_texture_avif", "MSFT_texture_dds", "KHR_mesh_quantization"}) {
+    json scene = tetrahedronScene();
+    scene["extensionsUsed"] = {extension};
+    scene["extensionsRequired"] = {extension};
+    EXPECT_TRUE(geometry::checkSurface(readScene(scene).mesh).outward()) << extension;
+  }
+  json scene = tetrahedronScene();
+  scene["extensionsRequired"] = {"VENDOR_points_elsewhere"};
+  EXPECT_THAT(problemOf(scene), HasSubstr("VENDOR_points_elsewhere"));
+}
+
+TEST(Gltf, CompressedGeometryIsCalledSo) {
+  for (const char* extension : {"KHR_draco_mesh_compression", "EXT_meshopt_compression"}) {
+    json scene = tetrahedronScene();
+    scene["extensionsRequired"] = {extension};
+    EXPECT_THAT(problemOf(scene), HasSubstr("compressed"));
+  }
+  // Not required, but without other points; and with them.
+  json scene = tetrahedronScene();
+  scene["extensionsUsed"] = {"KHR_draco_mesh_compression"};
+  scene["meshes"][0]["primitives"][0]["extensions"]["KHR_draco_mesh_compression"] = {
+      {"bufferView", 0}, {"attributes", {{"POSITION", 0}}}};
+  EXPECT_NEAR(readScene(scene).report.volumeMm3, 1e6 / 6, 1e-6);
+  scene["accessors"][0].erase("bufferView");
+  scene["accessors"][1].erase("bufferView");
+  EXPECT_THAT(problemOf(scene), HasSubstr("compressed"));
+  scene = tetrahedronScene();
+  scene["buffers"].push_back(
+      {{"byteLength", 48}, {"extensions", {{"EXT_meshopt_compression", {{"fallback", true}}}}}});
+  scene["bufferViews"][0]["buffer"] = 1;
+  scene["bufferViews"][0]["extensions"]["EXT_meshopt_compression"] = {{"buffer", 0}};
+  EXPECT_THAT(problemOf(scene), HasSubstr("compressed"));
+}
+
+TEST(Gltf, QuantizedPointsAreScaledByTheirNode) {
+  // Corners 0 and 32767 as normalised 16-bit numbers: 0 and 1, times 100.
+  std::string bytes;
+  for (const int corner : {0, 1, 2, 3})
+    for (int axis = 0; axis < 4; ++axis) // Each row is filled up to four bytes.
+      bytes += corner == axis + 1 && axis < 3 ? std::string("\xff\x7f") : std::string(2, '\0');
+  for (const int index : {0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3})
+    bytes += {static_cast<char>(index), '\0'};
+  json scene = tetrahedronScene();
+  scene["extensionsRequired"] = {"KHR_mesh_quantization"};
+  scene["accessors"][0] = {
+      {"bufferView", 0}, {"componentType", 5122}, {"normalized", true}, {"count", 4}, {"type", "VEC3"}};
+  scene["bufferViews"] = {{{"buffer", 0}, {"byteLength", 32}, {"byteStride", 8}},
+                          {{"buffer", 0}, {"byteOffset", 32}, {"byteLength", 24}}};
+  scene["buffers"][0] = {{"byteLength", 56}, {"uri", "q.bin"}};
+  scene["nodes"][0]["scale"] = {100, 100, 100};
+  const TemporaryFolder folder;
+  folder.put("q.bin", bytes);
+  EXPECT_NEAR(readSurface(folder.put("q.gltf", scene.dump())).report.volumeMm3, 1e6 / 6, 1e-6);
+}
+
+TEST(Gltf, NodesOfOtherProgramsAreOrgansWithTheirColours) {
+  json scene = tetrahedronScene();
+  scene["scenes"][0]["nodes"] = {0, 1};
+  scene["nodes"] = {{{"mesh", 0}, {"name", "Liver"}}, {{"mesh", 1}, {"translation", {500, 0, 0}}}};
+  scene["meshes"].push_back(scene["meshes"][0]);
+  scene["meshes"][0]["name"] = "mesh0";
+  scene["meshes"][1]["name"] = "Spleen";
+  scene["meshes"][1]["primitives"][0]["material"] = 0;
+  scene["materials"] = {{{"name", "red"},
+                         {"alphaMode", "BLEND"},
+                         {"pbrMetallicRoughness", {{"baseColorFactor", {1, 0, 0, 0.5}}}}}};
+  const std::vector<SurfacePart> parts = readParts(scene);
+  ASSERT_EQ(parts.size(), 2u);
+  EXPECT_EQ(parts[0].surface.name, "Liver");
+  EXPECT_FALSE(parts[0].color.has_value());
+  EXPECT_EQ(parts[1].surface.name, "Spleen");
+  ASSERT_TRUE(parts[1].color.has_value());
+  EXPECT_TRUE(parts[1].color->isApprox(Vec3(1, 0, 0), 1e-9));
+  EXPECT_EQ(parts[1].opacity, 0.5);
 }
 
 /// The JSON of a GLB.
@@ -246,7 +334,8 @@ TEST(WriteSurfaces, PutsEveryOrganWithItsNameAndColourIntoOneGlb) {
   EXPECT_EQ(factor[0], 1.0);
   EXPECT_NEAR(factor[1].get<double>(), 0.214, 1e-3) << "linear, as the format asks";
   EXPECT_EQ(factor[3], 0.5);
-  const SurfaceFile both = readSurface(folder / "all.glb");
+  EXPECT_THROW(readSurface(folder / "all.glb"), UsageError);
+  const SurfaceFile both = readSurface(folder / "all.glb", SeveralOrgans::join);
   EXPECT_EQ(both.mesh.triangles.rows(), colored->triangles.rows() + 12);
   EXPECT_TRUE(both.spaceStated);
   const std::vector<SurfacePart> apart = readSurfaces(folder / "all.glb");

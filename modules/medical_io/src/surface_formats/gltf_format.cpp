@@ -15,12 +15,14 @@
 #include "space_tag.h"
 #include "surface_formats.h"
 #include "surface_formats/gltf_document.h"
+#include "surface_parts.h"
 #include "text_scanner.h"
 #include "viscera/core/atomic_file.h"
 #include "viscera/core/error.h"
 #include "viscera/core/json_reader.h"
 #include "viscera/core/phrase.h"
 #include "viscera/geometry/normals.h"
+#include "viscera/medical_io/part_names.h"
 
 // Own reader: VTK's looks at neither the sizes of a damaged file nor `extras`, and its writer knows no vertex
 // colours.
@@ -63,39 +65,17 @@ public:
       readAllMeshes();
     else
       readScene();
-    if (names_.size() == 1)
-      raw_.name = names_.front();
-    if (names_.size() > 1)
-      raw_.warnings.push_back(phrase("the file's %1 meshes were joined to one surface", names_.size()));
+    if (parts_.size() == 1)
+      raw_.name = parts_.at(0).name;
+    if (parts_.allPlain())
+      raw_.colors.clear();
+    parts_.moveTo(raw_);
     warnOfSkipped();
     if (!marked_)
       raw_.warnings.push_back("glTF does not say which axes a patient's are: its numbers are taken as LPS "
                               "millimetres, though the "
                               "format's convention is metres with y up");
     return std::move(raw_);
-  }
-
-  /// The organs of a file with the mark, which has a mesh, a node and a material for each; none for another
-  /// file.
-  std::vector<RawPart> runApart() {
-    const std::vector<Text> warnings = document_.warnings();
-    readMark();
-    std::vector<RawPart> parts;
-    if (!marked_ || sizeOf("meshes") < 2 || sizeOf("nodes") != sizeOf("meshes"))
-      return parts;
-    const std::optional<Space> space = raw_.space;
-    for (std::size_t mesh = 0; mesh < sizeOf("meshes"); ++mesh) {
-      raw_ = {};
-      raw_.space = space;
-      raw_.warnings = parts.empty() ? warnings : std::vector<Text>();
-      readMesh(mesh, Matrix::Identity());
-      raw_.name = names_.back();
-      warnOfSkipped();
-      skipped_ = 0;
-      parts.push_back({std::move(raw_), {}, 1, -1});
-      readLook(mesh, parts.back());
-    }
-    return parts;
   }
 
 private:
@@ -105,7 +85,9 @@ private:
   }
 
   /// Reads the attributes that `writeSurfaces` stores for an organ beside its mesh. Invalid ones are ignored.
-  void readLook(std::size_t part, RawPart& read) const {
+  void readOwnLook(std::size_t part, RawPart& read) const {
+    if (sizeOf("nodes") != sizeOf("meshes"))
+      return;
     const Json& node = document_.entry("nodes", part);
     const auto extras = node.find("extras");
     if (extras == node.end() || !extras->is_object())
@@ -143,9 +125,11 @@ private:
     return found != document_.json().end() && found->is_array() ? found->size() : 0;
   }
 
+  /// Of a file without nodes, or with the mark: a mesh, a node and a material for each organ.
   void readAllMeshes() {
+    raw_.partsAreOrgans = marked_;
     for (std::size_t mesh = 0; mesh < sizeOf("meshes"); ++mesh)
-      readMesh(mesh, Matrix::Identity());
+      readMesh(mesh, {}, Matrix::Identity());
   }
 
   /// The roots of the scene to show; of a file without scenes, all nodes that are below no other one.
@@ -195,7 +179,7 @@ private:
       seen[static_cast<std::size_t>(number)] = true;
       const Matrix here = above * transformOf(node);
       if (node.contains("mesh"))
-        readMesh(document_.whole(node, "mesh"), here);
+        readMesh(document_.whole(node, "mesh"), textIn(node, "name"), here);
       if (node.contains("skin"))
         raw_.warnings.push_back(phrase("node %1 is moved by bones, which are ignored", number));
       for (const std::uint64_t child : children(node, "children"))
@@ -235,17 +219,84 @@ private:
     return transform.matrix();
   }
 
-  void readMesh(std::uint64_t number, const Matrix& transform) {
+  /// A scene of one mesh has its primitives as parts, which differ in their material; else a part is a node.
+  bool primitivesAreParts() const {
+    std::size_t uses = 0;
+    for (std::size_t node = 0; node < sizeOf("nodes"); ++node)
+      uses += document_.entry("nodes", node).contains("mesh") ? 1 : 0;
+    return !marked_ && sizeOf("meshes") == 1 && uses < 2;
+  }
+
+  void readMesh(std::uint64_t number, const std::string& node, const Matrix& transform) {
     const Json& mesh = document_.entry("meshes", number);
     const auto primitives = mesh.find("primitives");
     if (primitives == mesh.end() || !primitives->is_array())
       document_.fail(diagnostic("mesh %1 has no primitives", number));
-    names_.push_back(textIn(mesh, "name"));
-    for (const Json& primitive : *primitives)
-      readPrimitive(primitive, number, transform);
+    RawPart part;
+    part.name = textIn(mesh, "name");
+    if (!saysNothing(node) && !marked_)
+      part.name = node;
+    if (marked_)
+      readOwnLook(static_cast<std::size_t>(number), part);
+    else
+      readMaterial(*primitives, part);
+    const bool apart = primitives->size() > 1 && primitivesAreParts();
+    std::uint32_t place = apart ? 0 : beginPart(part);
+    for (const Json& primitive : *primitives) {
+      if (apart)
+        place = beginPart(partOf(primitive, part));
+      readPrimitive(primitive, number, transform, parts_.at(place));
+    }
   }
 
-  void readPrimitive(const Json& primitive, std::uint64_t mesh, const Matrix& transform) {
+  std::uint32_t beginPart(RawPart part) {
+    const std::uint32_t place = parts_.add(std::move(part));
+    parts_.begin(place, raw_.polygonCount());
+    return place;
+  }
+
+  /// One of the primitives of a mesh, as a part.
+  RawPart partOf(const Json& primitive, RawPart mesh) const {
+    readMaterial(Json::array({primitive}), mesh);
+    if (!saysNothing(mesh.material))
+      mesh.name = mesh.material;
+    return mesh;
+  }
+
+  /// The material that all primitives of a mesh have. One that is not as it should be is ignored: the shape
+  /// does not need it.
+  void readMaterial(const Json& primitives, RawPart& part) const {
+    const auto numberOf = [](const Json& primitive) -> std::optional<std::uint64_t> {
+      const auto found = primitive.is_object() ? primitive.find("material") : primitive.end();
+      if (!primitive.is_object() || found == primitive.end() || !found->is_number_unsigned())
+        return std::nullopt;
+      return found->get<std::uint64_t>();
+    };
+    const auto list = document_.json().find("materials");
+    const std::optional<std::uint64_t> number = primitives.empty() ? std::nullopt : numberOf(primitives[0]);
+    if (!number || list == document_.json().end() || !list->is_array() || *number >= list->size() ||
+        !(*list)[static_cast<std::size_t>(*number)].is_object() ||
+        !std::all_of(primitives.begin(), primitives.end(),
+                     [&](const Json& primitive) { return numberOf(primitive) == number; }))
+      return;
+    const Json& material = (*list)[static_cast<std::size_t>(*number)];
+    part.material = textIn(material, "name");
+    const auto look = material.find("pbrMetallicRoughness");
+    if (look == material.end() || !look->is_object())
+      return;
+    const auto factor = look->find("baseColorFactor");
+    if (factor == look->end() || !factor->is_array() || factor->size() != 4 ||
+        !std::all_of(factor->begin(), factor->end(), [](const Json& value) { return value.is_number(); }))
+      return;
+    const auto channel = [&](std::size_t k) { return std::clamp((*factor)[k].get<double>(), 0.0, 1.0); };
+    if (!look->contains("baseColorTexture")) // Which it would be multiplied by.
+      part.color =
+          Vec3(encodedFromLinear(channel(0)), encodedFromLinear(channel(1)), encodedFromLinear(channel(2)));
+    if (textIn(material, "alphaMode") == "BLEND" && channel(3) > 0)
+      part.opacity = channel(3);
+  }
+
+  void readPrimitive(const Json& primitive, std::uint64_t mesh, const Matrix& transform, RawPart& part) {
     const auto attributes = primitive.is_object() ? primitive.find("attributes") : primitive.end();
     if (!primitive.is_object() || attributes == primitive.end() || !attributes->is_object())
       document_.fail(diagnostic("mesh %1 has a primitive without attributes", mesh));
@@ -254,9 +305,15 @@ private:
       ++skipped_;
       return;
     }
+    document_.requireUncompressed(primitive);
     const std::size_t before = raw_.pointCount();
     readPositions(*attributes, transform);
-    readColors(*attributes, raw_.pointCount() - before);
+    if (attributes->contains("COLOR_0")) {
+      readColors(*attributes, raw_.pointCount() - before);
+    } else {
+      raw_.colors.resize(raw_.coordinates.size(), 0);
+      part.plain = true;
+    }
     std::vector<std::int64_t> list = cornersOf(primitive, raw_.pointCount() - before, mesh);
     for (std::int64_t& corner : list)
       corner += static_cast<std::int64_t>(before);
@@ -283,8 +340,6 @@ private:
 
   /// Colours are linear in glTF.
   void readColors(const Json& attributes, std::size_t points) {
-    if (!attributes.contains("COLOR_0"))
-      return;
     std::size_t components = 0;
     const std::vector<double> values = document_.numbers(document_.whole(attributes, "COLOR_0"), components);
     if ((components != 3 && components != 4) || values.size() != components * points)
@@ -328,7 +383,7 @@ private:
 
   GltfDocument document_;
   RawSurface raw_;
-  std::vector<std::string> names_;
+  PartList parts_;
   bool marked_ = false;
   std::uint64_t skipped_ = 0;
 };
@@ -523,26 +578,24 @@ RawSurface readGltf(const FileBytes& file) {
   return GltfReader(file).run();
 }
 
-std::vector<RawPart> readGltfParts(const FileBytes& file) {
-  return GltfReader(file).runApart();
-}
-
 void writeGlb(std::ostream& out, const geometry::TriangleMesh& mesh, const WriteSurface& options) {
   GlbBuilder builder(options.space);
   builder.add(mesh, options.name, plainMaterial());
   out << builder.run();
 }
 
-void writeSurfaces(const std::filesystem::path& file, const std::vector<NamedSurface>& surfaces) {
+void writeSurfaces(const std::filesystem::path& file, const std::vector<NamedSurface>& surfaces,
+                   Space space) {
   if (extensionOf(file) != ".glb")
     throw CannotCreateError("several surfaces are written as .glb only", file.string(),
                             "choose a name that ends in .glb");
   if (surfaces.empty())
     throw DataError("there is no surface to write", file.string(), "open one first");
-  GlbBuilder builder(Space::lps);
+  GlbBuilder builder(space);
   for (const NamedSurface& surface : surfaces) {
     geometry::requireValid(*surface.mesh, surface.name);
-    builder.add(*surface.mesh, surface.name, materialOf(surface), extrasOf(surface));
+    builder.add(space == Space::ras ? geometry::turnedHalf(*surface.mesh) : *surface.mesh, surface.name,
+                materialOf(surface), extrasOf(surface));
   }
   writeAtomically(file, [&](std::ostream& out) { out << builder.run(); });
 }

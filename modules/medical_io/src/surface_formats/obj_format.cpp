@@ -2,12 +2,15 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <map>
 #include <ostream>
 #include <string>
 #include <string_view>
 
 #include "space_tag.h"
 #include "surface_formats.h"
+#include "surface_formats/obj_materials.h"
+#include "surface_parts.h"
 #include "text_scanner.h"
 #include "viscera/core/phrase.h"
 
@@ -17,22 +20,22 @@ namespace viscera::medical_io {
 namespace {
 
 /// Words of the format that say nothing about the shape.
-constexpr std::array<std::string_view, 12> kIgnored = {
-    "vt", "vn", "s", "usemtl", "mtllib", "usemap", "maplib", "shadow_obj", "trace_obj", "lod", "bevel", "vp"};
+constexpr std::array<std::string_view, 10> kIgnored = {"vt",         "vn",        "s",   "usemap", "maplib",
+                                                       "shadow_obj", "trace_obj", "lod", "bevel",  "vp"};
 constexpr std::array<std::string_view, 4> kNotSurface = {"p", "l", "curv", "surf"};
 
 class ObjReader {
 public:
-  explicit ObjReader(const FileBytes& file) : scanner_(file, file.view()) {}
+  explicit ObjReader(const FileBytes& file) : scanner_(file, file.view()), materials_(file.file) {}
 
   RawSurface run() {
     while (scanner_.remaining() > 0)
       readLine(scanner_.line());
     finishColors();
-    if (objects_ > 1) {
-      raw_.name.clear();
-      raw_.warnings.push_back(phrase("the file's %1 objects were joined to one surface", objects_));
-    }
+    finishParts();
+    scanner_.finishCommas(raw_.warnings);
+    if (thin_ > 0)
+      raw_.warnings.push_back(phrase("%n {face|faces} of fewer than three corners left out", thin_));
     if (other_ > 0)
       raw_.warnings.push_back(
           phrase("%n {line|lines} with points, curves or free-form surfaces ignored", other_));
@@ -60,8 +63,14 @@ private:
       readVertex(withoutComment(line));
     else if (word == "f" || word == "fo")
       readFace(withoutComment(line));
-    else if (word == "o" || word == "g")
-      readName(word, trimmed(line));
+    else if (word == "o")
+      now_.object = nameFrom(line);
+    else if (word == "g")
+      now_.group = nameFrom(line);
+    else if (word == "usemtl")
+      now_.material = nameFrom(line);
+    else if (word == "mtllib")
+      materials_.addFile(nameFrom(line));
     else if (word.starts_with('#'))
       readComment(std::string(word) + std::string(line));
     else if (contains(kNotSurface, word))
@@ -77,10 +86,7 @@ private:
     std::size_t count = 0;
     for (std::string_view word = takeWord(line); !word.empty() && count < values.size();
          word = takeWord(line)) {
-      const auto value = parseNumber(word);
-      if (!value)
-        scanner_.fail(diagnostic("expected %2, found %1", inQuotes(word), "a coordinate"));
-      values[count++] = *value;
+      values[count++] = scanner_.coordinateFrom(word, "a coordinate");
     }
     if (count < 3)
       scanner_.fail(diagnostic("a point has fewer than three coordinates"));
@@ -103,16 +109,63 @@ private:
             diagnostic("a face refers to point %1, but there are only %2 before it", *number, points));
       raw_.corners.push_back(corner);
     }
-    if (raw_.corners.size() - first < 3)
-      scanner_.fail(diagnostic("a face has fewer than three corners"));
+    if (raw_.corners.size() == first)
+      scanner_.fail(diagnostic("a face has no corners"));
+    if (raw_.corners.size() - first < 3) { // Some programs write lines so.
+      raw_.corners.resize(first);
+      ++thin_;
+      return;
+    }
+    if (runs_.empty() || !(runs_.back() == now_)) {
+      now_.first = raw_.polygonCount();
+      runs_.push_back(now_);
+    }
     raw_.endPolygon();
   }
 
-  void readName(std::string_view word, std::string_view name) {
-    if (word == "o")
-      ++objects_;
-    if (!name.empty() && (word == "o" || raw_.name.empty()) && name != "default")
-      raw_.name = name;
+  static std::string nameFrom(std::string_view line) {
+    const std::string_view name = trimmed(line);
+    return name == "default" || name == "(null)" ? std::string() : std::string(name);
+  }
+
+  /// Faces one after the other that have the same names.
+  struct Run {
+    std::string object, group, material;
+    std::size_t first = 0; ///< Face.
+    bool operator==(const Run& other) const {
+      return object == other.object && group == other.group && material == other.material;
+    }
+  };
+
+  bool differ(std::string Run::*name) const {
+    return std::any_of(runs_.begin(), runs_.end(),
+                       [&](const Run& run) { return run.*name != runs_.front().*name; });
+  }
+
+  /// Parts are the objects if there are several, else the groups, else the materials. A name that comes back
+  /// continues its part.
+  void finishParts() {
+    if (runs_.empty())
+      return;
+    const bool objects = differ(&Run::object);
+    const bool groups = !objects && differ(&Run::group);
+    const Run& start = runs_.front();
+    if (!objects)
+      raw_.name = !start.object.empty() || groups ? start.object : start.group;
+    PartList parts;
+    std::map<std::uint32_t, std::string> materialOf;
+    for (const Run& run : runs_) {
+      const std::uint32_t part = parts.named(objects ? run.object : groups ? run.group : run.material);
+      const auto [found, isNew] = materialOf.try_emplace(part, run.material);
+      if (!isNew && found->second != run.material)
+        found->second.clear();
+      parts.begin(part, run.first);
+    }
+    if (std::any_of(runs_.begin(), runs_.end(), [](const Run& run) { return !run.material.empty(); }))
+      materials_.read(raw_.warnings);
+    for (const auto& [part, material] : materialOf)
+      materials_.giveTo(parts.at(part), material);
+    parts.moveTo(raw_);
   }
 
   void readComment(std::string_view comment) {
@@ -143,7 +196,10 @@ private:
   RawSurface raw_;
   std::string joined_;
   std::vector<double> colors_;
-  std::uint64_t objects_ = 0;
+  ObjMaterials materials_;
+  Run now_;
+  std::vector<Run> runs_;
+  std::uint64_t thin_ = 0;
   std::uint64_t other_ = 0;
 };
 

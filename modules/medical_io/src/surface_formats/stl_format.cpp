@@ -6,6 +6,7 @@
 
 #include "space_tag.h"
 #include "surface_formats.h"
+#include "surface_parts.h"
 #include "text_scanner.h"
 #include "viscera/core/phrase.h"
 #include "viscera/geometry/triangle_mesh.h"
@@ -81,21 +82,21 @@ RawSurface readBinary(const FileBytes& file) {
   return raw;
 }
 
-/// Reads one solid behind the word "solid" up to its "endsolid".
-void readSolid(TextScanner& scanner, RawSurface& raw) {
+/// Reads one solid behind the word "solid" up to its "endsolid". Solids of one name are different ones.
+void readSolid(TextScanner& scanner, RawSurface& raw, PartList& parts) {
   const std::string_view title = trimmed(scanner.line());
   if (!raw.space)
     raw.space = findSpace(title, raw.warnings);
-  if (raw.name.empty()) {
-    const std::string written = nameInComment(title);
-    raw.name = written.empty() && title.find("SPACE=") == title.npos ? std::string(title) : written;
-  }
+  const std::string written = nameInComment(title);
+  const std::string name =
+      written.empty() && title.find("SPACE=") == title.npos ? std::string(title) : written;
+  parts.begin(parts.add(name), raw.polygonCount());
   for (;;) {
     const std::string word = lowered(scanner.word());
     if (word == "vertex") {
-      const double x = scanner.number("a coordinate");
-      const double y = scanner.number("a coordinate");
-      raw.addPoint(x, y, scanner.number("a coordinate"));
+      const double x = scanner.coordinate("a coordinate");
+      const double y = scanner.coordinate("a coordinate");
+      raw.addPoint(x, y, scanner.coordinate("a coordinate"));
       raw.corners.push_back(static_cast<std::int64_t>(raw.pointCount()) - 1);
     } else if (word == "endloop") {
       raw.endPolygon();
@@ -119,16 +120,17 @@ RawSurface readAscii(const FileBytes& file) {
   RawSurface raw;
   raw.pointsAreShared = false;
   TextScanner scanner(file, file.view());
-  int solids = 0;
+  PartList parts;
   while (!scanner.atEnd()) {
     const std::string_view word = scanner.word();
     if (lowered(word) != "solid")
       scanner.fail(diagnostic("expected %2, found %1", inQuotes(word), inQuotes("solid")));
-    readSolid(scanner, raw);
-    ++solids;
+    readSolid(scanner, raw, parts);
   }
-  if (solids > 1)
-    raw.warnings.push_back(phrase("the file's %1 solids were joined to one surface", solids));
+  if (parts.size() > 0)
+    raw.name = parts.at(0).name;
+  parts.moveTo(raw);
+  scanner.finishCommas(raw.warnings);
   return raw;
 }
 

@@ -25,16 +25,22 @@ struct SurfaceFile {
   geometry::SurfaceReport report; ///< Of `mesh`.
 };
 
-/// Reads STL, OBJ, PLY, OFF, VTK (polygons and strips), VTP, GLB or GLTF, by its extension. Equal points are
-/// merged, polygons cut into triangles, triangles with a repeated corner and points without a triangle
-/// dropped; warnings list this and other doubts: open, inside out, a size or volume that no such organ has.
-/// Never scales and never turns a surface around. How axes are stated: docs/file_formats.md.
+/// Reads the one organ of a file: STL, OBJ, PLY, OFF, VTK (polygons and strips), VTP, VTM, GLB or GLTF, by
+/// its extension. Equal points are merged, polygons cut into triangles, triangles with a repeated corner and
+/// points without a triangle dropped; warnings list this and other doubts: open, inside out, a size or volume
+/// that no such organ has. Never scales and never turns a surface around. How axes are stated, and what an
+/// organ is in a file of several parts: docs/file_formats.md.
 ///
 /// Throws `NoInputError` when the file is missing or not readable, `DataError` naming file and reason when it
 /// is empty, truncated, of another kind than its name says, holds no triangle, or has coordinates that are
-/// not finite or more than 1000 km away. Prints nothing, and takes memory for what is in the file, not for
-/// what its header promises. O(n + m log m); may be called from several threads.
-SurfaceFile readSurface(const std::filesystem::path& file);
+/// not finite or more than 1000 km away, `UsageError` that lists the organs when it holds several. Prints
+/// nothing, and takes memory for what is in the file, not for what its header promises. O(n + m log m); may
+/// be called from several threads.
+///
+/// With `SeveralOrgans::join` a file of several organs gives one surface of them all: for documents that were
+/// saved when such files were read so.
+enum class SeveralOrgans { refuse, join };
+SurfaceFile readSurface(const std::filesystem::path& file, SeveralOrgans several = SeveralOrgans::refuse);
 
 /// One of the organs in a file that holds several.
 struct SurfacePart {
@@ -44,11 +50,19 @@ struct SurfacePart {
   int cavityOf = -1;         ///< The part whose cavity this is; -1: an organ of its own.
 };
 
-/// Reads all organs of a file that holds several: those of a GLB that `writeSurfaces` has written, in its
-/// order, with names, colours and cavities; of any other file the one surface that `readSurface` gives,
-/// because the meaning of the meshes in another program's scene is unknown. Throws what `readSurface` throws.
-/// O(n + m log m).
+/// Reads all organs of a file, with names, colours and, where Viscera has written it, cavities. Organs are
+/// the named parts of the file (OBJ: objects, else groups, else materials; glTF: nodes; STL: solids; VTM:
+/// blocks) that are closed; open parts that share points are one organ. A warning says when an organ lies
+/// inside another, whose volume then contains its volume. Throws what `readSurface` throws, but for several
+/// organs. O(n + m log m).
 std::vector<SurfacePart> readSurfaces(const std::filesystem::path& file);
+
+/// The place of the organ with that name, as `segmentsNamed` compares names, or with that number from 1.
+/// Throws `UsageError` that lists the organs when there is none.
+std::size_t partNamed(const std::vector<SurfacePart>& parts, const std::string& name, const Text& where);
+
+/// Reads one organ of a file, chosen as by `partNamed`. Throws what `readSurfaces` and `partNamed` throw.
+SurfacePart readSurfacePart(const std::filesystem::path& file, const std::string& name);
 
 /// Options of `writeSurface`.
 struct WriteSurface {
@@ -74,8 +88,9 @@ struct NamedSurface {
 };
 
 /// Writes several surfaces into one GLB, each a node with its name and colour, in LPS mm as by
-/// `writeSurface`; `readSurfaces` reads them again. Atomic. Throws `CannotCreateError` when the file cannot
-/// be written or does not end in .glb, `DataError` for no surface, or one that is not valid.
-void writeSurfaces(const std::filesystem::path& file, const std::vector<NamedSurface>& surfaces);
+/// `writeSurface`, or in RAS; `readSurfaces` reads them again. Atomic. Throws `CannotCreateError` when the
+/// file cannot be written or does not end in .glb, `DataError` for no surface, or one that is not valid.
+void writeSurfaces(const std::filesystem::path& file, const std::vector<NamedSurface>& surfaces,
+                   Space space = Space::lps);
 
 } // namespace viscera::medical_io
