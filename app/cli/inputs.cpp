@@ -12,6 +12,7 @@
 #include "viscera/document/session_file.h"
 #include "viscera/document/system_commands.h"
 #include "viscera/document/undo_stack.h"
+#include "viscera/medical_io/file_kind.h"
 #include "viscera/medical_io/handle_file.h"
 #include "viscera/medical_io/label_map.h"
 
@@ -56,6 +57,38 @@ std::optional<LabelReference> labelReference(const std::filesystem::path& organ)
       medical_io::isLabelMap(file) && !organ.has_extension())
     return LabelReference{file, {organ.filename().string()}};
   return std::nullopt;
+}
+
+/// "organs.obj/Liver" taken apart; nothing for a file alone, and for what is no surface file.
+struct SurfaceReference {
+  std::filesystem::path file;
+  std::string part; ///< Its name, or its number from 1.
+};
+
+std::optional<SurfaceReference> surfaceReference(const std::string& organ) {
+  // An organ's name may have a slash, too: the file that is there ends the path.
+  for (std::size_t slash = organ.find('/'); slash != std::string::npos; slash = organ.find('/', slash + 1)) {
+    const std::filesystem::path file = organ.substr(0, slash);
+    std::error_code ignored;
+    if (slash > 0 && slash + 1 < organ.size() && std::filesystem::is_regular_file(file, ignored) &&
+        medical_io::fileKind(file) == medical_io::FileKind::surface)
+      return SurfaceReference{file, organ.substr(slash + 1)};
+  }
+  return std::nullopt;
+}
+
+/// The organs of a surface file, or the one that is named; their warnings begin with what was named.
+std::vector<document::Organ> surfaceOrgans(const std::string& organ) {
+  const std::optional<SurfaceReference> reference = surfaceReference(organ);
+  std::vector<document::Organ> organs;
+  for (document::NewOrgan& item :
+       reference ? document::readOrgans(reference->file, reference->part) : document::readOrgans(organ))
+    organs.push_back(std::move(item.organ));
+  for (document::Organ& one : organs)
+    for (Text& warning : one.warnings)
+      warning =
+          phrase("%1: %2", organs.size() == 1 ? Text(organ) : phrase("%1: %2", organ, one.name), warning);
+  return organs;
 }
 
 document::Organ organOf(const SessionReference& reference, const document::OpenedSession& opened) {
@@ -113,6 +146,13 @@ bool namesLabel(const std::string& organ) {
   return reference && !reference->labels.empty();
 }
 
+std::optional<medical_io::SurfacePart> surfacePartInput(const std::string& organ) {
+  const auto reference = surfaceReference(organ);
+  if (!reference)
+    return std::nullopt;
+  return medical_io::readSurfacePart(reference->file, reference->part);
+}
+
 std::vector<document::Organ> organInputs(medical_io::LabelMap map, const std::string& organ,
                                          Progress& progress) {
   std::vector<document::Organ> result;
@@ -136,9 +176,7 @@ std::vector<document::Organ> organInputs(const std::string& organ,
   } else if (const auto session = isSample(organ) ? std::nullopt : sessionReference(organ)) {
     result.push_back(organOf(*session, document::readSession(session->session, samples, progress)));
   } else if (!isSample(organ)) {
-    result.push_back(document::readOrgan(organ));
-    for (Text& warning : result.back().warnings)
-      warning = phrase("%1: %2", organ, warning);
+    result = surfaceOrgans(organ);
   } else {
     const SampleReference reference = sampleReference(organ);
     const sample_organs::SampleOrgan sample =
@@ -164,9 +202,9 @@ document::Organ organInput(const std::string& organ, const sample_organs::Sample
     std::vector<std::string> names;
     for (const document::Organ& one : organs)
       names.push_back(one.name);
-    throw UsageError("It is a label map of several organs", organ,
-                     "name one of them behind a slash, " + organ + "/" + names.front() + "; there are " +
-                         listed(names));
+    throw UsageError(
+        labelReference(organ) ? "It is a label map of several organs" : "It holds several organs", organ,
+        "name one of them behind a slash, " + organ + "/" + names.front() + "; there are " + listed(names));
   }
   return std::move(organs.front());
 }
@@ -180,12 +218,17 @@ OrgansAround organsAround(const std::string& organ, const sample_organs::SampleL
     return {*opened.contents.state.organs, organOf(*session, opened).name};
   }
   const auto labels = labelReference(organ);
-  const document::OpenedFiles opened =
-      document::openFiles({labels ? labels->file : std::filesystem::path(organ)}, progress);
+  const auto surface = surfaceReference(organ);
+  const document::OpenedFiles opened = document::openFiles({labels    ? labels->file
+                                                            : surface ? surface->file
+                                                                      : std::filesystem::path(organ)},
+                                                           progress);
   document::Document holder;
   document::UndoStack undo(holder);
   if (!opened.organs.empty())
     undo.perform(opened.command());
+  if (surface)
+    return {*holder.state().organs, document::readOrgans(surface->file, surface->part).front().organ.name};
   return {*holder.state().organs, labels && !labels->labels.empty() ? labels->labels.front() : ""};
 }
 

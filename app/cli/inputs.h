@@ -11,6 +11,7 @@
 #include "viscera/core/progress.h"
 #include "viscera/document/document.h"
 #include "viscera/medical_io/label_map.h"
+#include "viscera/medical_io/surface_file.h"
 #include "viscera/sample_organs/sample_organ.h"
 
 /// Reads the organs and handles that a command names in its arguments.
@@ -33,6 +34,10 @@ bool isSample(const std::string& organ);
 /// Whether ORGAN names one label of a label map ("abdomen.nrrd/liver").
 bool namesLabel(const std::string& organ);
 
+/// The organ of a surface file that ORGAN names behind a slash ("organs.obj/Liver"); nothing for a file
+/// alone. Throws as `medical_io::readSurfacePart`.
+std::optional<medical_io::SurfacePart> surfacePartInput(const std::string& organ);
+
 /// The parts of a reference to an organ of a session, such as "patient.viscera/Liver".
 struct SessionReference {
   std::filesystem::path session;
@@ -44,14 +49,15 @@ std::optional<SessionReference> sessionReference(const std::string& text);
 
 /// Reads the file, or makes the sample organ, that ORGAN names; of a sample organ with cavities the outer
 /// surface unless another one is named; of a label map the label that is named behind a slash
-/// ("abdomen.nrrd/liver"), which may be left out when there is only one; of a session the organ that is named
-/// behind a slash ("patient.viscera/Liver"). The mesh has a size, else
-/// `DataError`; throws also what `document::readOrgan` and `sample_organs::sampleOrgan` throw, and
-/// `UsageError` for a surface that the sample does not have.
+/// ("abdomen.nrrd/liver"), which may be left out when there is only one, and so of a surface file the organ
+/// ("organs.obj/Liver"); of a session the organ that is named behind a slash ("patient.viscera/Liver"). The
+/// mesh has a size, else `DataError`; throws also what `document::readOrgan` and `sample_organs::sampleOrgan`
+/// throw, and `UsageError` for a surface that the sample does not have.
 document::Organ organInput(const std::string& organ, const sample_organs::SampleLibrary& samples,
                            Progress& progress);
 
-/// As above, but all surfaces of a sample organ, and all labels of a label map, when none is named.
+/// As above, but all surfaces of a sample organ or of a file, and all labels of a label map, when none is
+/// named.
 std::vector<document::Organ> organInputs(const std::string& organ,
                                          const sample_organs::SampleLibrary& samples, Progress& progress);
 

@@ -1,12 +1,15 @@
 #include "cli/commands/all_commands.h"
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include <CLI/CLI.hpp>
 
+#include "cli/inputs.h"
 #include "cli/listing.h"
+#include "viscera/anatomy/part.h"
 #include "viscera/core/error.h"
 #include "viscera/document/open_files.h"
 #include "viscera/geometry/surface_check.h"
@@ -47,8 +50,15 @@ public:
   std::string summary() const override { return "Convert a surface or a handle file"; }
 
   void addOptions(CLI::App& options) override {
-    options.add_option("IN", in_, "A surface, or a handle file (.mrk.json, .fcsv)")->required();
-    options.add_option("OUT", out_, "The file to write, of the same kind; its ending says the format")
+    options
+        .add_option(
+            "IN", in_,
+            "A surface, one organ of a file of several (FILE/NAME), or a handle file (.mrk.json, .fcsv)")
+        ->required();
+    options
+        .add_option("OUT", out_,
+                    "The file to write, of the same kind; its ending says the format. Several organs are "
+                    "written as .glb")
         ->required();
     options.add_option("--space", space_, "Axes to write in: LPS or RAS")
         ->check(CLI::IsMember({"LPS", "RAS"}))
@@ -78,7 +88,34 @@ private:
     if (document::isHandleFile(out_))
       throw UsageError("a surface cannot be written as a handle file", out_,
                        "viscera handles places handles");
-    medical_io::SurfaceFile surface = medical_io::readSurface(in_);
+    std::vector<medical_io::SurfacePart> parts;
+    if (auto named = surfacePartInput(in_)) {
+      named->cavityOf = -1;
+      parts.push_back(std::move(*named));
+    } else {
+      parts = medical_io::readSurfaces(in_);
+    }
+    if (parts.size() > 1 && !out_.ends_with(".glb"))
+      medical_io::readSurface(in_); // Throws, and lists the organs.
+    Outcome outcome;
+    std::vector<Converted> converted;
+    for (const medical_io::SurfacePart& part : parts)
+      converted.push_back(convertOne(part.surface, parts.size() > 1, outcome, context));
+    context.progress.throwIfCancelled();
+    write(parts, converted);
+    describe(converted, outcome);
+    return outcome;
+  }
+
+  struct Converted {
+    std::string name;
+    std::shared_ptr<const geometry::TriangleMesh> mesh;
+    geometry::SurfaceReport report;
+    std::optional<medical_io::SurfaceChange> change;
+  };
+
+  Converted convertOne(const medical_io::SurfaceFile& surface, bool amongOthers, Outcome& outcome,
+                       CommandContext& context) const {
     const auto assess = [&](const geometry::TriangleMesh& mesh, const geometry::SurfaceReport& report) {
       return medical_io::assessSurface(
                  mesh, report,
@@ -86,49 +123,87 @@ private:
                  context.progress, context.threads)
           .findings;
     };
-    Outcome outcome;
-    outcome.warnings = surface.warnings;
-    removeFindings(outcome.warnings, assess(surface.mesh, surface.report));
-    geometry::TriangleMesh mesh = std::move(surface.mesh);
+    std::vector<Text> warnings = surface.warnings;
+    removeFindings(warnings, assess(surface.mesh, surface.report));
+    geometry::TriangleMesh mesh = surface.mesh;
     if (turned(surface.space, fromSpace_))
       mesh = geometry::turnedHalf(std::move(mesh));
     if (millimetres(unit_) != 1)
       mesh = geometry::scaled(std::move(mesh), millimetres(unit_));
     for (const std::string& repair : repairs())
       mesh = medical_io::surfaceRepair(repair).apply(mesh, context.progress, context.threads);
-    std::optional<medical_io::SurfaceChange> change;
+    Converted result;
     if (remesh_) {
       geometry::TriangleMesh before = std::move(mesh);
       mesh = medical_io::remeshed(before, *remesh_, context.progress, context.threads);
-      change = medical_io::surfaceChange(before, mesh, context.threads);
+      result.change = medical_io::surfaceChange(before, mesh, context.threads);
     }
-    context.progress.throwIfCancelled();
-    medical_io::writeSurface(out_, mesh, {.space = written(), .name = surface.name});
-    const geometry::SurfaceReport report = geometry::checkSurface(mesh);
+    result.name = surface.name;
+    result.report = geometry::checkSurface(mesh);
+    appendFindings(warnings, assess(mesh, result.report));
+    for (Text& warning : warnings)
+      outcome.warnings.push_back(amongOthers ? phrase("%1: %2", surface.name, warning) : std::move(warning));
+    result.mesh = std::make_shared<const geometry::TriangleMesh>(std::move(mesh));
+    return result;
+  }
+
+  void write(const std::vector<medical_io::SurfacePart>& parts,
+             const std::vector<Converted>& converted) const {
+    if (parts.size() == 1) {
+      medical_io::writeSurface(out_, *converted.front().mesh,
+                               {.space = written(), .name = converted.front().name});
+      return;
+    }
+    std::vector<medical_io::NamedSurface> surfaces;
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      medical_io::NamedSurface surface{converted[i].mesh, converted[i].name};
+      surface.color = parts[i].color.value_or(anatomy::colorNamed(surface.name).value_or(surface.color));
+      surface.opacity = parts[i].opacity;
+      surface.cavityOf = parts[i].cavityOf;
+      surfaces.push_back(std::move(surface));
+    }
+    medical_io::writeSurfaces(out_, surfaces, written());
+  }
+
+  void describe(const std::vector<Converted>& converted, Outcome& outcome) const {
     std::vector<std::string> done = repairs();
     if (remesh_)
       done.emplace_back("remesh");
-    outcome.json = {{"in", in_},
-                    {"out", out_},
-                    {"vertices", mesh.points.rows()},
-                    {"triangles", mesh.triangles.rows()},
-                    {"space", space_},
-                    {"repairs", done},
-                    {"closed", report.closed()}};
-    outcome.text = Listing()
-                       .add("file", out_)
-                       .add("vertices", std::to_string(mesh.points.rows()))
-                       .add("triangles", std::to_string(mesh.triangles.rows()))
-                       .text();
-    if (change) {
-      outcome.json["remesh"] = {{"trianglesBefore", change->trianglesBefore},
-                                {"meanMm", change->meanMm},
-                                {"maximumMm", change->maximumMm}};
-      outcome.text += "  " + inWords(*change).english() + "\n";
+    Eigen::Index vertices = 0, triangles = 0;
+    bool closed = true;
+    nlohmann::ordered_json organs = nlohmann::ordered_json::array();
+    for (const Converted& one : converted) {
+      vertices += one.mesh->points.rows();
+      triangles += one.mesh->triangles.rows();
+      closed = closed && one.report.closed();
+      organs.push_back({{"name", one.name},
+                        {"vertices", one.mesh->points.rows()},
+                        {"triangles", one.mesh->triangles.rows()},
+                        {"closed", one.report.closed()}});
     }
-    appendFindings(outcome.warnings, assess(mesh, report));
+    outcome.json = {{"in", in_},       {"out", out_},     {"vertices", vertices}, {"triangles", triangles},
+                    {"space", space_}, {"repairs", done}, {"closed", closed}};
+    Listing listing;
+    listing.add("file", out_);
+    if (converted.size() > 1) {
+      outcome.json["organs"] = organs;
+      listing.add("organs", std::to_string(converted.size()));
+    }
+    outcome.text =
+        listing.add("vertices", std::to_string(vertices)).add("triangles", std::to_string(triangles)).text();
+    for (const Converted& one : converted) {
+      if (!one.change)
+        continue;
+      const nlohmann::ordered_json change = {{"trianglesBefore", one.change->trianglesBefore},
+                                             {"meanMm", one.change->meanMm},
+                                             {"maximumMm", one.change->maximumMm}};
+      if (converted.size() == 1)
+        outcome.json["remesh"] = change;
+      else
+        outcome.json["remesh"][one.name] = change;
+      outcome.text += "  " + inWords(*one.change).english() + "\n";
+    }
     outcome.json["warnings"] = outcome.warnings;
-    return outcome;
   }
 
   Outcome convertHandles() const {

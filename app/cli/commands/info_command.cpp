@@ -101,6 +101,56 @@ Outcome describe(const medical_io::SurfaceFile& surface, const std::string& file
   return outcome;
 }
 
+/// Describes the organs of a surface file that holds several.
+Outcome describe(const std::vector<medical_io::SurfacePart>& parts, const std::string& file) {
+  const medical_io::SurfaceFile& first = parts.front().surface;
+  Bounds all = boundsOf(first.mesh.points);
+  ordered_json organs = ordered_json::array();
+  Outcome outcome;
+  Listing listing;
+  listing.add("kind", "organs").add("organs", std::to_string(parts.size()));
+  for (const medical_io::SurfacePart& part : parts) {
+    const medical_io::SurfaceFile& surface = part.surface;
+    const geometry::SurfaceReport& report = surface.report;
+    const Bounds bounds = boundsOf(surface.mesh.points);
+    all = {all.low.cwiseMin(bounds.low), all.high.cwiseMax(bounds.high)};
+    const double volumeMl = report.volumeMm3 / kMm3PerMl;
+    organs.push_back(
+        {{"name", surface.name},
+         {"vertices", surface.mesh.points.rows()},
+         {"triangles", surface.mesh.triangles.rows()},
+         {"closed", report.closed()},
+         {"manifold", report.manifold()},
+         {"components", report.components},
+         {"outward", report.outward()},
+         {"volumeMl", report.closed() ? ordered_json(volumeMl) : ordered_json(nullptr)},
+         {"areaCm2", report.areaMm2 / kMm2PerCm2},
+         {"boundsMm", boundsJson(bounds)},
+         {"color", part.color ? numbersJson(*part.color) : ordered_json(nullptr)},
+         {"opacity", part.opacity},
+         {"cavityOf", part.cavityOf < 0
+                          ? ordered_json(nullptr)
+                          : ordered_json(parts[static_cast<std::size_t>(part.cavityOf)].surface.name)},
+         {"warnings", surface.warnings}});
+    listing.add("  " + surface.name,
+                report.closed() ? fixed(volumeMl, 2) + " ml" : "no volume: the surface is open");
+    for (const Text& warning : surface.warnings)
+      outcome.warnings.push_back(phrase("%1: %2", surface.name, warning));
+  }
+  outcome.text = listing.add("size", boundsText(all))
+                     .add("space", spaceName(first.space) +
+                                       (first.spaceStated ? "" : " (assumed; the file does not say)"))
+                     .text();
+  outcome.json = {{"kind", "organs"},
+                  {"file", file},
+                  {"organs", organs},
+                  {"boundsMm", boundsJson(all)},
+                  {"space", spaceName(first.space)},
+                  {"spaceStated", first.spaceStated},
+                  {"warnings", outcome.warnings}};
+  return outcome;
+}
+
 Outcome describe(const medical_io::HandleFile& handles, const std::string& file) {
   const Bounds bounds = boundsOf(handles.positions());
   ordered_json groups = ordered_json::array();
@@ -187,8 +237,8 @@ public:
     options
         .add_option(
             "FILE", file_,
-            "An organ's surface, a label map or folder of masks, a scan, a handle file, a session, or "
-            "sample:NAME")
+            "A file of surfaces, one of its organs (FILE/NAME), a label map or folder of masks, a scan, a "
+            "handle file, a session, or sample:NAME")
         ->required();
     scan_.addChoiceTo(options);
   }
@@ -204,6 +254,8 @@ public:
       surface.warnings = organ.warnings;
       return describe(surface, file_, context);
     }
+    if (const auto part = surfacePartInput(file_))
+      return describe(part->surface, file_, context);
     if (document::isSessionFile(file_))
       return describeSession(file_, context);
     if (document::isHandleFile(file_))
@@ -212,7 +264,8 @@ public:
       return describeImage(context);
     if (medical_io::isLabelMap(file_))
       return describe(medical_io::readLabelMap(file_, context.progress), file_, context.progress);
-    return describe(medical_io::readSurface(file_), file_, context);
+    const std::vector<medical_io::SurfacePart> parts = medical_io::readSurfaces(file_);
+    return parts.size() == 1 ? describe(parts.front().surface, file_, context) : describe(parts, file_);
   }
 
 private:

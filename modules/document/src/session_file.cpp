@@ -428,7 +428,7 @@ private:
       return std::nullopt;
     }
     finding.source = found->file.string();
-    auto organ = orMissing(finding, [&] { return readOrgan(found->file); });
+    auto organ = orMissing(finding, [&] { return readOrgan(found->file, medical_io::SeveralOrgans::join); });
     const bool expected = found->file == (folder_ / source.relative).lexically_normal();
     if (organ && !found->same) {
       finding.state = State::changed;

@@ -316,13 +316,13 @@ void numberCavities(const RawSurface& raw, const std::vector<std::vector<std::ui
   }
 }
 
-/// Says which parts with names of their own are one organ.
+/// Says which parts with names of their own are one organ; materials are its paint.
 void warnOfJoined(const RawSurface& raw, const std::vector<std::uint32_t>& members,
                   std::vector<Text>& warnings) {
   std::vector<std::string> names;
   for (const std::uint32_t member : members)
-    if (!saysNothing(raw.parts[member].name))
-      names.push_back(raw.parts[member].name);
+    if (const RawPart& part = raw.parts[member]; !saysNothing(part.name) && part.name != part.material)
+      names.push_back(part.name);
   if (members.size() > 1 && !names.empty())
     warnings.push_back(phrase("%n {open part|open parts} that share points were joined to one organ: %2",
                               members.size(), someOf(names)));

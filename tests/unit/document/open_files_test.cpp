@@ -312,5 +312,28 @@ TEST(SampleOrgans, WithNamesOfTheirOwnStandBesideTheFirst) {
   EXPECT_EQ(organs[2].organ.origin.surface, "liver");
 }
 
+TEST_F(OpenFiles, GroupsOfASurfaceFileAreOrgansThatASessionHolds) {
+  std::ofstream(folder_ / "a.mtl") << "newmtl m\nKd 1 0.5 0\nd 0.5\nnewmtl n\nKd 0 0 1\n";
+  const std::string points = "v 0 0 0\nv 90 0 0\nv 0 90 0\nv 0 0 90\n";
+  const std::string faces = "f -4 -2 -3\nf -4 -3 -1\nf -4 -1 -2\nf -3 -2 -1\n";
+  std::ofstream(folder_ / "a.obj") << "mtllib a.mtl\ng Tissue_a\nusemtl m\n" + points + faces +
+                                          "g Tissue_b\nusemtl n\nv 200 0 0\nv 230 0 0\nv 200 30 0\n"
+                                          "v 200 0 30\n" +
+                                          faces;
+  Progress progress;
+  const OpenedFiles opened = openFiles({folder_ / "a.obj"}, progress);
+  ASSERT_EQ(opened.organs.size(), 2u);
+  const Organ& first = opened.organs[0].organ;
+  EXPECT_EQ(first.name, "Tissue_a");
+  EXPECT_EQ(first.look.color, Vec3(1, 0.5, 0));
+  EXPECT_EQ(first.look.opacity, 0.5);
+  EXPECT_NEAR(first.restVolumeMm3, 90.0 * 90 * 90 / 6, 1e-6);
+  EXPECT_EQ(first.origin.fileHash, "") << "the file alone does not give this organ";
+  EXPECT_EQ(opened.surfaces.size(), 2u);
+  EXPECT_THROW(readOrgan(folder_ / "a.obj"), UsageError);
+  EXPECT_EQ(readOrgan(folder_ / "a.obj", medical_io::SeveralOrgans::join).mesh->triangles.rows(), 8);
+  EXPECT_EQ(readOrgans(folder_ / "a.obj", "tissue b").front().organ.name, "Tissue_b");
+}
+
 } // namespace
 } // namespace viscera::document

@@ -39,9 +39,10 @@ medical_io::Space spaceNamed(const std::string& name) {
   throw UsageError("there are no axes '" + name + "'", "space", "LPS or RAS");
 }
 
-Surface readSurface(const path& file) {
+Surface readSurface(const path& file, const std::string& part) {
   return unlocked([&] {
-    auto read = medical_io::readSurface(file);
+    auto read =
+        part.empty() ? medical_io::readSurface(file) : medical_io::readSurfacePart(file, part).surface;
     return Surface{std::make_shared<const TriangleMesh>(std::move(read.mesh)), read.name,
                    inEnglish(read.warnings)};
   });
@@ -164,8 +165,9 @@ void addSurface(py::module_& module) {
         return "<Surface " + s.name + ": " + std::to_string(s.mesh->points.rows()) + " points, " +
                std::to_string(s.mesh->triangles.rows()) + " triangles>";
       });
-  module.def("read_surface", &readSurface, py::arg("path"),
-             "Reads STL, OBJ, PLY, OFF, VTK, VTP, GLB or GLTF by its extension, as mm in LPS.");
+  module.def("read_surface", &readSurface, py::arg("path"), py::arg("part") = "",
+             "Reads STL, OBJ, PLY, OFF, VTK, VTP, VTM, GLB or GLTF by its extension, as mm in LPS. A file of "
+             "several organs needs the name of one of them (`part`); the error lists them.");
   module.def("write_surface", &writeSurface, py::arg("path"), py::arg("points"), py::arg("triangles"),
              py::arg("space") = "LPS", py::arg("name") = "",
              "Writes points (n x 3, mm, LPS) and triangles (m x 3) by extension: STL, OBJ, PLY, OFF, VTK, "

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Sequence, Union
 
 from numpy.typing import ArrayLike
 
-from ._parts import part
+from ._parts import part as extension
 from .deformation import Progress
 
 if TYPE_CHECKING:
@@ -16,13 +16,15 @@ if TYPE_CHECKING:
 PathLike = Union[str, "os.PathLike[str]"]
 
 
-def read_surface(path: PathLike) -> Surface:
+def read_surface(path: PathLike, part: str = "") -> Surface:
     """Reads STL, OBJ, PLY, OFF, VTK, VTP, GLB or GLTF by its extension, as mm in LPS.
 
     The result has `points` (n x 3), `triangles` (m x 3), `colors`, `name` and `warnings`, and unpacks:
-    `points, triangles = read_surface(path)`. Raises NoInputError, DataError.
+    `points, triangles = read_surface(path)`. A file of several organs needs the name
+    of one of them, or its number from 1, as `part`. Raises NoInputError, DataError,
+    UsageError that lists the organs.
     """
-    return part("_files").read_surface(os.fspath(path))
+    return extension("_files").read_surface(os.fspath(path), part)
 
 
 def write_surface(
@@ -32,19 +34,19 @@ def write_surface(
 
     `space`: the axes in the file, LPS or RAS. Nothing half-written is left. Raises CannotCreateError, DataError.
     """
-    part("_files").write_surface(os.fspath(path), points, triangles, space, name)
+    extension("_files").write_surface(os.fspath(path), points, triangles, space, name)
 
 
 def read_handles(path: PathLike) -> Handles:
     """Reads handles from 3D Slicer's .mrk.json or .fcsv: `positions` (h x 3, mm, LPS), `labels`, `groups`."""
-    return part("_files").read_handles(os.fspath(path))
+    return extension("_files").read_handles(os.fspath(path))
 
 
 def write_handles(
     path: PathLike, positions: ArrayLike, labels: Sequence[str] = (), space: str = "LPS"
 ) -> None:
     """Writes handles (h x 3, mm, LPS) as .mrk.json or .fcsv, in full precision."""
-    part("_files").write_handles(os.fspath(path), positions, list(labels), space)
+    extension("_files").write_handles(os.fspath(path), positions, list(labels), space)
 
 
 def read_label_map(path: PathLike, progress: Progress | None = None) -> LabelMap:
@@ -52,12 +54,12 @@ def read_label_map(path: PathLike, progress: Progress | None = None) -> LabelMap
 
     `segments` names the organs, `layers` are the voxels (k x j x i), `surfaces()` makes closed surfaces of them.
     """
-    return part("_files").read_label_map(os.fspath(path), progress)
+    return extension("_files").read_label_map(os.fspath(path), progress)
 
 
 def sample_names() -> list[str]:
     """The organs that come with Viscera."""
-    return part("_files").sample_names()
+    return extension("_files").sample_names()
 
 
 def sample_organ(
@@ -67,4 +69,4 @@ def sample_organ(
 
     Made when it is first asked for (seconds), then kept on disk.
     """
-    return part("_files").sample_organ(name, resolution, progress)
+    return extension("_files").sample_organ(name, resolution, progress)

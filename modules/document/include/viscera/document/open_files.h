@@ -18,6 +18,7 @@
 #include "viscera/medical_io/label_map.h"
 #include "viscera/medical_io/label_surfaces.h"
 #include "viscera/medical_io/space.h"
+#include "viscera/medical_io/surface_file.h"
 #include "viscera/sample_organs/sample_organ.h"
 
 /// Reads files of organs and handles, and makes the command that adds them to a document. Reading does not
@@ -110,8 +111,13 @@ std::vector<Organ> readLabelOrgans(const std::filesystem::path& file, const std:
 std::vector<Organ> organsFrom(const medical_io::LabelMap& map, std::vector<medical_io::LabelSurface> surfaces,
                               const std::filesystem::path& file);
 
-/// Reads one surface as an organ, with its warnings.
-Organ readOrgan(const std::filesystem::path& file);
+/// Reads the one organ of a surface file, with its warnings. Throws as `medical_io::readSurface`.
+Organ readOrgan(const std::filesystem::path& file,
+                medical_io::SeveralOrgans several = medical_io::SeveralOrgans::refuse);
+
+/// Reads all organs of a surface file, or the one that is named or numbered as for `medical_io::partNamed`.
+/// Throws as `medical_io::readSurfaces` and `medical_io::partNamed`.
+std::vector<NewOrgan> readOrgans(const std::filesystem::path& file, const std::string& part = {});
 
 /// A handle file's contents as a rig: one group a markup list; a handle that lists share (same label, same
 /// place) is one handle in several groups. Throws `DataError` for a rig that nothing can be bound to: fewer
