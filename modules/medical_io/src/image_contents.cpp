@@ -1,4 +1,3 @@
-#include <cmath>
 #include <map>
 #include <new>
 #include <optional>
@@ -7,6 +6,7 @@
 
 #include "dicom/dicom_mark.h"
 #include "image_formats/label_encoding.h"
+#include "image_formats/label_rounding.h"
 #include "image_formats/sample_collector.h"
 #include "opened_image.h"
 #include "viscera/medical_io/image_file.h"
@@ -18,22 +18,21 @@ namespace {
 constexpr std::size_t kFewValues = 8;
 constexpr double kMostlyEqual = 0.4; ///< Of pairs of neighbours of which one is not 0.
 
-/// Whether values are probably labels: whole, none below zero, and few or mostly equal to their neighbours'.
+/// Whether values are probably labels: whole up to rounding, none below zero, and few or mostly equal to
+/// their neighbours'.
 class LabelLook {
 public:
-  explicit LabelLook(const RawImage& image)
-      : whole_(isWhole(image.scalar)), slope_(image.slope), intercept_(image.intercept) {}
+  explicit LabelLook(const RawImage& image) : rounding_(image) {}
 
   /// Looks at a value that is new; false when these are no labels.
   bool accept(double stored) {
-    // A sample of a scan has the same rounding.
-    const bool exact = whole_ && std::abs(stored) < kLargestExact;
-    const double sample = exact ? stored : double(static_cast<float>(stored));
-    const double value = slope_ * sample + intercept_;
-    if (!(value >= 0 && value < kLargest) || value != std::floor(value))
+    const auto near = rounding_.nearest(stored);
+    if (!near)
       return false;
-    const std::size_t id = ids_.try_emplace(sample, ids_.size()).first->second;
-    samples_.push_back({id, sample == 0});
+    bent_ = bent_ || near->distance > 0;
+    labelled_ = labelled_ || near->label != 0;
+    const std::size_t id = ids_.try_emplace(near->label, ids_.size()).first->second;
+    samples_.push_back({id, near->label == 0});
     return ids_.size() <= std::size_t(kMostLabels);
   }
 
@@ -51,24 +50,26 @@ public:
     last_ = sample;
   }
 
-  /// Tells whether the accepted values, taken together, are labels.
+  /// Tells whether the accepted values, taken together, are labels. Fractions that all round to 0 are small
+  /// measurements.
   bool areLabels() const {
+    if (bent_ && !labelled_)
+      return false;
     return ids_.size() <= kFewValues + 1 || double(equal_) >= kMostlyEqual * double(pairs_);
   }
 
 private:
-  static constexpr double kLargest = 9e15, kLargestExact = 4294967296.0;
   struct Sample {
     std::size_t id = 0;
     bool zero = false;
   };
 
-  bool whole_;
-  double slope_, intercept_;
-  std::map<double, std::size_t> ids_;
-  std::vector<Sample> samples_; ///< By the numbers of values.
+  LabelRounding rounding_;
+  std::map<std::int64_t, std::size_t> ids_; ///< By label.
+  std::vector<Sample> samples_;             ///< By the numbers of values.
   std::optional<Sample> last_;
   std::size_t pairs_ = 0, equal_ = 0;
+  bool bent_ = false, labelled_ = false;
 };
 
 /// What place, mark or name say without the voxels.

@@ -18,6 +18,8 @@
 namespace viscera::medical_io {
 namespace {
 
+constexpr double kWrittenOut = 1e-5; ///< A distance below it is told with its power of ten.
+
 struct LabelMapFormat {
   Signature signature;
   ImageHeader (*readHeader)(FileBytes&); ///< Null for DICOM, whose segmentations have no plain voxels.
@@ -55,6 +57,10 @@ namespace {
 
 /// `raw` without its values.
 LabelMap labelMapOf(RawImage&& raw, EncodedLabels&& encoded, Progress& progress) {
+  if (encoded.farthest > 0)
+    raw.warnings.push_back(phrase(
+        "its values are not exactly whole numbers; they were rounded to labels, by at most %1",
+        encoded.farthest < kWrittenOut ? inDigits(encoded.farthest, 2) : inFixed(encoded.farthest, 5)));
   LabelMap map;
   map.size = raw.size;
   map.indexToLps = raw.indexToLps;

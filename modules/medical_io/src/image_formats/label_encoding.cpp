@@ -1,7 +1,6 @@
 #include "image_formats/label_encoding.h"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <string>
 
@@ -18,31 +17,40 @@ constexpr const char* kTryLabels = "open the segmentation that was made from the
             kTryLabels);
 }
 
-std::int64_t labelOf(double value, const FileBytes& file) {
-  constexpr double kLargest = 9007199254740992.0; // All whole numbers up to it are doubles.
-  if (!(value >= 0 && value <= kLargest) || value != std::floor(value))
-    file.fail(phrase("It holds an image, not labels: one of its values is %1", std::to_string(value)),
-              kTryLabels);
-  return static_cast<std::int64_t>(value);
+[[noreturn]] void failAsNoLabel(double value, const FileBytes& file) {
+  file.fail(phrase("It holds an image, not labels: one of its values is %1", std::to_string(value)),
+            kTryLabels);
 }
 
 } // namespace
 
 LabelEncoder::LabelEncoder(const RawImage& image)
-    : voxels_(static_cast<std::size_t>(image.valueCount()) / static_cast<std::size_t>(image.layers)),
-      layersFirst_(image.layersFirst && image.layers > 1), layers_(static_cast<std::size_t>(image.layers)) {}
+    : rounding_(image),
+      voxels_(static_cast<std::size_t>(image.valueCount()) / static_cast<std::size_t>(image.layers)),
+      layersFirst_(image.layersFirst && image.layers > 1), layers_(static_cast<std::size_t>(image.layers)),
+      labels_(layers_.size()) {}
 
 void LabelEncoder::reserve() {
   for (NumberedLayer& layer : layers_)
     layer.voxels.reserve(voxels_);
 }
 
+bool LabelEncoder::accept(std::size_t layer, double stored) {
+  const auto near = rounding_.nearest(stored);
+  if (!near) {
+    wrong_ = wrong_.value_or(rounding_.valueOf(stored));
+    return false;
+  }
+  labels_[layer].insert(near->label);
+  return labels_[layer].size() <= kMostLabels + 1U;
+}
+
 void LabelEncoder::takeLayer(std::size_t layer, const char* bytes, std::size_t count, Scalar scalar,
                              std::endian order) {
   NumberedLayer& own = layers_[layer];
-  const auto accept = [&own](double) { return own.values.values().size() <= kMostLabels + 1U; };
   const auto append = [&own](std::size_t number, std::size_t length) { own.voxels.append(number, length); };
-  tooMany_ = tooMany_ || own.values.take(bytes, count, scalar, order, accept, append) < count;
+  const auto mayTake = [&](double stored) { return accept(layer, stored); };
+  tooMany_ = tooMany_ || own.values.take(bytes, count, scalar, order, mayTake, append) < count;
 }
 
 void LabelEncoder::take(const char* bytes, std::size_t count, Scalar scalar, std::endian order) {
@@ -66,6 +74,8 @@ void LabelEncoder::take(const char* bytes, std::size_t count, Scalar scalar, std
 }
 
 EncodedLabels LabelEncoder::finish(const RawImage& image, const FileBytes& file) {
+  if (wrong_)
+    failAsNoLabel(*wrong_, file);
   EncodedLabels result = encodedLabels(std::move(layers_), image, file);
   if (tooMany_)
     failAsTooMany(file);
@@ -76,15 +86,26 @@ EncodedLabels encodedLabels(std::vector<NumberedLayer> layers, const RawImage& i
   std::map<LayerLabel, std::uint16_t>
       numbers; // In the order of layers and labels, whichever voxel came first.
   std::vector<std::vector<std::int64_t>> labels(layers.size());
+  const LabelRounding rounding(image);
+  double farthest = 0, farValue = 0;
   for (std::size_t layer = 0; layer < layers.size(); ++layer)
     for (const double stored : layers[layer].values.values()) {
-      labels[layer].push_back(labelOf(image.slope * stored + image.intercept, file));
+      const auto near = rounding.nearest(stored);
+      if (!near)
+        failAsNoLabel(rounding.valueOf(stored), file);
+      if (near->distance > farthest)
+        farValue = rounding.valueOf(stored);
+      farthest = std::max(farthest, near->distance);
+      labels[layer].push_back(near->label);
       if (labels[layer].back() != 0)
         numbers.try_emplace({static_cast<int>(layer), labels[layer].back()});
       if (numbers.size() > kMostLabels)
         failAsTooMany(file);
     }
+  if (numbers.empty() && farthest > 0) // Small measurements.
+    failAsNoLabel(farValue, file);
   EncodedLabels result;
+  result.farthest = farthest;
   for (auto& [label, number] : numbers) {
     result.labels.push_back(label);
     number = static_cast<std::uint16_t>(result.labels.size());

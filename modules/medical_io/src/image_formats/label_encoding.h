@@ -1,9 +1,12 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
+#include <set>
 #include <utility>
 #include <vector>
 
+#include "image_formats/label_rounding.h"
 #include "image_formats/numbered_values.h"
 #include "image_formats/raw_image.h"
 
@@ -17,6 +20,7 @@ using LayerLabel = std::pair<int, std::int64_t>;
 struct EncodedLabels {
   std::vector<LabelLayer> layers;
   std::vector<LayerLabel> labels; ///< Ascending; that of number n is `labels[n - 1]`.
+  double farthest = 0;            ///< The largest distance of a value from its label.
 };
 
 /// One layer of an image as numbers of its values.
@@ -40,13 +44,17 @@ public:
   EncodedLabels finish(const RawImage& image, const FileBytes& file);
 
 private:
+  bool accept(std::size_t layer, double stored);
   void takeLayer(std::size_t layer, const char* bytes, std::size_t count, Scalar scalar, std::endian order);
 
+  LabelRounding rounding_;
   std::size_t voxels_ = 0; ///< Of one layer.
   bool layersFirst_ = false;
   std::size_t seen_ = 0; ///< Values of all layers.
   bool tooMany_ = false; ///< Different values: no more are taken.
   std::vector<NumberedLayer> layers_;
+  std::vector<std::set<std::int64_t>> labels_; ///< Of each layer.
+  std::optional<double> wrong_;                ///< The first value that is no label; no more are taken.
 };
 
 /// The labels of layers whose values are numbered. Throws as `LabelEncoder::finish`.
