@@ -8,6 +8,7 @@
 #include <mutex>
 #include <set>
 #include <utility>
+#include <vector>
 
 #include "file_bytes.h"
 #include "image_formats/numbered_values.h"
@@ -108,8 +109,11 @@ bool isFree(const LabelLayer& layer, const LabelLayer& mask, const Span& span) {
 
 void nameSegments(LabelMap& map, const std::vector<StatedSegment>& stated) {
   std::map<std::pair<int, std::int64_t>, const StatedSegment*> known;
-  for (const StatedSegment& one : stated)
-    known.try_emplace({one.layer, one.label}, &one);
+  std::map<const StatedSegment*, std::vector<Text>> sharing; // By the first: all names of its voxels.
+  for (const StatedSegment& one : stated) {
+    const StatedSegment* first = known.try_emplace({one.layer, one.label}, &one).first->second;
+    sharing[first].push_back(named(printableName(one.name)));
+  }
   for (Segment& segment : map.segments) {
     const auto found = known.find({segment.layer, segment.label});
     if (found == known.end())
@@ -118,6 +122,11 @@ void nameSegments(LabelMap& map, const std::vector<StatedSegment>& stated) {
     segment.named = !segment.name.empty();
     segment.colored = found->second->color.has_value();
     segment.color = found->second->color.value_or(segment.color);
+    if (const std::vector<Text>& names = sharing[found->second]; names.size() > 1)
+      map.warnings.push_back(
+          phrase("its segments %1 have the same voxels (label %2 in one layer); they are one "
+                 "organ, %3",
+                 listOf(names), segment.label, names.front()));
   }
 }
 

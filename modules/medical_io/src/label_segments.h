@@ -7,7 +7,8 @@
 
 namespace viscera::medical_io {
 
-/// Sets names and colours of the segments listed in `stated`; the first entry for a label counts.
+/// Sets names and colours of the segments listed in `stated`; the first entry for a label counts, and a
+/// warning lists the others.
 void nameSegments(LabelMap& map, const std::vector<StatedSegment>& stated);
 
 /// Gives every segment that has none a name ("label 5") and a colour, that of its anatomy or else one of its
