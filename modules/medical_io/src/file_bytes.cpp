@@ -16,8 +16,9 @@
 namespace viscera::medical_io {
 namespace {
 
-constexpr std::array<std::string_view, 7> kDoubleExtensions = {
-    ".mrk.json", ".sequence.json", ".nii.gz", ".hdr.gz", ".img.gz", ".seg.nrrd", ".seg.nhdr"};
+constexpr std::array<std::string_view, 12> kDoubleExtensions = {
+    ".mrk.json", ".sequence.json", ".nii.gz",  ".hdr.gz", ".img.gz", ".seg.nrrd",
+    ".seg.nhdr", ".seg.nrrd.gz",   ".nrrd.gz", ".mha.gz", ".mgh.gz", ".gipl.gz"};
 
 void requireReadable(const std::filesystem::path& file) {
   std::error_code error;
@@ -70,6 +71,8 @@ FileBytes readBeginOfFile(const std::filesystem::path& file, std::size_t most) {
 }
 
 FileBytes readRestOfFile(const FileBytes& begin) {
+  if (begin.unpacked)
+    return begin;
   return readUpTo(begin.file, std::numeric_limits<std::size_t>::max(), begin.view());
 }
 

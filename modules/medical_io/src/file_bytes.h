@@ -22,6 +22,7 @@ struct FileBytes {
   std::filesystem::path file;
   std::string bytes;
   std::uint64_t length = 0; ///< Of the whole file, as it was read.
+  bool unpacked = false;    ///< `bytes` are all that the file holds, unpacked from it.
 
   std::string_view view() const { return bytes; }
   std::string name() const { return file.string(); }
@@ -45,8 +46,8 @@ inline constexpr std::size_t kMostHeaderBytes = std::size_t{1} << 22U;
 /// Lower-case ASCII copy.
 std::string lowered(std::string_view text);
 
-/// The extension in lower case with its dot; ".mrk.json", ".nii.gz", ".img.gz", ".seg.nrrd" and
-/// ".sequence.json" count as one.
+/// The extension in lower case with its dot; ".mrk.json", ".nii.gz", ".img.gz", ".nrrd.gz", ".seg.nrrd" and
+/// ".sequence.json" count as one, and so do other packed forms of images.
 std::string extensionOf(const std::filesystem::path& file);
 
 /// The file's name without that extension.

@@ -8,9 +8,13 @@
 #include <string_view>
 #include <vector>
 
-#include "viscera/core/phrase.h"
-
+#include "image_formats/analyze_header.h"
+#include "image_formats/image_marks.h"
+#include "image_formats/unpack.h"
 #include "text_scanner.h"
+#include "unread_images.h"
+#include "viscera/core/error.h"
+#include "viscera/core/phrase.h"
 
 namespace viscera::medical_io {
 namespace {
@@ -36,8 +40,11 @@ constexpr std::array kRead = std::to_array<Format>({
     {Signature::gltf, FileKind::surface, "glTF", "a glTF scene", ".gltf", false},
     {Signature::nifti, FileKind::labelMap, "NIfTI", "a NIfTI image", ".nii .nii.gz .hdr .hdr.gz .img .img.gz",
      true},
-    {Signature::nrrd, FileKind::labelMap, "NRRD", "an NRRD image", ".nrrd .seg.nrrd .nhdr .seg.nhdr", true},
-    {Signature::metaImage, FileKind::labelMap, "MetaImage", "a MetaImage", ".mha .mhd", true},
+    {Signature::nrrd, FileKind::labelMap, "NRRD", "an NRRD image",
+     ".nrrd .seg.nrrd .nhdr .seg.nhdr .nrrd.gz .seg.nrrd.gz", true},
+    {Signature::metaImage, FileKind::labelMap, "MetaImage", "a MetaImage", ".mha .mhd .mha.gz", true},
+    {Signature::mgh, FileKind::labelMap, "FreeSurfer", "a FreeSurfer volume", ".mgz .mgh .mgh.gz", false},
+    {Signature::gipl, FileKind::labelMap, "GIPL", "a GIPL image", ".gipl .gipl.gz", false},
     {Signature::dicom, FileKind::labelMap, "DICOM", "a DICOM file", ".dcm .ima", false},
     {Signature::markups, FileKind::handles, "3D Slicer markups", "a 3D Slicer markups file", ".mrk.json",
      true},
@@ -163,7 +170,13 @@ Signature binarySignature(const FileBytes& file, std::string_view begin) {
     return Signature::nifti;
   if (begin.size() >= 540 && (begin.substr(4, 3) == "n+2" || begin.substr(4, 3) == "ni2"))
     return Signature::nifti;
-  return isBinaryStl(file) ? Signature::stl : Signature::unknown;
+  if (isBinaryStl(file))
+    return Signature::stl;
+  if (orderOfAnalyze(begin)) // The same header without a mark.
+    return Signature::nifti;
+  if (hasGiplMark(begin))
+    return Signature::gipl;
+  return hasMghMark(begin) ? Signature::mgh : Signature::unknown;
 }
 
 /// By the names that stand near the beginning: good enough to choose a reader, which then checks.
@@ -247,6 +260,19 @@ Signature signatureOf(const FileBytes& file) {
   return binary != Signature::unknown ? binary : textSignature(file, begin);
 }
 
+Signature signatureUnpacked(const FileBytes& file) {
+  const Signature found = signatureOf(file);
+  if (found != Signature::gzip)
+    return found;
+  try {
+    const Signature inner =
+        signatureOf({file.file, unpacked(file, file.view(), Packing::zlib, kSignatureBytes)});
+    return inner == Signature::dicom ? Signature::gzip : inner; // DICOM is read as it is.
+  } catch (const DataError&) {
+    return Signature::gzip;
+  }
+}
+
 Signature signatureOfEnding(const std::filesystem::path& file) {
   const Format* format = rowOf(kRead, Signature::unknown, extensionOf(file));
   return format == nullptr ? Signature::unknown : format->signature;
@@ -284,8 +310,11 @@ const std::vector<std::string>& endingsOf(FileKind kind) {
 }
 
 Signature signatureFor(const FileBytes& file, FileKind wanted) {
-  const Signature found = signatureOf(file), promised = signatureOfEnding(file.file);
-  const bool packed = found == Signature::gzip && extensionOf(file.file).ends_with(".gz");
+  const Signature found = wanted == FileKind::labelMap ? signatureUnpacked(file) : signatureOf(file);
+  const Signature promised = signatureOfEnding(file.file);
+  const bool packed = found == Signature::gzip; // The reader says what is wrong.
+  if (found == Signature::unknown && unreadImage(file))
+    refuse(file, wanted);
   const Signature own = found == Signature::unknown || packed ? promised : found;
   if (promised != Signature::unknown && own != promised) {
     const Known known = knownAs(own, {});
@@ -299,7 +328,9 @@ Signature signatureFor(const FileBytes& file, FileKind wanted) {
 }
 
 void refuse(const FileBytes& file, FileKind wanted) {
-  const Known known = knownAs(signatureOf(file), extensionOf(file.file));
+  const auto image = unreadImage(file);
+  const Known known = image ? Known{named(image->description), {}, image->wayOut}
+                            : knownAs(signatureOf(file), extensionOf(file.file));
   const Text problem = refusalOf(wanted);
   file.fail(known.description.empty() ? problem : phrase("%1; it looks like %2", problem, known.description),
             known.wayOut.empty() ? phrase("known endings: %1", usualEndings(wanted)) : known.wayOut);

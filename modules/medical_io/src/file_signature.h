@@ -29,6 +29,8 @@ enum class Signature {
   nifti,
   nrrd,
   metaImage,
+  mgh,
+  gipl,
   dicom,
   gzip,
   zip,
@@ -38,6 +40,9 @@ enum class Signature {
 /// Checks the first bytes, and for binary STL the length of the file, of which `file` may hold the beginning.
 /// Cheap.
 Signature signatureOf(const FileBytes& file);
+
+/// The same of what is packed, for a file that gzip packed as a whole; `gzip` when it cannot be unpacked.
+Signature signatureUnpacked(const FileBytes& file);
 
 /// The signature that a name promises: `unknown` for an ending of no format, or of several.
 Signature signatureOfEnding(const std::filesystem::path& file);

@@ -151,8 +151,16 @@ private:
   bool undecided_ = true;
 };
 
-ScanOrLabels readUndecided(const std::filesystem::path& file, Progress& progress) {
+/// An image that names its segments is a label map.
+bool namesLabels(const OpenedImage& image) {
+  return !image.header.image.stated.empty();
+}
+
+ScanOrLabels readUndecided(const std::filesystem::path& file, std::optional<int> labelPhase,
+                           Progress& progress) {
   OpenedImage image = openImage(file);
+  if (namesLabels(image))
+    return readLabelMap(file, progress, labelPhase);
   try {
     UndecidedImage undecided(image);
     undecided.read(progress);
@@ -165,7 +173,7 @@ ScanOrLabels readUndecided(const std::filesystem::path& file, Progress& progress
   } catch (const std::bad_alloc&) {
     image.begin.fail("it does not fit into memory", "crop the image to the organs");
   }
-  return readLabelMap(file, progress); // All layers of it.
+  return readLabelMap(file, progress, labelPhase); // All layers of it.
 }
 
 } // namespace
@@ -174,6 +182,8 @@ ImageContents imageContents(const std::filesystem::path& fileOrFolder, Progress&
   if (const auto stated = statedContents(fileOrFolder))
     return *stated;
   OpenedImage image = openImage(fileOrFolder);
+  if (namesLabels(image))
+    return ImageContents::labels;
   LabelLook look(image.header.image);
   ValueNumbering numbers;
   bool mayBeLabels = true;
@@ -189,14 +199,14 @@ ImageContents imageContents(const std::filesystem::path& fileOrFolder, Progress&
 }
 
 ScanOrLabels readScanOrLabels(const std::filesystem::path& fileOrFolder, const ScanOptions& options,
-                              Progress& progress) {
+                              Progress& progress, std::optional<int> labelPhase) {
   auto contents = statedContents(fileOrFolder);
   if (!contents && (options.phase != 0 || !options.series.empty())) // The first phase decides.
     contents = imageContents(fileOrFolder, progress);
   if (!contents)
-    return readUndecided(fileOrFolder, progress);
+    return readUndecided(fileOrFolder, labelPhase, progress);
   if (contents == ImageContents::labels)
-    return readLabelMap(fileOrFolder, progress);
+    return readLabelMap(fileOrFolder, progress, labelPhase);
   return readScan(fileOrFolder, options, progress);
 }
 

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <new>
+#include <optional>
 
 #include "dicom/dicom_mark.h"
 #include "file_bytes.h"
 #include "file_signature.h"
+#include "freesurfer_names.h"
 #include "image_formats/data_file.h"
 #include "image_formats/label_encoding.h"
 #include "image_formats/raw_image.h"
@@ -18,6 +20,7 @@
 namespace viscera::medical_io {
 namespace {
 
+constexpr std::size_t kMostTimesTold = 12;
 constexpr double kWrittenOut = 1e-5; ///< A distance below it is told with its power of ten.
 
 struct LabelMapFormat {
@@ -25,12 +28,14 @@ struct LabelMapFormat {
   ImageHeader (*readHeader)(FileBytes&); ///< Null for DICOM, whose segmentations have no plain voxels.
 };
 
-constexpr std::array<LabelMapFormat, 4> kLabelMapFormats = {{{Signature::nifti, niftiHeader},
+constexpr std::array<LabelMapFormat, 6> kLabelMapFormats = {{{Signature::nifti, niftiHeader},
                                                              {Signature::nrrd, nrrdHeader},
                                                              {Signature::metaImage, metaImageHeader},
+                                                             {Signature::mgh, mghHeader},
+                                                             {Signature::gipl, giplHeader},
                                                              {Signature::dicom, nullptr}}};
 
-const LabelMapFormat& formatOf(const FileBytes& file) {
+const LabelMapFormat& labelFormatOf(const FileBytes& file) {
   const Signature signature = signatureFor(file, FileKind::labelMap);
   return *std::find_if(kLabelMapFormats.begin(), kLabelMapFormats.end(),
                        [&](const LabelMapFormat& format) { return format.signature == signature; });
@@ -77,8 +82,59 @@ LabelMap labelMapOf(RawImage&& raw, EncodedLabels&& encoded, Progress& progress)
   return map;
 }
 
+/// Says which of several phases can be chosen, and how.
+[[noreturn]] void failAsSeries(const FileBytes& file, const RawImage& raw) {
+  const std::vector<double> times = statedPhaseTimes(raw);
+  std::vector<Text> list;
+  for (const double time : times)
+    list.push_back(inDigits(time, 4));
+  file.fail(
+      times.empty() || times.size() > kMostTimesTold
+          ? phrase("It has %1 label maps over time, of which one is needed here", raw.layers)
+          : phrase("It has %1 label maps over time (at %2 ms), of which one is needed here", raw.layers,
+                   listOf(list)),
+      phrase("follow the motion over all of them with viscera track %1, or choose one with --phase, from "
+             "0 to %2",
+             file.file.filename().string(), raw.layers - 1));
+}
+
+void requirePhase(const FileBytes& file, const RawImage& raw, std::optional<int> phase) {
+  const int phases = raw.overTime ? raw.layers : 1;
+  if (!phase && phases > 1)
+    failAsSeries(file, raw);
+  if (phase && (*phase < 0 || *phase >= phases))
+    throw UsageError(phrase("It has no phase %1; it has %2", *phase, phases), file.name(),
+                     "the first one is 0");
+}
+
+/// Reads one phase of a series, block by block.
+LabelMap readPhase(ImageHeader&& header, const FileBytes& begin, int phase, Progress& progress) {
+  OpenedImage opened{begin, std::move(header)};
+  RawImage raw = opened.header.image;
+  raw.layers = 1;
+  LabelEncoder encoder(raw);
+  visitPhase(
+      opened, phase, progress, [&](std::size_t) { encoder.reserve(); },
+      [&](const char* bytes, std::size_t count, Scalar scalar, std::endian order) {
+        encoder.take(bytes, count, scalar, order);
+      });
+  requireUsableGrid(raw, begin);
+  EncodedLabels encoded = encoder.finish(raw, begin);
+  std::vector<double> times = statedPhaseTimes(opened.header.image);
+  for (int i = 0; times.size() < static_cast<std::size_t>(opened.header.image.layers); ++i)
+    times.push_back(i);
+  LabelMap map = labelMapOf(std::move(raw), std::move(encoded), progress);
+  map.phase = phase;
+  map.phaseTimesMs = std::move(times);
+  return map;
+}
+
 /// Reads the voxels behind a header, block by block.
-LabelMap readVoxels(ImageHeader&& header, const FileBytes& begin, Progress& progress) {
+LabelMap readVoxels(ImageHeader&& header, const FileBytes& begin, std::optional<int> phase,
+                    Progress& progress) {
+  requirePhase(begin, header.image, phase);
+  if (header.image.overTime)
+    return readPhase(std::move(header), begin, phase.value_or(0), progress);
   RawImage& raw = header.image;
   LabelEncoder encoder(raw);
   visitValues(
@@ -89,12 +145,14 @@ LabelMap readVoxels(ImageHeader&& header, const FileBytes& begin, Progress& prog
   return labelMapOf(std::move(raw), std::move(encoded), progress);
 }
 
-/// The map with the names of all labels.
-LabelMap completed(LabelMap&& map, const std::filesystem::path& file) {
+/// The map with the names of all labels. Numbers alone say names in volumes of FreeSurfer only.
+LabelMap completed(LabelMap&& map, const std::filesystem::path& file, Signature kind) {
   if (map.segments.empty())
     throw DataError("It has no labelled voxel: all are 0", file.string(),
                     "check that the segmentation was saved");
   nameByTable(map, file);
+  if (kind == Signature::mgh)
+    nameAsFreeSurfer(map);
   completeSegments(map);
   return std::move(map);
 }
@@ -115,13 +173,14 @@ LabelMap labelMapOf(RawImage&& raw, const FileBytes& file, Progress& progress) {
 }
 
 LabelMap labelMapOf(OpenedImage&& image, NumberedLayer&& layer, Progress& progress) {
-  const std::vector<StatedSegment> stated = namesToMiss(formatOf(image.begin), image.header.image);
+  const LabelMapFormat& format = labelFormatOf(image.begin);
+  const std::vector<StatedSegment> stated = namesToMiss(format, image.header.image);
   std::vector<NumberedLayer> layers;
   layers.push_back(std::move(layer));
   EncodedLabels encoded = encodedLabels(std::move(layers), image.header.image, image.begin);
   LabelMap map = labelMapOf(std::move(image.header.image), std::move(encoded), progress);
   warnOfEmptySegments(map, stated);
-  map = completed(std::move(map), image.begin.file);
+  map = completed(std::move(map), image.begin.file, format.signature);
   progress.report(1);
   return map;
 }
@@ -140,11 +199,13 @@ Bounds LabelMap::bounds() const {
   return boundsOfVoxels(size, indexToLps);
 }
 
-LabelMap readLabelFile(const std::filesystem::path& file, Progress& progress) {
-  FileBytes begin = readBeginOfFile(file, kMostHeaderBytes);
-  const LabelMapFormat& format = formatOf(begin);
+namespace {
+
+LabelMap readByFormat(FileBytes& begin, const LabelMapFormat& format, std::optional<int> phase,
+                      Progress& progress) {
   try {
     if (format.readHeader == nullptr) {
+      requirePhase(begin, RawImage(), phase);
       begin = readRestOfFile(begin);
       RawImage raw = readDicomSegmentation(begin);
       const std::vector<StatedSegment> stated = raw.stated;
@@ -154,7 +215,7 @@ LabelMap readLabelFile(const std::filesystem::path& file, Progress& progress) {
     }
     ImageHeader header = format.readHeader(begin);
     const std::vector<StatedSegment> stated = namesToMiss(format, header.image);
-    LabelMap map = readVoxels(std::move(header), begin, progress);
+    LabelMap map = readVoxels(std::move(header), begin, phase, progress);
     warnOfEmptySegments(map, stated);
     return map;
   } catch (const std::bad_alloc&) {
@@ -162,11 +223,20 @@ LabelMap readLabelFile(const std::filesystem::path& file, Progress& progress) {
   }
 }
 
-LabelMap readLabelMap(const std::filesystem::path& file, Progress& progress) {
+} // namespace
+
+LabelMap readLabelFile(const std::filesystem::path& file, Progress& progress) {
+  FileBytes begin = readBeginOfFile(file, kMostHeaderBytes);
+  return readByFormat(begin, labelFormatOf(begin), std::nullopt, progress);
+}
+
+LabelMap readLabelMap(const std::filesystem::path& file, Progress& progress, std::optional<int> phase) {
   std::error_code ignored;
   if (std::filesystem::is_directory(file, ignored))
     return readLabelFolder(file, progress);
-  LabelMap map = completed(readLabelFile(file, progress), file);
+  FileBytes begin = readBeginOfFile(file, kMostHeaderBytes);
+  const LabelMapFormat& format = labelFormatOf(begin);
+  LabelMap map = completed(readByFormat(begin, format, phase, progress), file, format.signature);
   progress.report(1);
   return map;
 }

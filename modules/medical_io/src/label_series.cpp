@@ -4,10 +4,12 @@
 #include <cmath>
 #include <new>
 
+#include "dicom/dicom_mark.h"
 #include "file_bytes.h"
 #include "file_signature.h"
 #include "image_formats/data_file.h"
 #include "label_segments.h"
+#include "opened_image.h"
 #include "viscera/core/error.h"
 
 namespace viscera::medical_io {
@@ -16,15 +18,34 @@ namespace {
 /// Cycles a second that a heart makes.
 constexpr double kSlowestHz = 0.2, kFastestHz = 4;
 
-RawImage rawSeriesOf(FileBytes& file) {
-  const std::string extension = extensionOf(file.file);
-  const Signature found = signatureOf(file);
-  if (found == Signature::nifti || (found == Signature::gzip && extension.ends_with(".gz")))
-    return readImage<niftiSeriesHeader>(file);
-  if (found == Signature::nrrd)
-    return readImage<nrrdHeader>(file);
-  file.fail("It is not a file with several phases",
-            "name a 4D NIfTI, a .seq.nrrd of 3D Slicer, or one file for each phase");
+/// The header of a file whose volumes are phases, or that has only one.
+ImageHeader seriesHeaderOf(FileBytes& file) {
+  const Signature found = signatureUnpacked(file);
+  const bool isImage = found == Signature::nifti || found == Signature::nrrd ||
+                       found == Signature::metaImage || found == Signature::mgh || found == Signature::gipl;
+  if (!isImage)
+    file.fail("It is not a file with several phases",
+              "name a 4D NIfTI, a .seq.nrrd of 3D Slicer, or one file for each phase");
+  OpenedImage opened = openImage(file.file);
+  file = std::move(opened.begin);
+  return std::move(opened.header);
+}
+
+/// The same with all values.
+RawImage rawSeriesOf(FileBytes& file, Progress& progress) {
+  ImageHeader header = seriesHeaderOf(file);
+  RawImage& raw = header.image;
+  if (raw.layers > 1 && !raw.overTime)
+    file.fail("It has several layers of one label map, not several phases",
+              "name a 4D NIfTI, a .seq.nrrd of 3D Slicer, or one file for each phase");
+  std::string values;
+  visitValues(
+      file, header.stored, raw, {0, raw.valueCount()}, progress,
+      [&](std::uint64_t) { values.reserve(static_cast<std::size_t>(raw.byteCount())); },
+      [&](const char* bytes, std::size_t count) { values.append(bytes, count * sizeOf(raw.scalar)); });
+  raw.storage = std::move(values);
+  raw.offset = 0;
+  return std::move(header.image);
 }
 
 /// The values of one volume behind each other, out of those of all.
@@ -42,13 +63,6 @@ std::string volumeOf(const RawImage& raw, std::size_t volume) {
 
 bool plausible(double periodSeconds) {
   return periodSeconds > 1 / kFastestHz && periodSeconds < 1 / kSlowestHz;
-}
-
-double secondsAUnit(const std::string& unit) {
-  return unit == "s" || unit == "sec" || unit == "second" || unit == "seconds" ? 1
-         : unit == "ms" || unit == "msec" || unit == "millisecond"             ? 1e-3
-         : unit == "us"                                                        ? 1e-6
-                                                                               : 0;
 }
 
 /// Interprets the times stated in a file; empty if the unit is missing and no unit gives a plausible
@@ -80,21 +94,18 @@ SeriesTimes timesOf(const RawTimes& stated, std::size_t count) {
 } // namespace
 
 std::size_t volumesIn(const std::filesystem::path& file) {
-  const std::string extension = extensionOf(file);
-  if (!extension.starts_with(".nii") && !extension.ends_with("nrrd") && !extension.ends_with("nhdr"))
+  if (!isLabelMap(file) || isDicomPlace(file))
     return 1;
-  FileBytes bytes = readWholeFile(file);
-  const RawImage raw = rawSeriesOf(bytes);
-  // The layers of a segmentation are no phases.
-  const bool isSegmentation = !raw.stated.empty() && !extension.starts_with(".nii");
-  return isSegmentation ? 1 : static_cast<std::size_t>(raw.layers);
+  const OpenedImage image = openImage(file);
+  return image.header.image.overTime ? static_cast<std::size_t>(image.header.image.layers) : 1;
 }
 
 SeriesTimes readLabelSeries(const std::filesystem::path& file, Progress& progress,
                             const std::function<void(std::size_t, LabelMap&&)>& visit) {
-  FileBytes bytes = readWholeFile(file);
+  FileBytes bytes = readBeginOfFile(file, kMostHeaderBytes);
   try {
-    const RawImage raw = rawSeriesOf(bytes);
+    Progress reading;
+    const RawImage raw = rawSeriesOf(bytes, reading);
     const auto count = static_cast<std::size_t>(raw.layers);
     for (std::size_t volume = 0; volume < count; ++volume) {
       progress.report(static_cast<double>(volume) / static_cast<double>(count),

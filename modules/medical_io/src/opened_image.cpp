@@ -9,6 +9,7 @@
 #include "file_signature.h"
 #include "image_formats/sample_collector.h"
 #include "scalar.h"
+#include "unread_images.h"
 #include "viscera/core/phrase.h"
 
 namespace viscera::medical_io {
@@ -18,11 +19,15 @@ using HeaderReader = ImageHeader (*)(FileBytes&);
 
 /// The reader by what the file begins with, and by its ending where that says nothing.
 HeaderReader headerReaderOf(const FileBytes& begin) {
-  static constexpr std::array<std::pair<Signature, HeaderReader>, 3> kReaders = {
-      {{Signature::nifti, niftiSeriesHeader},
+  static constexpr std::array<std::pair<Signature, HeaderReader>, 5> kReaders = {
+      {{Signature::nifti, niftiHeader},
        {Signature::nrrd, nrrdHeader},
-       {Signature::metaImage, metaImageHeader}}};
-  Signature found = signatureOf(begin);
+       {Signature::metaImage, metaImageHeader},
+       {Signature::mgh, mghHeader},
+       {Signature::gipl, giplHeader}}};
+  Signature found = signatureUnpacked(begin);
+  if (found == Signature::unknown && unreadImage(begin))
+    refuse(begin, FileKind::scan);
   if (found == Signature::gzip || found == Signature::unknown)
     found = signatureOfEnding(begin.file);
   if (const auto reader = lookUp(kReaders, found))
@@ -33,18 +38,10 @@ HeaderReader headerReaderOf(const FileBytes& begin) {
 /// Milliseconds of the phases of a file with several of them; their numbers where the file states no times.
 std::vector<double> phaseTimes(const RawImage& image, std::vector<ScanFinding>& findings) {
   const auto count = static_cast<std::size_t>(image.layers);
-  std::vector<double> times;
-  if (count < 2)
-    return times;
-  const RawTimes stated = image.times.value_or(RawTimes{});
-  const double unit = stated.unit == "s" ? 1000 : stated.unit == "us" ? 1e-3 : 1;
-  const bool listed = stated.values.size() == count;
-  for (std::size_t i = 0; i < count; ++i)
-    times.push_back(listed ? unit * (stated.values[i] - stated.values[0]) : unit * stated.step * double(i));
-  if (!std::all_of(times.begin(), times.end(), [](double t) { return std::isfinite(t); }) ||
-      !(times.back() > 0)) {
+  std::vector<double> times = statedPhaseTimes(image);
+  if (count > 1 && times.empty()) {
     for (std::size_t i = 0; i < count; ++i)
-      times[i] = double(i);
+      times.push_back(double(i));
     findings.push_back(
         {ScanFinding::Kind::other,
          phrase("It does not say the times of its %n {phase|phases}; they are numbered", count)});
@@ -52,15 +49,30 @@ std::vector<double> phaseTimes(const RawImage& image, std::vector<ScanFinding>& 
   return times;
 }
 
-/// A NRRD file may keep colours where others keep phases.
+/// A NRRD file may keep colours where others keep phases; one that names segments keeps layers of them there.
 void requirePlainVoxels(const FileBytes& file, const RawImage& image) {
   const std::string& kind = image.listKind;
-  if (image.layers > 1 && (kind.find("color") != kind.npos || kind.find("vector") != kind.npos ||
-                           kind.find("matrix") != kind.npos || kind == "complex"))
+  if (image.layers > 1 && image.stated.empty() &&
+      (kind.find("color") != kind.npos || kind.find("vector") != kind.npos ||
+       kind.find("matrix") != kind.npos || kind == "complex"))
     file.fail(phrase("It has several values per voxel (%1)", kind), "save it with one value per voxel");
 }
 
 } // namespace
+
+std::vector<double> statedPhaseTimes(const RawImage& image) {
+  const auto count = static_cast<std::size_t>(image.layers);
+  std::vector<double> times;
+  if (count < 2 || !image.times)
+    return times;
+  const RawTimes& stated = *image.times;
+  const double seconds = secondsAUnit(stated.unit), unit = seconds > 0 ? 1000 * seconds : 1;
+  const bool listed = stated.values.size() == count;
+  for (std::size_t i = 0; i < count; ++i)
+    times.push_back(listed ? unit * (stated.values[i] - stated.values[0]) : unit * stated.step * double(i));
+  const bool usable = std::all_of(times.begin(), times.end(), [](double t) { return std::isfinite(t); });
+  return usable && times.back() > 0 ? times : std::vector<double>();
+}
 
 OpenedImage openImage(const std::filesystem::path& path) {
   OpenedImage image{readBeginOfFile(path, kMostHeaderBytes), {}};

@@ -3,12 +3,13 @@
 #include <cstddef>
 #include <filesystem>
 #include <functional>
+#include <vector>
 
 #include "image_formats/data_file.h"
 #include "viscera/medical_io/label_map.h"
 #include "viscera/medical_io/scan.h"
 
-/// NIfTI, NRRD and MetaImage files, which hold scans and label maps alike, in one reading.
+/// Image files of any format but DICOM, which hold scans and label maps alike, in one reading.
 namespace viscera::medical_io {
 
 class SampleCollector;
@@ -23,6 +24,10 @@ struct OpenedImage {
 /// Reads the header by what the file begins with, and by its ending where that says nothing. Throws as
 /// `readScan`.
 OpenedImage openImage(const std::filesystem::path& path);
+
+/// Milliseconds from the first phase on of each of several phases, as far as the header states them; else
+/// empty.
+std::vector<double> statedPhaseTimes(const RawImage& image);
 
 /// Told of the next values of a phase, aligned, and of their type and order.
 using TakeValues =

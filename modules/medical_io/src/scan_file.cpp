@@ -42,7 +42,7 @@ ScanSeries describeImage(const std::filesystem::path& path) {
   series.size = image.size;
   series.spacing = image.indexToLps.linear().colwise().norm();
   series.indexToLps = image.indexToLps;
-  series.phases = image.layers;
+  series.phases = image.overTime ? image.layers : 1;
   series.files = {path};
   return series;
 }

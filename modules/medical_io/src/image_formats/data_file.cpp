@@ -4,6 +4,7 @@
 #include <cerrno>
 #include <cmath>
 #include <fstream>
+#include <limits>
 #include <system_error>
 
 #include "text_scanner.h"
@@ -12,6 +13,9 @@
 
 namespace viscera::medical_io {
 namespace {
+
+/// Of a number in words with its white space, at most.
+constexpr std::uint64_t kMostBytesOfWord = 32;
 
 /// The bytes with the voxels, which may be those of another file, from where they begin.
 struct Source {
@@ -22,10 +26,9 @@ struct Source {
 /// The file beside `file` that has the voxels.
 std::filesystem::path besideOf(const FileBytes& file, const StoredValues& stored) {
   const std::filesystem::path name(*stored.beside);
-  const bool several = stored.pattern && stored.beside->find('%') != std::string::npos;
-  if (name.empty() || name.has_root_path() || several)
-    file.fail(phrase("its voxels are in several files or in another folder (%1)", inQuotes(*stored.beside)),
-              "save it as one file");
+  if (name.empty() || name.has_root_path())
+    file.fail(phrase("its voxels are in another folder (%1)", inQuotes(*stored.beside)),
+              "put both files into one folder, and name the other without a folder");
   return file.file.parent_path() / name;
 }
 
@@ -142,15 +145,21 @@ struct PlainVoxels {
   bool atEnd = false;
 };
 
-/// `file` holds the beginning, or nothing but its name.
-void visitPlain(const FileBytes& file, const PlainVoxels& voxels, std::uint64_t skipped,
-                const std::function<void(std::uint64_t)>& prepare, std::uint64_t count, Blocks& blocks) {
+/// Opens the file; gives its length.
+std::uint64_t openedAtEnd(std::ifstream& stream, const FileBytes& file) {
   errno = 0;
-  std::ifstream stream(file.file, std::ios::binary | std::ios::ate);
+  stream.open(file.file, std::ios::binary | std::ios::ate);
   if (!stream)
     throw NoInputError(phrase("It cannot be opened: %1", std::generic_category().message(errno)), file.name(),
                        "check that you may read it");
-  const auto length = static_cast<std::uint64_t>(std::max<std::streamoff>(stream.tellg(), 0));
+  return static_cast<std::uint64_t>(std::max<std::streamoff>(stream.tellg(), 0));
+}
+
+/// `file` holds the beginning, or nothing but its name.
+void visitPlain(const FileBytes& file, const PlainVoxels& voxels, std::uint64_t skipped,
+                const std::function<void(std::uint64_t)>& prepare, std::uint64_t count, Blocks& blocks) {
+  std::ifstream stream;
+  const std::uint64_t length = file.unpacked ? file.bytes.size() : openedAtEnd(stream, file);
   const std::uint64_t begin =
       voxels.atEnd && length >= voxels.whole ? length - voxels.whole : std::min(voxels.begin, length);
   if (length - begin < voxels.whole)
@@ -159,10 +168,11 @@ void visitPlain(const FileBytes& file, const PlainVoxels& voxels, std::uint64_t 
   prepare(count);
   const auto held = static_cast<std::uint64_t>(file.bytes.size());
   std::uint64_t at = begin + skipped;
-  stream.seekg(static_cast<std::streamoff>(std::max(at, held)));
+  if (!file.unpacked)
+    stream.seekg(static_cast<std::streamoff>(std::max(at, held)));
   blocks.run(file, [&](char* bytes, std::size_t wanted) {
     std::size_t got = at < held ? file.view().copy(bytes, wanted, static_cast<std::size_t>(at)) : 0;
-    if (got < wanted) {
+    if (got < wanted && !file.unpacked) {
       stream.read(bytes + got, static_cast<std::streamsize>(wanted - got));
       got += static_cast<std::size_t>(stream.gcount());
     }
@@ -192,11 +202,23 @@ void visitPacked(const FileBytes& source, std::size_t begin, const StoredValues&
   blocks.run(source, [&](char* out, std::size_t wanted) { return unpacker.read(out, wanted); });
 }
 
-} // namespace
+void takeValues(FileBytes& file, const StoredValues& stored, RawImage& raw) {
+  const FileBytes named{file.file, {}};
+  Source source = sourceOf(file, stored);
+  file.file = named.file;
+  try {
+    takeValuesOf(source, stored, raw);
+  } catch (const DataError& error) {
+    if (!stored.beside)
+      throw;
+    failAsUseless(named, stored, error);
+  }
+}
 
-void visitValues(const FileBytes& file, const StoredValues& stored, RawImage& raw, const ValueRange& range,
-                 Progress& progress, const std::function<void(std::uint64_t)>& prepare,
-                 const std::function<void(const char*, std::size_t)>& visit) {
+/// Visits the values of one file.
+void visitOneFile(const FileBytes& file, const StoredValues& stored, RawImage& raw, const ValueRange& range,
+                  Progress& progress, const std::function<void(std::uint64_t)>& prepare,
+                  const std::function<void(const char*, std::size_t)>& visit) {
   const std::size_t width = sizeOf(raw.scalar);
   const std::uint64_t skipped = saturatedProduct(range.first, width);
   const auto walk = [&](const FileBytes& begin) {
@@ -232,16 +254,150 @@ void visitValues(const FileBytes& file, const StoredValues& stored, RawImage& ra
   raw.storage = {};
 }
 
-void takeValues(FileBytes& file, const StoredValues& stored, RawImage& raw) {
-  const FileBytes named{file.file, {}};
-  Source source = sourceOf(file, stored);
-  file.file = named.file;
+/// The values of one of several files.
+struct Part {
+  StoredValues stored;
+  RawImage raw;
+};
+
+std::vector<Part> partsOf(const FileBytes& file, const StoredValues& stored, const RawImage& raw) {
+  const std::uint64_t count = raw.valueCount(), files = stored.parts.size(), each = count / files;
+  if (count % files != 0 || each > std::numeric_limits<int>::max())
+    file.fail(diagnostic("its header is damaged: %1 values cannot be in %2 equal files", count, files));
+  StoredValues one = stored;
+  one.parts.clear();
+  std::vector<Part> parts;
+  for (const std::string& name : stored.parts) {
+    Part& part = parts.emplace_back();
+    part.stored = one;
+    part.stored.beside = name;
+    part.raw.size = {static_cast<int>(each), 1, 1};
+    part.raw.scalar = raw.scalar;
+    part.raw.order = raw.order;
+  }
+  return parts;
+}
+
+std::uint64_t bytesThere(const FileBytes& file, const std::vector<Part>& parts) {
+  std::uint64_t sum = 0;
+  for (const Part& part : parts) {
+    std::error_code error;
+    const std::uintmax_t size = std::filesystem::file_size(besideOf(file, part.stored), error);
+    sum = saturatedSum(sum, error ? 0 : size);
+  }
+  return sum;
+}
+
+/// Visits the values of several files, one after the other.
+void visitSeveralFiles(const FileBytes& file, const StoredValues& stored, RawImage& raw,
+                       const ValueRange& range, Progress& progress,
+                       const std::function<void(std::uint64_t)>& prepare,
+                       const std::function<void(const char*, std::size_t)>& visit) {
+  std::vector<Part> parts = partsOf(file, stored, raw);
+  if (raw.byteCount() / (stored.packing == Packing::none ? 1 : kMostOfZlib) <= bytesThere(file, parts))
+    prepare(range.count);
+  const std::uint64_t each = raw.valueCount() / parts.size();
+  std::uint64_t begin = 0;
+  for (Part& part : parts) {
+    const std::uint64_t first = std::max(begin, range.first);
+    const std::uint64_t end = std::min(begin + each, range.first + range.count);
+    progress.report(static_cast<double>(begin) / static_cast<double>(raw.valueCount()), "voxels");
+    progress.throwIfCancelled();
+    if (first < end) {
+      Progress quiet;
+      visitOneFile(
+          file, part.stored, part.raw, {first - begin, end - first}, quiet, [](std::uint64_t) {},
+          [&](const char* bytes, std::size_t count) {
+            raw.scalar = part.raw.scalar; // Numbers in words have another type than the header says.
+            raw.order = part.raw.order;
+            visit(bytes, count);
+          });
+    }
+    begin += each;
+  }
+}
+
+/// How many bytes a packed file has, counted up to `most`.
+std::uint64_t unpackedLength(const FileBytes& file, const StoredValues& stored, std::size_t begin,
+                             std::uint64_t most) {
+  const FileBytes whole = readRestOfFile(file);
+  Unpacker unpacker(whole, whole.view().substr(std::min(begin, whole.bytes.size())), stored.packing);
+  std::vector<char> aside(std::size_t{1} << 16U);
+  std::uint64_t length = 0;
+  while (length < most) {
+    const auto wanted = static_cast<std::size_t>(std::min<std::uint64_t>(most - length, aside.size()));
+    const std::size_t got = unpacker.read(aside.data(), wanted);
+    length += got;
+    if (got < wanted)
+      break;
+  }
+  return length;
+}
+
+} // namespace
+
+void visitValues(const FileBytes& file, const StoredValues& stored, RawImage& raw, const ValueRange& range,
+                 Progress& progress, const std::function<void(std::uint64_t)>& prepare,
+                 const std::function<void(const char*, std::size_t)>& visit) {
+  if (stored.parts.empty())
+    visitOneFile(file, stored, raw, range, progress, prepare, visit);
+  else
+    visitSeveralFiles(file, stored, raw, range, progress, prepare, visit);
+}
+
+ImageHeader headerBehindGzip(FileBytes& file, ImageHeader (*read)(const FileBytes&)) {
+  if (!file.view().starts_with("\x1f\x8b"))
+    return read(file);
+  FileBytes inner{file.file, unpacked(file, file.view(), Packing::zlib, kMostHeaderBytes / 2)};
+  ImageHeader header = read(inner);
+  StoredValues& stored = header.stored;
+  if (stored.elsewhere())
+    return header;
+  if (stored.packing == Packing::none && !stored.text && !stored.atEnd && stored.skippedLines == 0) {
+    stored.packing = Packing::zlib;
+    stored.skippedBytes = saturatedSum(stored.skippedBytes, stored.headerEnd);
+    stored.headerEnd = 0;
+    return header;
+  }
+  const std::uint64_t each = stored.text ? kMostBytesOfWord : sizeOf(header.image.scalar);
+  const std::uint64_t values = saturatedProduct(header.image.valueCount(), each);
+  const FileBytes whole = readRestOfFile(file);
+  inner.bytes = unpacked(whole, whole.view(), Packing::zlib,
+                         saturatedSum(saturatedSum(values, stored.skippedBytes), kMostHeaderBytes));
+  inner.length = inner.bytes.size();
+  inner.unpacked = true;
+  file = std::move(inner);
+  return header;
+}
+
+bool holdsValuesOf(const FileBytes& file, const StoredValues& stored, const RawImage& raw, Scalar scalar) {
+  if (stored.text || stored.skippedLines > 0)
+    return false;
+  RawImage wide;
+  wide.size = raw.size;
+  wide.layers = raw.layers;
+  wide.scalar = scalar;
+  const std::uint64_t wanted = saturatedSum(stored.skippedBytes, wide.byteCount());
   try {
-    takeValuesOf(source, stored, raw);
-  } catch (const DataError& error) {
-    if (!stored.beside)
-      throw;
-    failAsUseless(named, stored, error);
+    if (!stored.parts.empty())
+      return stored.packing == Packing::none &&
+             bytesThere(file, partsOf(file, stored, wide)) >= wide.byteCount();
+    const auto holds = [&](const FileBytes& source) {
+      const std::size_t begin = stored.beside ? 0 : stored.headerEnd;
+      if (stored.packing != Packing::none)
+        return unpackedLength(source, stored, begin, wanted) >= wanted;
+      std::ifstream stream;
+      const std::uint64_t length = source.unpacked ? source.bytes.size() : openedAtEnd(stream, source);
+      return length >= saturatedSum(begin, wanted);
+    };
+    return stored.beside ? readBeside(file, stored,
+                                      [&](const auto& name) {
+                                        return holds(stored.packing == Packing::none ? FileBytes{name, {}, 0}
+                                                                                     : readWholeFile(name));
+                                      })
+                         : holds(file);
+  } catch (const Error&) {
+    return false; // What is wrong with the file is said when it is read.
   }
 }
 

@@ -2,8 +2,10 @@
 #include <array>
 #include <map>
 #include <optional>
+#include <vector>
 
 #include "image_formats/data_file.h"
+#include "image_formats/file_list.h"
 #include "image_formats/raw_image.h"
 #include "text_scanner.h"
 #include "viscera/core/phrase.h"
@@ -42,6 +44,8 @@ private:
       values_[key] = trimmed(line.substr(equals + 1));
       if (key == "ElementDataFile") {
         headerEnd_ = scanner.position();
+        if (isListOfFiles(values_[key]))
+          files_ = namesOfFiles(scanner);
         return;
       }
     }
@@ -80,26 +84,37 @@ private:
     return list;
   }
 
+  /// A fourth dimension is time.
   void readSize() {
-    if (parseInteger(value({"NDims"}).value_or("")) != 3)
+    const auto dimensions = parseInteger(value({"NDims"}).value_or(""));
+    if (dimensions != 3 && dimensions != 4)
       file_.fail("It does not have three dimensions", "save it as a 3D image");
+    dimensions_ = static_cast<std::size_t>(*dimensions);
     std::string_view text = value({"DimSize"}).value_or("");
-    for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t i = 0; i < dimensions_; ++i) {
       const auto size = parseInteger(takeWord(text));
       if (!size)
-        file_.fail(diagnostic("its header is damaged: DimSize has not three numbers"));
-      raw_.size[i] = axisSize(file_, *size, std::string_view("ijk").substr(i, 1));
+        file_.fail(diagnostic("its header is damaged: DimSize has not %1 numbers",
+                              dimensions_ == 4 ? "four" : "three"));
+      if (i < 3)
+        raw_.size[i] = axisSize(file_, *size, std::string_view("ijk").substr(i, 1));
+      else
+        raw_.layers = axisSize(file_, *size, "the volumes");
     }
+    raw_.overTime = raw_.layers > 1;
   }
 
   Scalar scalar() const {
-    static constexpr std::array<std::pair<std::string_view, Scalar>, 10> kTypes = {
+    // The long ones have 32 bits, as ITK writes them on all systems: see `metaImageHeader`.
+    static constexpr std::array<std::pair<std::string_view, Scalar>, 12> kTypes = {
         {{"MET_CHAR", Scalar::int8},
          {"MET_UCHAR", Scalar::uint8},
          {"MET_SHORT", Scalar::int16},
          {"MET_USHORT", Scalar::uint16},
          {"MET_INT", Scalar::int32},
          {"MET_UINT", Scalar::uint32},
+         {"MET_LONG", Scalar::int32},
+         {"MET_ULONG", Scalar::uint32},
          {"MET_LONG_LONG", Scalar::int64},
          {"MET_ULONG_LONG", Scalar::uint64},
          {"MET_FLOAT", Scalar::float32},
@@ -113,33 +128,41 @@ private:
 
   /// The first three numbers of the matrix are the direction of i.
   void readGrid() {
-    const std::vector<double> spacing = numbers({"ElementSpacing", "ElementSize"}, 3);
-    const std::vector<double> origin = numbers({"Offset", "Origin", "Position"}, 3);
-    const std::vector<double> matrix = numbers({"TransformMatrix", "Rotation", "Orientation"}, 9);
+    const std::size_t n = dimensions_;
+    const std::vector<double> spacing = numbers({"ElementSpacing", "ElementSize"}, n);
+    const std::vector<double> origin = numbers({"Offset", "Origin", "Position"}, n);
+    const std::vector<double> matrix = numbers({"TransformMatrix", "Rotation", "Orientation"}, n * n);
     if (spacing.empty())
       raw_.warnings.push_back("it does not say how large its voxels are; 1 mm is assumed");
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const int column = static_cast<int>(axis);
       for (std::size_t row = 0; row < 3 && !matrix.empty(); ++row)
-        raw_.indexToLps.linear()(static_cast<int>(row), column) = matrix[3 * axis + row];
+        raw_.indexToLps.linear()(static_cast<int>(row), column) = matrix[n * axis + row];
       if (!spacing.empty())
         raw_.indexToLps.linear().col(column) *= spacing[axis];
       if (!origin.empty())
         raw_.indexToLps.translation()[column] = origin[axis];
     }
+    if (raw_.overTime)
+      raw_.times = RawTimes{{}, spacing.empty() ? 0 : spacing[3], {}};
   }
 
   StoredValues storedValues() {
-    StoredValues stored{.headerEnd = headerEnd_, .beside = {}};
+    StoredValues stored;
+    stored.headerEnd = headerEnd_;
     const std::string data(value({"ElementDataFile"}).value_or(""));
-    if (data.starts_with("LIST"))
-      file_.fail("its voxels are in several files", "save it as one file");
-    if (data != "LOCAL" && data != "Local" && data != "local")
+    stored.parts = isListOfFiles(data) ? files_ : filesOfPattern(file_, data);
+    if (isListOfFiles(data) && stored.parts.empty())
+      file_.fail(diagnostic("its header is damaged: its list of files is empty"));
+    if (stored.parts.empty() && lowered(data) != "local")
       stored.beside = data;
     stored.packing = flag({"CompressedData"}, false) ? Packing::zlib : Packing::none;
     stored.text = !flag({"BinaryData"}, true);
     raw_.order = flag({"BinaryDataByteOrderMSB", "ElementByteOrderMSB"}, false) ? std::endian::big
                                                                                 : std::endian::little;
+    const std::string_view type = value({"ElementType"}).value_or("");
+    if (type == "MET_LONG" || type == "MET_ULONG")
+      stored.maybeWider = type == "MET_LONG" ? Scalar::int64 : Scalar::uint64;
     const auto headerSize = parseInteger(value({"HeaderSize"}).value_or("0"));
     if (!headerSize || *headerSize < -1)
       file_.fail(diagnostic("its header is damaged: HeaderSize is not a number of bytes"));
@@ -150,14 +173,22 @@ private:
 
   const FileBytes& file_;
   std::map<std::string, std::string> values_;
+  std::vector<std::string> files_; ///< Behind "ElementDataFile = LIST".
+  std::size_t dimensions_ = 3;
   std::size_t headerEnd_ = 0;
   RawImage raw_;
 };
 
 } // namespace
 
+/// Old programs wrote 64 bits for a long where the system had them, under the same name: the size of the data
+/// tells.
 ImageHeader metaImageHeader(FileBytes& file) {
-  return MetaImageReader(file).run();
+  ImageHeader header =
+      headerBehindGzip(file, [](const FileBytes& plain) { return MetaImageReader(plain).run(); });
+  if (header.stored.maybeWider && holdsValuesOf(file, header.stored, header.image, *header.stored.maybeWider))
+    header.image.scalar = *header.stored.maybeWider;
+  return header;
 }
 
 } // namespace viscera::medical_io

@@ -3,6 +3,7 @@
 #include <cstring>
 #include <optional>
 
+#include "image_formats/analyze_header.h"
 #include "image_formats/data_file.h"
 #include "image_formats/raw_image.h"
 #include "text_scanner.h"
@@ -29,6 +30,8 @@ constexpr std::uint64_t kMostNiftiHeaderBytes = std::uint64_t{1} << 22U;
 /// Two statements of where the image is that differ by more than this part of a voxel are reported.
 constexpr double kAgreement = 0.5;
 
+/// A scale of an Analyze file that is larger comes from a program that kept something else there.
+constexpr double kLargestSpmScale = 1e10;
 /// Less than this is left of the quaternion's length by rounding alone: a half turn, as in nifti1_io.c.
 constexpr double kHalfTurn = 1e-7;
 
@@ -43,8 +46,9 @@ struct Header {
   int qformCode = 0, sformCode = 0, units = 0;
   std::array<double, 3> quaternion = {};
   Vec3 qOffset = Vec3::Zero();
-  Eigen::Matrix<double, 3, 4, Eigen::RowMajor> sform;
+  Eigen::Matrix<double, 3, 4, Eigen::RowMajor> sform = Eigen::Matrix<double, 3, 4, Eigen::RowMajor>::Zero();
   bool twoFiles = false;
+  std::optional<AnalyzeGrid> analyze; ///< The place of an image of the older format.
 };
 
 template <typename T>
@@ -64,7 +68,9 @@ std::optional<std::endian> orderOf(std::string_view bytes, const Layout& layout)
 /// The versions differ in places and in types: of sizes, of real numbers, of the offset, of units and codes.
 template <typename Size, typename Real, typename Offset, typename Units, typename Code>
 Header headerBy(const Layout& layout, std::string_view bytes, std::endian order) {
-  Header h{.bytes = layout.bytes, .order = order, .sform = {}};
+  Header h;
+  h.bytes = layout.bytes;
+  h.order = order;
   const auto real = [&](std::size_t first, std::size_t i = 0) -> double {
     return at<Real>(bytes, first + sizeof(Real) * i, order);
   };
@@ -97,8 +103,26 @@ std::optional<Header> headerIn(std::string_view bytes) {
   return std::nullopt;
 }
 
+/// The older format has the same fields in the same places, except for the position.
+std::optional<Header> analyzeHeaderIn(const FileBytes& file, std::string_view bytes) {
+  const std::string extension = extensionOf(file.file);
+  const auto order = extension.starts_with(".nii") ? std::nullopt : orderOfAnalyze(bytes);
+  if (!order)
+    return std::nullopt;
+  Header h = headerBy<std::int16_t, float, float, unsigned char, std::int16_t>(kNifti1, bytes, *order);
+  h.units = 0;
+  h.twoFiles = true;
+  // Other programs than SPM, which scales values, leave the rest as it comes.
+  h.intercept = 0;
+  h.slope = std::abs(h.slope) < kLargestSpmScale ? h.slope : 1;
+  h.analyze = analyzeGrid(bytes, *order);
+  return h;
+}
+
 Header headerOf(const FileBytes& file, std::string_view bytes) {
   if (const auto header = headerIn(bytes))
+    return *header;
+  if (const auto header = analyzeHeaderIn(file, bytes))
     return *header;
   if (bytes.size() < kNifti1.bytes)
     file.fail(diagnostic("the file is cut off: it has %n {byte|bytes}, a NIfTI header alone has 348",
@@ -107,20 +131,20 @@ Header headerOf(const FileBytes& file, std::string_view bytes) {
             "check what the file is and where it came from");
 }
 
-/// `axes` of the grid: three, or four where volumes are phases.
-std::array<int, 3> gridOf(const FileBytes& file, const Header& h, std::size_t axes) {
+/// The fourth axis counts phases.
+std::array<int, 3> gridOf(const FileBytes& file, const Header& h) {
+  constexpr std::size_t axes = 4;
   if (h.dim[0] < 2 || h.dim[0] > kMostNiftiDimensions)
     file.fail(diagnostic("its header is damaged: an image has 2 to 7 dimensions, not %1", h.dim[0]));
   for (std::size_t d = axes + 1; d <= static_cast<std::size_t>(h.dim[0]); ++d)
     if (h.dim[d] > 1)
-      file.fail(diagnostic("It has %1 volumes; a label map has one", h.dim[d]),
-                "save one of them, or follow the motion over all of them with viscera track");
+      file.fail(phrase("It has several values per voxel (%1)", h.dim[d]), "save it with one value per voxel");
   return {axisSize(file, h.dim[1], "i"), axisSize(file, h.dim[2], "j"),
           h.dim[0] < 3 ? 1 : axisSize(file, h.dim[3], "k")};
 }
 
 Scalar scalarOf(const FileBytes& file, int datatype) {
-  static constexpr std::array<std::pair<int, Scalar>, 10> kTypes = {{{2, Scalar::uint8},
+  static constexpr std::array<std::pair<int, Scalar>, 13> kTypes = {{{2, Scalar::uint8},
                                                                      {4, Scalar::int16},
                                                                      {8, Scalar::int32},
                                                                      {16, Scalar::float32},
@@ -129,7 +153,11 @@ Scalar scalarOf(const FileBytes& file, int datatype) {
                                                                      {512, Scalar::uint16},
                                                                      {768, Scalar::uint32},
                                                                      {1024, Scalar::int64},
-                                                                     {1280, Scalar::uint64}}};
+                                                                     {1280, Scalar::uint64},
+                                                                     // SPM's, in Analyze files.
+                                                                     {130, Scalar::int8},
+                                                                     {132, Scalar::uint16},
+                                                                     {136, Scalar::uint32}}};
   if (const auto scalar = lookUp(kTypes, datatype))
     return *scalar;
   file.fail(phrase("its voxels are no plain numbers (%1)", "NIfTI data type " + std::to_string(datatype)),
@@ -312,7 +340,8 @@ StoredValues inOtherHalf(const FileBytes& file) {
                               "voxels, %1, is not beside it",
                               inQuotes(stemOf(file.file) + ".img")),
                        file.name(), "put both files into one folder");
-  StoredValues stored{.beside = voxels->filename().string(), .pattern = false};
+  StoredValues stored;
+  stored.beside = voxels->filename().string();
   stored.packing = extensionOf(*voxels) == ".img.gz" ? Packing::zlib : Packing::none;
   return stored;
 }
@@ -337,27 +366,38 @@ RawTimes timesOf(const Header& h) {
   return times;
 }
 
-/// `axes` as in `gridOf`.
-ImageHeader headerOfVolumes(FileBytes& file, std::size_t axes) {
+/// The place of the voxels, in mm LPS.
+void placeVoxels(const FileBytes& file, const Header& h, RawImage& raw) {
+  if (h.analyze) {
+    raw.indexToLps = h.analyze->indexToLps;
+    raw.space = h.analyze->axes;
+    raw.warnings.insert(raw.warnings.end(), h.analyze->warnings.begin(), h.analyze->warnings.end());
+    return;
+  }
+  raw.space = "RAS";
+  const Eigen::Affine3d ras = gridInRas(file, h, raw);
+  raw.indexToLps = Eigen::Scaling(Vec3(-1, -1, 1) * unitInMm(h.units, raw.warnings)) * ras;
+  raw.indexToLps.makeAffine();
+}
+
+} // namespace
+
+ImageHeader niftiHeader(FileBytes& file) {
   replaceByHeader(file);
   const Header h = headerOf(file, beginOf(file, kNifti2.bytes));
   ImageHeader result;
   RawImage& raw = result.image;
-  raw.size = gridOf(file, h, axes);
-  if (axes > 3) {
-    raw.layers = h.dim[0] < 4 ? 1 : axisSize(file, h.dim[4], "the volumes");
-    raw.times = timesOf(h);
-  }
+  raw.size = gridOf(file, h);
+  raw.layers = h.dim[0] < 4 ? 1 : axisSize(file, h.dim[4], "the volumes");
+  raw.overTime = raw.layers > 1;
+  raw.times = timesOf(h);
   raw.scalar = scalarOf(file, h.datatype);
   raw.order = h.order;
   if (h.slope != 0 && std::isfinite(h.slope) && std::isfinite(h.intercept)) {
     raw.slope = h.slope;
     raw.intercept = h.intercept;
   }
-  raw.space = "RAS";
-  const Eigen::Affine3d ras = gridInRas(file, h, raw);
-  raw.indexToLps = Eigen::Scaling(Vec3(-1, -1, 1) * unitInMm(h.units, raw.warnings)) * ras;
-  raw.indexToLps.makeAffine();
+  placeVoxels(file, h, raw);
   if (h.twoFiles)
     result.stored = inOtherHalf(file);
   else
@@ -365,18 +405,9 @@ ImageHeader headerOfVolumes(FileBytes& file, std::size_t axes) {
   result.stored.skippedBytes = dataOffset(file, h);
   const std::uint64_t most =
       h.twoFiles ? kMostNiftiHeaderBytes : std::min(result.stored.skippedBytes, kMostNiftiHeaderBytes);
-  readExtensions(beginOf(file, most), h, raw);
+  if (!h.analyze)
+    readExtensions(beginOf(file, most), h, raw);
   return result;
-}
-
-} // namespace
-
-ImageHeader niftiHeader(FileBytes& file) {
-  return headerOfVolumes(file, 3);
-}
-
-ImageHeader niftiSeriesHeader(FileBytes& file) {
-  return headerOfVolumes(file, 4);
 }
 
 } // namespace viscera::medical_io

@@ -5,6 +5,8 @@
 #include <optional>
 
 #include "image_formats/data_file.h"
+#include "image_formats/file_list.h"
+#include "image_formats/mitk_labels.h"
 #include "image_formats/raw_image.h"
 #include "text_scanner.h"
 #include "viscera/core/phrase.h"
@@ -19,6 +21,7 @@ constexpr std::size_t kMostNrrdSegments = 65535;
 struct Fields {
   std::map<std::string, std::string> fields; ///< In lower case: "space directions".
   std::map<std::string, std::string> keys;   ///< "Segment0_Name": as written.
+  std::vector<std::string> files;            ///< Behind "data file: LIST".
   std::size_t headerEnd = 0;
 
   using Map = std::map<std::string, std::string>;
@@ -56,9 +59,15 @@ Fields fieldsOf(const FileBytes& file) {
     const std::size_t field = line.find(": ");
     if (key != line.npos && key < field)
       result.keys[std::string(trimmed(line.substr(0, key)))] = unescaped(trimmed(line.substr(key + 2)));
-    else if (const std::size_t colon = line.find(':'); colon != line.npos)
-      result.fields[lowered(trimmed(line.substr(0, colon)))] = trimmed(line.substr(colon + 1));
-    else
+    else if (const std::size_t colon = line.find(':'); colon != line.npos) {
+      const std::string name = lowered(trimmed(line.substr(0, colon)));
+      const std::string_view value = trimmed(line.substr(colon + 1));
+      result.fields[name] = value;
+      if ((name == "data file" || name == "datafile") && isListOfFiles(value)) {
+        result.files = namesOfFiles(scanner); // To the file's end.
+        break;
+      }
+    } else
       scanner.fail(diagnostic("this is not a line of an NRRD header: %1", inQuotes(line)));
   }
   result.headerEnd = scanner.position();
@@ -90,8 +99,10 @@ Scalar scalarOf(const FileBytes& file, std::string_view type) {
             "save it with one value per voxel");
 }
 
-/// The vectors "(1,0,0) none (0,1,0)"; nothing for an axis that is not of space.
-std::vector<std::optional<Vec3>> vectorsOf(const FileBytes& file, std::string_view text) {
+/// The vectors "(1,0,0) none (0,1,0)"; nothing for an axis that is not of space. Of a space with time as its
+/// fourth axis a vector has four numbers, and that of the axis of time only the fourth.
+std::vector<std::optional<Vec3>> vectorsOf(const FileBytes& file, std::string_view text, bool withTime) {
+  const int count = withTime ? 4 : 3;
   std::vector<std::optional<Vec3>> list;
   while (!(text = trimmed(text)).empty()) {
     if (text.starts_with("none")) {
@@ -104,23 +115,34 @@ std::vector<std::optional<Vec3>> vectorsOf(const FileBytes& file, std::string_vi
       file.fail(diagnostic("its header is damaged: %1 is not a vector", inQuotes(text)));
     std::string_view numbers = text.substr(1, end - 1);
     text.remove_prefix(end + 1);
-    Vec3 vector;
-    for (int i = 0; i < 3; ++i) {
+    Eigen::Vector4d vector = Eigen::Vector4d::Zero();
+    for (int i = 0; i < count; ++i) {
       const std::size_t comma = std::min(numbers.find(','), numbers.size());
       const auto number = parseNumber(trimmed(numbers.substr(0, comma)));
-      if (!number || (i < 2) != (comma < numbers.size()))
-        file.fail(diagnostic("its header is damaged: a vector in it has not three numbers"));
+      if (!number || (i < count - 1) != (comma < numbers.size()))
+        file.fail(diagnostic("its header is damaged: a vector in it has not %1 numbers",
+                             withTime ? "four" : "three"));
       vector[i] = *number;
       numbers.remove_prefix(std::min(comma + 1, numbers.size()));
     }
-    list.emplace_back(vector);
+    const bool isTime = vector[3] != 0 && vector.head<3>().isZero(0);
+    list.push_back(isTime ? std::nullopt : std::optional<Vec3>(vector.head<3>()));
   }
   return list;
 }
 
+constexpr std::string_view kAndTime = "-time";
+
+/// "left-posterior-superior-time" or "lpst".
+bool isWithTime(std::string_view lowerSpace) {
+  return lowerSpace.ends_with(kAndTime) || (lowerSpace.size() == 4 && lowerSpace.ends_with('t'));
+}
+
 /// The factors that convert the file's axes to LPS.
 Vec3 turnToLps(std::string_view space, RawImage& raw) {
-  const std::string name = lowered(space);
+  std::string name = lowered(space);
+  if (isWithTime(name))
+    name.resize(name.size() - (name.size() == 4 ? 1 : kAndTime.size()));
   const auto is = [&](std::string_view longName, std::string_view shortName) {
     return name == longName || name == shortName;
   };
@@ -156,6 +178,13 @@ struct Axes {
   std::string listKind; ///< In lower case: "list", "time", "rgb-color".
 };
 
+/// Kinds of an axis with values that belong to one voxel.
+bool isOfOneVoxel(std::string_view kind) {
+  return kind.find("color") != kind.npos || kind.find("vector") != kind.npos ||
+         kind.find("matrix") != kind.npos || kind.find("gradient") != kind.npos || kind == "complex" ||
+         kind == "point" || kind == "quaternion" || kind == "normal";
+}
+
 class NrrdReader {
 public:
   explicit NrrdReader(const FileBytes& file) : file_(file), header_(fieldsOf(file)) {}
@@ -164,7 +193,10 @@ public:
     raw_.scalar = scalarOf(file_, lowered(need("type")));
     sizes_ = sizesOf();
     readGrid();
+    readMitkLabels(header_.keys, raw_);
     readSegments();
+    // Without a word about segments, several volumes are phases, as they are for a scan.
+    raw_.overTime = raw_.layers > 1 && (saysTime() || (raw_.stated.empty() && !isOfOneVoxel(raw_.listKind)));
     StoredValues stored = storedValues();
     return {std::move(raw_), std::move(stored)};
   }
@@ -201,9 +233,9 @@ private:
     std::string_view kinds = header_.field("kinds").value_or("");
     for (std::size_t d = 0; d < sizes_.size(); ++d) {
       const std::string kind = lowered(takeWord(kinds));
-      const bool isSpace = directions.empty()
-                               ? kind.empty() || kind == "domain" || kind == "space" || kind == "???"
-                               : directions[d].has_value();
+      const bool isSpace = directions.empty() ? (kind.empty() && ofSpace.size() < 3) || kind == "domain" ||
+                                                    kind == "space" || kind == "???"
+                                              : directions[d].has_value();
       if (isSpace)
         ofSpace.push_back(d);
       else if (axes.list && sizes_[d] > 1)
@@ -252,7 +284,7 @@ private:
   void readGrid() {
     std::vector<std::optional<Vec3>> directions;
     if (const auto text = header_.field("space directions"))
-      directions = vectorsOf(file_, *text);
+      directions = vectorsOf(file_, *text, spaceHasTime());
     if (!directions.empty() && directions.size() != sizes_.size())
       file_.fail(diagnostic("its header is damaged: it has %n {direction|directions} for %2 axes",
                             directions.size(), sizes_.size()));
@@ -270,7 +302,7 @@ private:
     for (int i = 0; i < 3 && !directions.empty(); ++i)
       raw_.indexToLps.linear().col(i) = *directions[axes.ofSpace[static_cast<std::size_t>(i)]];
     if (const auto origin = header_.field("space origin")) {
-      const auto vectors = vectorsOf(file_, *origin);
+      const auto vectors = vectorsOf(file_, *origin, spaceHasTime());
       if (vectors.size() != 1 || !vectors[0])
         file_.fail(diagnostic("its header is damaged: %1 is not an origin", inQuotes(*origin)));
       raw_.indexToLps.translation() = *vectors[0];
@@ -281,14 +313,49 @@ private:
     raw_.indexToLps.makeAffine();
   }
 
-  /// Of 3D Slicer's sequences: what the axis without a direction counts.
+  /// A vector has four numbers, then.
+  bool spaceHasTime() const {
+    const std::string_view vectors = header_.field("space directions").value_or("");
+    const std::size_t open = vectors.find('(');
+    const std::string_view first = vectors.substr(std::min(open, vectors.size()));
+    return isWithTime(lowered(header_.field("space").value_or(""))) ||
+           std::count(first.begin(),
+                      first.begin() + static_cast<std::ptrdiff_t>(std::min(first.find(')'), first.size())),
+                      ',') == 3;
+  }
+
+  /// Of 3D Slicer's sequences and multi-volumes: what the axis without a direction counts.
   void readTimes(std::size_t axis) {
     const std::string prefix = "axis " + std::to_string(axis) + " index ";
     raw_.times = RawTimes{};
-    std::string_view text = header_.key(prefix + "values").value_or("");
-    for (std::string_view word = takeWord(text); !word.empty(); word = takeWord(text))
+    std::string text(
+        header_.key(prefix + "values").value_or(header_.key("MultiVolume.FrameLabels").value_or("")));
+    std::replace(text.begin(), text.end(), ',', ' ');
+    std::string_view words = text;
+    for (std::string_view word = takeWord(words); !word.empty(); word = takeWord(words))
       raw_.times->values.push_back(parseNumber(word).value_or(std::numeric_limits<double>::quiet_NaN()));
-    raw_.times->unit = lowered(trimmed(header_.key(prefix + "unit").value_or("")));
+    const auto unit = header_.key(prefix + "unit");
+    raw_.times->unit = lowered(
+        trimmed(unit ? *unit : header_.key("MultiVolume.FrameIdentifyingDICOMTagUnits").value_or("")));
+    timeAxis_ = axis;
+  }
+
+  /// Whether anything in the header calls the axis without a direction time.
+  bool saysTime() const {
+    const std::string prefix = "axis " + std::to_string(timeAxis_) + " ";
+    const auto isOfAxis = [&](const auto& key) {
+      return lowered(key.first).starts_with(prefix) || key.first.starts_with("MultiVolume.");
+    };
+    std::string_view labels = header_.field("labels").value_or("");
+    for (std::size_t d = 0; d < timeAxis_; ++d)
+      takeWord(labels);
+    std::string label = lowered(takeWord(labels));
+    std::erase(label, '"');
+    const std::string name = lowered(file_.file.filename().string());
+    return raw_.listKind == "time" || label == "time" || label == "t" || label == "frame" ||
+           label == "phase" || spaceHasTime() || name.find(".seq.n") != name.npos ||
+           header_.key("DataNodeClassName") ||
+           std::any_of(header_.keys.begin(), header_.keys.end(), isOfAxis);
   }
 
   void readSegments() {
@@ -300,8 +367,9 @@ private:
       StatedSegment segment;
       // Segmentations of old versions of Slicer have a layer for each segment and no values.
       segment.label = parseInteger(header_.key(prefix + "LabelValue").value_or("1")).value_or(0);
+      const bool layered = raw_.layers > 1 && !saysTime();
       const auto layer =
-          parseInteger(header_.key(prefix + "Layer").value_or(raw_.layers > 1 ? std::to_string(n) : "0"));
+          parseInteger(header_.key(prefix + "Layer").value_or(layered ? std::to_string(n) : "0"));
       if (segment.label == 0 || !layer || *layer < 0 || *layer >= raw_.layers) {
         raw_.warnings.push_back(phrase("its segment %1 has no valid value or layer", n));
         continue;
@@ -325,7 +393,8 @@ private:
   }
 
   StoredValues storedValues() {
-    StoredValues stored{.headerEnd = header_.headerEnd, .beside = {}};
+    StoredValues stored;
+    stored.headerEnd = header_.headerEnd;
     const std::string encoding = lowered(need("encoding"));
     stored.packing = encoding == "gzip" || encoding == "gz"     ? Packing::zlib
                      : encoding == "bzip2" || encoding == "bz2" ? Packing::bzip2
@@ -341,9 +410,14 @@ private:
     const auto beside =
         header_.field("data file").has_value() ? header_.field("data file") : header_.field("datafile");
     if (beside) {
-      if (beside->starts_with("LIST"))
-        file_.fail("its voxels are in several files", "save it as one file");
-      stored.beside = std::string(*beside);
+      if (isListOfFiles(*beside))
+        stored.parts = header_.files;
+      else
+        stored.parts = filesOfPattern(file_, *beside);
+      if (isListOfFiles(*beside) && stored.parts.empty())
+        file_.fail(diagnostic("its header is damaged: its list of files is empty"));
+      if (stored.parts.empty())
+        stored.beside = std::string(*beside);
     }
     readSkips(stored);
     return stored;
@@ -368,12 +442,13 @@ private:
   Fields header_;
   RawImage raw_;
   std::vector<std::int64_t> sizes_;
+  std::size_t timeAxis_ = 0; ///< The axis that is not of space, where there is one.
 };
 
 } // namespace
 
 ImageHeader nrrdHeader(FileBytes& file) {
-  return NrrdReader(file).run();
+  return headerBehindGzip(file, [](const FileBytes& plain) { return NrrdReader(plain).run(); });
 }
 
 } // namespace viscera::medical_io

@@ -14,6 +14,21 @@ constexpr double kFlattest = 1e-6;
 
 } // namespace
 
+double secondsAUnit(std::string_view unit) {
+  static constexpr std::array<std::pair<std::string_view, double>, 11> kUnits = {{{"s", 1},
+                                                                                  {"sec", 1},
+                                                                                  {"second", 1},
+                                                                                  {"seconds", 1},
+                                                                                  {"ms", 1e-3},
+                                                                                  {"msec", 1e-3},
+                                                                                  {"millisecond", 1e-3},
+                                                                                  {"milliseconds", 1e-3},
+                                                                                  {"us", 1e-6},
+                                                                                  {"usec", 1e-6},
+                                                                                  {"microsecond", 1e-6}}};
+  return lookUp(kUnits, unit).value_or(0);
+}
+
 std::uint64_t RawImage::valueCount() const {
   std::uint64_t count = static_cast<std::uint64_t>(layers);
   for (const int n : size)

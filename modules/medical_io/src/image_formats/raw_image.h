@@ -30,6 +30,9 @@ struct RawTimes {
   std::string unit;           ///< "s", "ms", "us" or another; empty: not stated.
 };
 
+/// Of a unit of time as files write it: "s", "ms", "msec"; 0 for another.
+double secondsAUnit(std::string_view unit);
+
 /// An image as read by a format's reader, before it is converted to a label map or a scan; the values are not
 /// checked.
 struct RawImage {
@@ -37,6 +40,7 @@ struct RawImage {
   int layers = 1;
   bool layersFirst = false; ///< The layers' values lie beside each other, not one volume behind the other.
   std::string listKind;     ///< NRRD: of the axis that counts the layers, "list", "rgb-color"; may be empty.
+  bool overTime = false;    ///< The layers are the phases of a series, and not parts of one image.
   Eigen::Affine3d indexToLps = Eigen::Affine3d::Identity();
   Scalar scalar = Scalar::uint8;
   std::endian order = std::endian::little;

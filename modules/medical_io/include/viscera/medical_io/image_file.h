@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <variant>
 
 #include "viscera/core/progress.h"
@@ -27,17 +28,19 @@ void writeLabelMap(const std::filesystem::path& file, const LabelMap& map);
 enum class ImageContents { values, labels };
 
 /// Tells a scan from a label map: by its kind for DICOM, by its name for .seg.nrrd; else by the values of the
-/// first phase, which are probably labels where they are whole, none is below zero, and they are few (eight)
-/// or mostly equal to their neighbours. Reads the file, and keeps none of its voxels. Throws as `readScan`.
+/// first phase, which are probably labels where they are whole up to rounding, none is below zero, and they
+/// are few (eight) or mostly equal to their neighbours. A file that names segments is a label map. Reads the
+/// file, and keeps none of its voxels. Throws as `readScan`.
 ImageContents imageContents(const std::filesystem::path& fileOrFolder, Progress& progress);
 
 /// What an image file holds.
 using ScanOrLabels = std::variant<Scan, LabelMap>;
 
 /// Reads an image as what it holds (`imageContents`), with one reading of its bytes and one unpacking;
-/// `options` are for a scan, of which another phase than the first is read again. A label map takes one byte
+/// `options` are for a scan, of which another phase than the first is read again; `labelPhase` is for label
+/// maps over time, of which none is read unless one is chosen. A label map takes one byte
 /// a voxel, for more than 255 labels two. Throws as `readScan` and `readLabelMap`. O(voxels).
 ScanOrLabels readScanOrLabels(const std::filesystem::path& fileOrFolder, const ScanOptions& options,
-                              Progress& progress);
+                              Progress& progress, std::optional<int> labelPhase = {});
 
 } // namespace viscera::medical_io

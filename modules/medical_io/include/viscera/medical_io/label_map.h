@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -37,8 +38,10 @@ struct LabelMap {
   /// Voxels hold 0 for no segment and s + 1 for `segments[s]`. Segments that overlap take several layers.
   std::vector<LabelLayer> layers;
   std::vector<Segment> segments;
-  std::string space;          ///< "RAS" or "LPS" (or another): what the file was written in.
-  std::vector<Text> warnings; ///< Doubts and assumptions, one sentence each.
+  std::string space;                ///< "RAS" or "LPS" (or another): what the file was written in.
+  std::vector<double> phaseTimesMs; ///< Of a series: times of all its phases, or their numbers; else empty.
+  int phase = 0;                    ///< Which of them this is.
+  std::vector<Text> warnings;       ///< Doubts and assumptions, one sentence each.
 
   std::size_t voxelCount() const {
     return std::size_t(size[0]) * std::size_t(size[1]) * std::size_t(size[2]);
@@ -56,18 +59,22 @@ struct LabelMap {
   Bounds bounds() const;
 };
 
-/// Reads NIfTI (.nii, .nii.gz, .hdr with .img by either name), NRRD (.nrrd, .seg.nrrd, .nhdr), MetaImage
-/// (.mha, .mhd) or DICOM-SEG (.dcm); a folder goes to `readLabelFolder`. Position, orientation and spacing
+/// Reads NIfTI and Analyze 7.5 (.nii, .hdr with .img by either name), NRRD (.nrrd, .seg.nrrd, .nhdr),
+/// MetaImage (.mha, .mhd), volumes of FreeSurfer (.mgz, .mgh), GIPL (.gipl), each also packed by gzip, or
+/// DICOM-SEG (.dcm); a folder goes to `readLabelFolder`. Position, orientation and spacing
 /// are the file's: of a NIfTI file the sform, else the qform, else the spacing alone. Names and colours are
-/// the file's (segments of .seg.nrrd and DICOM-SEG, TotalSegmentator's table within NIfTI), else those of a
-/// colour table (.ctbl, .txt, .json) beside it; docs/file_formats.md says which.
+/// the file's (segments of .seg.nrrd, MITK and DICOM-SEG, TotalSegmentator's table within NIfTI), else those
+/// of a colour table (.ctbl, .txt, .json) beside it; docs/file_formats.md says which. Values that a slope or
+/// single precision bent are rounded, and a warning says by how much. `phase` chooses one of several maps
+/// over time, from 0 on.
 ///
-/// Throws `NoInputError` when the file is missing or not readable, `DataError` naming file and reason when it
-/// is empty, cut off, of another kind than its name says, has no labelled voxel, or holds an image and no
-/// labels (fractions, negative values, more than `kMostLabels` different ones), `Cancelled`. Prints nothing,
-/// and takes memory for what is in the file, not for what its header promises. O(voxels); may be called from
+/// Throws `UsageError` for a phase that is not there, `DataError` for a series without one chosen, and
+/// `NoInputError` when the file is missing or not readable, `DataError` naming file and reason when it is
+/// empty, cut off, of another kind than its name says, has no labelled voxel, or holds an image and no labels
+/// (fractions, negative values, more than `kMostLabels` different ones), `Cancelled`. Prints nothing, and
+/// takes memory for what is in the file, not for what its header promises. O(voxels); may be called from
 /// several threads.
-LabelMap readLabelMap(const std::filesystem::path& file, Progress& progress);
+LabelMap readLabelMap(const std::filesystem::path& file, Progress& progress, std::optional<int> phase = {});
 
 /// Reads a folder with one mask for each organ, as TotalSegmentator writes it, as one map: `liver.nii.gz`
 /// becomes the segment "liver" with the label 1, 2, ... in order of names; voxels of two masks lie in two
