@@ -71,7 +71,9 @@ Listing listingOf(const medical_io::Scan& scan, const std::array<double, 2>& ran
 } // namespace
 
 void ScanInputOptions::addTo(CLI::App& options) {
-  options.add_option("SCAN", file_, "A NIfTI, NRRD or MetaImage file, a DICOM folder or a file of it")
+  options
+      .add_option("SCAN", file_,
+                  "A NIfTI, NRRD, MetaImage, FreeSurfer or GIPL file, a DICOM folder or a file of it")
       ->required();
   addChoiceTo(options);
 }
@@ -81,7 +83,14 @@ void ScanInputOptions::addChoiceTo(CLI::App& options) {
       .add_option("--series", chosen_.series,
                   "Of a DICOM folder with several series; viscera info lists them")
       ->type_name("ID");
-  options.add_option("--phase", chosen_.phase, "Of a scan with several volumes in time; the first is 0")
+  options
+      .add_option_function<int>(
+          "--phase",
+          [this](int phase) {
+            chosen_.phase = phase;
+            phase_ = phase;
+          },
+          "Of a scan or label maps with several volumes in time; the first is 0")
       ->type_name("N")
       ->check(CLI::NonNegativeNumber);
 }

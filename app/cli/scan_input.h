@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "cli/command.h"
@@ -22,10 +23,13 @@ public:
   const std::string& file() const { return file_; }
   /// The series and the phase that were asked for.
   const medical_io::ScanOptions& chosen() const { return chosen_; }
+  /// None when no phase was asked for.
+  std::optional<int> chosenPhase() const { return phase_; }
 
 private:
   std::string file_;
   medical_io::ScanOptions chosen_;
+  std::optional<int> phase_;
 };
 
 /// Adds a warning for each finding of a scan, without the harmless ones such as the order of files.

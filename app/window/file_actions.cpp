@@ -138,8 +138,10 @@ void FileActions::open(const QStringList& files, bool check) {
   workspace_.jobs().submit<Read>(
       name.toStdString(), "open",
       [paths, arrives = ArrivingSurfaces::listener(arriving),
-       sessions = openSession_ ? document::Sessions::alone : document::Sessions::nowhere](
-          Progress& progress) { return readAll(paths, arrives, sessions, progress); },
+       sessions = openSession_ ? document::Sessions::alone : document::Sessions::nowhere,
+       scan = workspace_.state().scan](Progress& progress) {
+        return readAll(paths, arrives, sessions, scan, progress);
+      },
       [this, files, check, arriving](JobResult<Read> result) {
         if (arriving_)
           arriving_->end(arriving, result.value.has_value());
@@ -152,12 +154,14 @@ void FileActions::open(const QStringList& files, bool check) {
 
 FileActions::Read FileActions::readAll(const std::vector<std::filesystem::path>& files,
                                        const document::ArrivingOrganListener& arrives,
-                                       document::Sessions sessions, Progress& progress) {
+                                       document::Sessions sessions,
+                                       const std::shared_ptr<const document::ScanItem>& scan,
+                                       Progress& progress) {
   Read read;
   read.several = files.size() == 1 && hasSeveralScans(files[0], progress);
   if (read.several)
     return read;
-  read.draft = document::draftOf(document::openPatient(files, progress, arrives, sessions), progress);
+  read.draft = document::draftOf(document::openPatient(files, progress, arrives, sessions, scan), progress);
   read.scan = read.draft.files.scan;
   return read;
 }

@@ -93,7 +93,7 @@ private:
   /// Reads what can be read, for a worker; throws what one of the files throws where that is nothing.
   static Read readAll(const std::vector<std::filesystem::path>& files,
                       const document::ArrivingOrganListener& arrives, document::Sessions sessions,
-                      Progress& progress);
+                      const std::shared_ptr<const document::ScanItem>& scan, Progress& progress);
   QString folder() const;
   /// One line for each file that does not exist.
   static QStringList missingAmong(const QStringList& files);

@@ -1,6 +1,7 @@
 #include "cli/commands/all_commands.h"
 
 #include <algorithm>
+#include <optional>
 
 #include <CLI/CLI.hpp>
 
@@ -16,6 +17,7 @@
 #include "viscera/medical_io/image_beside.h"
 #include "viscera/medical_io/image_file.h"
 #include "viscera/medical_io/label_map.h"
+#include "viscera/medical_io/label_series.h"
 #include "viscera/medical_io/surface_file.h"
 
 namespace viscera::app::cli {
@@ -175,6 +177,14 @@ Outcome describe(const medical_io::HandleFile& handles, const std::string& file)
   return outcome;
 }
 
+/// "0, 40, 80".
+std::string timesText(const std::vector<double>& times) {
+  std::string text;
+  for (const double time : times)
+    text += (text.empty() ? "" : ", ") + significant(time, 4);
+  return text;
+}
+
 Outcome describe(const medical_io::LabelMap& map, const std::string& file, Progress& progress) {
   const Bounds bounds = map.bounds();
   const Vec3 spacing = map.spacing();
@@ -190,6 +200,9 @@ Outcome describe(const medical_io::LabelMap& map, const std::string& file, Progr
       .add("space", map.space)
       .add("layers", std::to_string(map.layers.size()))
       .add("labels", std::to_string(map.segments.size()));
+  if (!map.phaseTimesMs.empty())
+    listing.add("phase", std::to_string(map.phase) + " of " + std::to_string(map.phaseTimesMs.size()) +
+                             ", at " + timesText(map.phaseTimesMs) + " ms");
   for (const medical_io::Segment& segment : map.segments) {
     const double volumeMl = map.volumeMl(segment);
     labels.push_back({{"label", segment.label},
@@ -216,12 +229,19 @@ Outcome describe(const medical_io::LabelMap& map, const std::string& file, Progr
                   {"originMm", numbersJson(map.indexToLps.translation())},
                   {"directions", directions},
                   {"layers", map.layers.size()},
+                  {"phases", std::max<std::size_t>(map.phaseTimesMs.size(), 1)},
+                  {"phase", map.phase},
+                  {"phaseTimesMs", map.phaseTimesMs},
                   {"labels", labels},
                   {"boundsMm", boundsJson(bounds)},
                   {"space", map.space},
                   {"warnings", map.warnings}};
   outcome.text = listing.text();
   outcome.warnings = map.warnings;
+  if (!map.phaseTimesMs.empty())
+    outcome.warnings.push_back(phrase(
+        "It has %1 label maps over time, of which this is one; viscera track follows the motion over all",
+        map.phaseTimesMs.size()));
   return outcome;
 }
 
@@ -269,8 +289,13 @@ public:
   }
 
 private:
+  /// Of several volumes the first is described, as of a scan, unless another is asked for.
   Outcome describeImage(CommandContext& context) const {
-    medical_io::ScanOrLabels image = medical_io::readScanOrLabels(file_, scan_.chosen(), context.progress);
+    const auto read = [&](std::optional<int> phase) {
+      return medical_io::readScanOrLabels(file_, scan_.chosen(), context.progress, phase);
+    };
+    medical_io::ScanOrLabels image =
+        read(medical_io::volumesIn(file_) > 1 ? scan_.chosen().phase : scan_.chosenPhase());
     if (const auto* scan = std::get_if<medical_io::Scan>(&image))
       return describeScan(*scan, file_, context);
     return describe(std::get<medical_io::LabelMap>(image), file_, context.progress);

@@ -4,6 +4,7 @@
 #include <cctype>
 #include <chrono>
 #include <filesystem>
+#include <optional>
 #include <set>
 #include <system_error>
 
@@ -134,6 +135,9 @@ public:
     options.add_option("--labels", labels_, "Only these labels, by name or value: liver,spleen,7")
         ->type_name("NAMES")
         ->delimiter(',');
+    options.add_option("--phase", phase_, "Of several label maps over time; the first is 0")
+        ->type_name("N")
+        ->check(CLI::NonNegativeNumber);
     options.add_option("--triangles", options_.triangles, "About as many as a surface may have; 0: all")
         ->type_name("N")
         ->check(CLI::Range(0, kMostSegmentTriangles))
@@ -152,7 +156,7 @@ public:
   Outcome run(CommandContext& context) override {
     const auto start = std::chrono::steady_clock::now();
     Progress& progress = context.progress;
-    const medical_io::LabelMap map = medical_io::readLabelMap(file_, progress);
+    const medical_io::LabelMap map = medical_io::readLabelMap(file_, progress, phase_);
     options_.segments = medical_io::segmentsNamed(map, labels_, file_);
     OutputFolder folder(folder_);
     std::vector<medical_io::LabelSurface> surfaces =
@@ -189,6 +193,7 @@ private:
   std::string file_;
   std::string folder_;
   std::vector<std::string> labels_;
+  std::optional<int> phase_;
   std::string format_ = "vtp";
   medical_io::LabelSurfaceOptions options_;
 };

@@ -55,7 +55,7 @@ public:
                                      context.progress);
     };
     const medical_io::ScanOrLabels image =
-        medical_io::readScanOrLabels(scan_.file(), scan_.chosen(), context.progress);
+        medical_io::readScanOrLabels(scan_.file(), scan_.chosen(), context.progress, scan_.chosenPhase());
     Warped warped;
     if (const auto* labels = std::get_if<medical_io::LabelMap>(&image))
       warpLabels(*labels, warped, mapFor, *system, outcome.warnings, context.progress);

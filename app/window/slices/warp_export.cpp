@@ -74,7 +74,8 @@ Written write(const Work& work, Progress& progress) {
     return written;
   runPart(progress, kScanWritten, 1, [&](Progress& part) {
     medical_io::WarpReport report;
-    const medical_io::LabelMap labels = medical_io::readLabelMap(*work.labels, part);
+    const medical_io::LabelMap labels = medical_io::readLabelMap(
+        *work.labels, part, document::phaseOfLabels(*work.labels, work.scan.get(), part));
     const std::filesystem::path file = labelFileBeside(work.file);
     medical_io::writeLabelMap(file, medical_io::warpedLabelMap(labels, {*map, *work.system}, report, part));
     written.labels = text(file.filename().string());

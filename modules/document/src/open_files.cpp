@@ -290,7 +290,7 @@ void addLabels(OpenedFiles& opened, medical_io::LabelMap map, const std::filesys
 
 /// Adds what a file holds; nothing when it throws.
 void addFile(OpenedFiles& opened, const std::filesystem::path& file, Progress& progress,
-             const ArrivingOrganListener& arrives, Sessions sessions) {
+             const ArrivingOrganListener& arrives, Sessions sessions, const ScanItem* scan) {
   const medical_io::FileKind kind = kindToOpen(file, sessions);
   if (kind == medical_io::FileKind::handles) {
     if (opened.rig)
@@ -299,7 +299,8 @@ void addFile(OpenedFiles& opened, const std::filesystem::path& file, Progress& p
     opened.rig = rigFrom(handles, file.string());
     addWarnings(opened.warnings, file, handles.warnings);
   } else if (kind == medical_io::FileKind::labelMap) {
-    addLabels(opened, medical_io::readLabelMap(file, progress), file, progress, arrives);
+    const std::optional<int> phase = phaseOfLabels(file, scan, progress);
+    addLabels(opened, medical_io::readLabelMap(file, progress, phase), file, progress, arrives);
   } else {
     addSurfaces(opened, file, arrives);
   }
@@ -311,8 +312,9 @@ enum class Scans { leave, take };
 /// Opens file after file. A file that cannot be read is listed and left out.
 class Opening {
 public:
-  Opening(const ArrivingOrganListener& arrives, Sessions sessions, Scans scans)
-      : arrives_(arrives), sessions_(sessions), scans_(scans) {}
+  Opening(const ArrivingOrganListener& arrives, Sessions sessions, Scans scans,
+          std::shared_ptr<const ScanItem> present = nullptr)
+      : arrives_(arrives), sessions_(sessions), scans_(scans), present_(std::move(present)) {}
 
   OpenedFiles run(const std::vector<std::filesystem::path>& named, Progress& progress) {
     if (named.empty())
@@ -325,7 +327,8 @@ public:
       progress.throwIfCancelled();
       if (!tookImage(files[i], progress)) {
         others.push_back(files[i]);
-        attempt(files[i], failed_, [&] { addFile(opened_, files[i], progress, arrives_, sessions_); });
+        const ScanItem* scan = opened_.scan ? opened_.scan.get() : present_.get();
+        attempt(files[i], failed_, [&] { addFile(opened_, files[i], progress, arrives_, sessions_, scan); });
       } else if (labels_) {
         others.push_back(files[i]);
         attempt(files[i], failed_, [&] {
@@ -391,6 +394,7 @@ private:
   const ArrivingOrganListener& arrives_;
   Sessions sessions_;
   Scans scans_;
+  std::shared_ptr<const ScanItem> present_;
   OpenedFiles opened_;
   std::optional<medical_io::LabelMap> labels_;
   Failed failedScans_, failed_;
@@ -404,8 +408,9 @@ OpenedFiles openFiles(const std::vector<std::filesystem::path>& files, Progress&
 }
 
 OpenedFiles openPatient(const std::vector<std::filesystem::path>& files, Progress& progress,
-                        const ArrivingOrganListener& arrives, Sessions sessions) {
-  return Opening(arrives, sessions, Scans::take).run(files, progress);
+                        const ArrivingOrganListener& arrives, Sessions sessions,
+                        std::shared_ptr<const ScanItem> present) {
+  return Opening(arrives, sessions, Scans::take, std::move(present)).run(files, progress);
 }
 
 Command OpenedFiles::command() const {

@@ -105,6 +105,17 @@ std::optional<ScanItemOrLabels> openImage(const std::filesystem::path& file, Pro
   }
 }
 
+std::optional<int> phaseOfLabels(const std::filesystem::path& file, const ScanItem* scan,
+                                 Progress& progress) {
+  const std::size_t phases = scan != nullptr ? scan->scan->phaseTimesMs.size() : 0;
+  std::error_code error;
+  if (phases < 2 || !std::filesystem::is_regular_file(file, error) || !medical_io::isScan(file))
+    return std::nullopt;
+  const auto series = medical_io::listScans(file, progress);
+  const bool asMany = series.size() == 1 && static_cast<std::size_t>(series.front().phases) == phases;
+  return asMany ? std::optional(scan->phase) : std::nullopt;
+}
+
 Command openScan(ScanItem item) {
   const Text name = phrase("Open scan %1", item.name);
   auto shared = std::make_shared<const ScanItem>(std::move(item));

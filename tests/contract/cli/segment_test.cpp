@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <chrono>
 
+#include "beating_labels.h"
 #include "cli_test.h"
 #include "label_files.h"
 
@@ -122,6 +123,25 @@ TEST_F(CliSegment, ALabelIsAnOrganForEveryCommand) {
             0);
   expectFailure({"bind", map_, "--handles", path("h.mrk.json")}, kUsage, "several organs");
   expectFailure({"bind", map_ + "/spleen", "--handles", path("h.mrk.json")}, kUsage, "spleen");
+}
+
+TEST_F(CliSegment, OfLabelMapsOverTimeOneIsChosen) {
+  std::vector<tests::LabelImage> phases(3, image_);
+  phases[1].fill({2, 2, 2}, {8, 9, 9}, 0);
+  phases[1].fill({2, 2, 2}, {8, 9, 5}, 1);
+  const std::string series = put(
+      "beat.seq.nrrd", tests::sequenceNrrd(phases, "axis 0 index unit:=ms\naxis 0 index values:=0 40 80\n"));
+  expectFailure({"segment", series, "-o", path("o")}, kBadData, "viscera track beat.seq.nrrd");
+  expectFailure({"segment", series, "-o", path("o"), "--phase", "3"}, kUsage, "no phase 3");
+  const json result = runJson({"segment", series, "-o", path("o"), "--phase", "1"});
+  ASSERT_EQ(result["organs"].size(), 2U);
+  EXPECT_NEAR(result["organs"][0]["voxelVolumeMl"].get<double>(), 7 * 8 * 4 * 7.5 / 1000, 1e-9);
+  const json info = runJson({"info", series});
+  EXPECT_EQ(info["kind"], "label map");
+  EXPECT_EQ(info["phases"], 3);
+  EXPECT_EQ(info["phaseTimesMs"], json::array({0.0, 40.0, 80.0}));
+  EXPECT_EQ(info["labels"][0]["voxels"], 7 * 8 * 8);
+  EXPECT_EQ(runJson({"info", series, "--phase", "1"})["labels"][0]["voxels"], 7 * 8 * 4);
 }
 
 } // namespace viscera::app::cli

@@ -1,16 +1,20 @@
 #include "viscera/document/scan_item.h"
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
+#include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "beating_labels.h"
 #include "label_files.h"
 #include "phantom_scan.h"
 #include "session_scene.h"
@@ -56,6 +60,41 @@ TEST(ScanItem, IsOpenedBesideTheOrgansOfTheOtherFiles) {
   EXPECT_EQ(opened.name.english(), "Open 2 files");
   EXPECT_FALSE(openPatient({ball, labels}, progress).scan);
   EXPECT_FALSE(openImage(ball, progress)) << "no image at all";
+}
+
+/// Volumes of the ball, larger from phase to phase; as values of a scan where the label is 0.
+std::string overTime(std::int16_t label) {
+  std::vector<tests::LabelImage> phases;
+  for (int phase = 0; phase < 3; ++phase) {
+    tests::LabelImage& image = phases.emplace_back(tests::emptyLabels());
+    for (std::size_t v = 0; v < image.voxels.size() && label == 0; ++v)
+      image.voxels[v] = static_cast<std::int16_t>(-100 + static_cast<int>(v * 2654435761u >> 27 & 15));
+    tests::addBall(image, Vec3(12, 10, 8), 4 + phase, label == 0 ? std::int16_t{100} : label);
+  }
+  return tests::nifti4d(phases, 40, 16);
+}
+
+TEST(ScanItem, OverTimeChoosesThePhaseOfItsLabels) {
+  TemporaryFolder folder;
+  const auto ct = folder.put("ct.nii", overTime(0)), labels = folder.put("labels.nii", overTime(3));
+  Progress progress;
+  EXPECT_THROW(openPatient({labels}, progress), DataError);
+  const auto radiusOf = [](const OpenedFiles& opened) {
+    return opened.organs.size() == 1
+               ? boundsOf(opened.organs[0].organ.mesh->points).diagonal() / (2 * std::sqrt(3.0))
+               : 0;
+  };
+  for (int phase = 0; phase < 3; ++phase) {
+    auto scan = std::make_shared<const ScanItem>(openScanFile(ct, {"", phase}, progress));
+    EXPECT_EQ(phaseOfLabels(labels, scan.get(), progress), phase);
+    EXPECT_NEAR(radiusOf(openPatient({labels}, progress, {}, Sessions::alone, scan)), 4 + phase, 0.8)
+        << phase;
+  }
+  EXPECT_NEAR(radiusOf(openPatient({ct, labels}, progress)), 4, 0.8) << "of the scan that is opened with it";
+  const auto other =
+      std::make_shared<const ScanItem>(openScanFile(folder.put("b.nii", scanFile()), {}, progress));
+  EXPECT_FALSE(phaseOfLabels(labels, other.get(), progress)) << "one without phases";
+  EXPECT_FALSE(phaseOfLabels(labels, nullptr, progress));
 }
 
 /// The bytes that this process has read from files so far; empty where the system does not count them.

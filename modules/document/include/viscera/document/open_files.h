@@ -86,9 +86,11 @@ OpenedFiles openFiles(const std::vector<std::filesystem::path>& files, Progress&
 
 /// The same, and the first of the files that is a scan as `scan`. Each image file is read once, whether it is
 /// a scan or a label map. With a scan, files that cannot be read are only listed in `failures`, whatever is
-/// left.
+/// left. Of label maps over time the phase of that scan is opened, or of `present`, the scan that the
+/// document has, where they have as many phases.
 OpenedFiles openPatient(const std::vector<std::filesystem::path>& files, Progress& progress,
-                        const ArrivingOrganListener& arrives = {}, Sessions sessions = Sessions::alone);
+                        const ArrivingOrganListener& arrives = {}, Sessions sessions = Sessions::alone,
+                        std::shared_ptr<const ScanItem> present = nullptr);
 
 /// Reads a label map or a folder of masks, and makes an organ, named and coloured, of each of the labels that
 /// are asked for by name or value; of all when none are. A heart that is labelled part by part

@@ -51,6 +51,10 @@ using ScanItemOrLabels = std::variant<ScanItem, medical_io::LabelMap>;
 /// `NoInputError`, `DataError` for a scan that is damaged, `Cancelled`.
 std::optional<ScanItemOrLabels> openImage(const std::filesystem::path& file, Progress& progress);
 
+/// The phase of the label maps over time in `file` that belongs to the scan, which is itself one of as many
+/// phases; none for any other file or scan. Reads headers. Throws as `medical_io::listScans`.
+std::optional<int> phaseOfLabels(const std::filesystem::path& file, const ScanItem* scan, Progress& progress);
+
 /// Opens a scan in the document, in place of the present one.
 Command openScan(ScanItem item);
 
