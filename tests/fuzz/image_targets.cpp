@@ -6,6 +6,7 @@
 #include "fuzz_target.h"
 #include "good_files.h"
 #include "label_files.h"
+#include "old_image_files.h"
 #include "packed_bytes.h"
 #include "packed_dicom.h"
 #include "viscera/core/error.h"
@@ -17,8 +18,56 @@
 namespace viscera::fuzz {
 namespace {
 
-const std::vector<std::string> kImageEndings = {".nii", ".nii.gz", ".nrrd", ".seg.nrrd",
-                                                ".mha", ".mhd",    ".nhdr"};
+const std::vector<std::string> kImageEndings = {".nii", ".nii.gz", ".nrrd",     ".seg.nrrd", ".mha",
+                                                ".mhd", ".nhdr",   ".mgh",      ".mgz",      ".gipl",
+                                                ".hdr", ".mha.gz", ".seq.nrrd", ".nrrd.gz"};
+
+/// The number of an ending.
+std::size_t endingOf(std::string_view ending) {
+  return static_cast<std::size_t>(std::find(kImageEndings.begin(), kImageEndings.end(), ending) -
+                                  kImageEndings.begin());
+}
+
+/// The voxels of headers that name other files: "a.img" for Analyze 7.5, "v1.raw" and "v2.raw" for NRRD and
+/// MetaImage.
+void putVoxelFiles() {
+  static const std::string kVoxels(512, '\1');
+  const Bytes bytes(reinterpret_cast<const std::uint8_t*>(kVoxels.data()), kVoxels.size());
+  for (const char* name : {"a.img", "v1.raw", "v2.raw"})
+    scratchFile(name, bytes);
+}
+
+/// Kinds that `goodFiles` has none of, as label maps and as scans.
+std::vector<std::string> moreSeeds(const tests::LabelImage& image) {
+  const std::string nrrd = tests::nrrdFile(image), meta = tests::metaImageFile(image);
+  const std::size_t header = nrrd.size() - tests::voxelBytes(image.voxels).size() - 1;
+  const std::string longs = "MET_LONG", shorts = "MET_SHORT";
+  std::string wide = tests::metaImageHeader(image, "LOCAL");
+  wide.replace(wide.find(shorts), shorts.size(), longs);
+  return {chosen(endingOf(".mgh"), tests::mghFile(image, 4)),
+          chosen(endingOf(".mgz"), tests::gzipped(tests::mghFile(image, 4))),
+          chosen(endingOf(".gipl"), tests::giplFile(image, 15)),
+          chosen(endingOf(".hdr"), tests::analyzeHeader(image)),
+          chosen(endingOf(".mha.gz"), tests::gzipped(meta)),
+          chosen(endingOf(".nrrd.gz"), tests::gzipped(nrrd)),
+          chosen(endingOf(".mha"), wide + std::string(image.voxels.size() * 4, '\0')),
+          chosen(endingOf(".mhd"), tests::metaImageHeader(image, "v%d.raw 1 2 1")),
+          chosen(endingOf(".nhdr"), nrrd.substr(0, header) + "data file: LIST\nv1.raw\nv2.raw\n"),
+          chosen(endingOf(".nhdr"), nrrd.substr(0, header) + "data file: v%01d.raw 1 2 1 2\n")};
+}
+
+std::vector<std::string> mitkSeeds(const tests::LabelImage& image) {
+  const std::string groups = R"(org.mitk.multilabel.segmentation.labelgroups:=[{"labels":[{"color":{"value":)"
+                             R"([0.8,0.5,0.4]},"name":"Leber","value":1}]}])";
+  const std::string xml = "layer_000:=1\norg.mitk.label_000_00000:=<Label><property key=\"name\"><string "
+                          "value=\"Liver\"/></property><property key=\"value\"><unsigned "
+                          "value=\"1\"/></property></Label>";
+  std::vector<std::string> seeds;
+  for (const std::string& keys : {groups, xml})
+    seeds.push_back(
+        chosen(endingOf(".nrrd"), tests::nrrdFile(image, "left-posterior-superior", keys + "\n")));
+  return seeds;
+}
 
 /// Small, so that most of what mutations change is header.
 tests::LabelImage phantom() {
@@ -50,6 +99,7 @@ void readAnyLabels(Bytes bytes) {
   endings.emplace_back(".dcm");
   const Choice choice = choose(bytes, endings.size());
   Progress progress;
+  putVoxelFiles();
   checkLabels(medical_io::readLabelMap(scratchFile("a" + endings[choice.kind], choice.rest), progress));
 }
 
@@ -64,6 +114,11 @@ std::vector<std::string> labelSeeds() {
     if (file.name.ends_with(".dcm"))
       out.push_back(chosen(kImageEndings.size(), file.bytes));
   }
+  tests::LabelImage image = phantom();
+  for (std::int16_t& voxel : image.voxels)
+    voxel = static_cast<std::int16_t>(voxel % 3);
+  for (const auto& more : {moreSeeds(image), mitkSeeds(image)})
+    out.insert(out.end(), more.begin(), more.end());
   return out;
 }
 
@@ -87,7 +142,9 @@ std::vector<std::string> seriesSeeds() {
     tests::addBall(phases.back(), Vec3::Zero(), 4 + phase, 1);
   }
   const std::string nifti = tests::nifti4d(phases, 0.1, 8);
-  return {chosen(0, nifti), chosen(1, tests::gzipped(nifti)), chosen(3, tests::sequenceNrrd(phases, ""))};
+  return {chosen(0, nifti), chosen(1, tests::gzipped(nifti)), chosen(2, tests::sequenceNrrd(phases, "")),
+          chosen(endingOf(".seq.nrrd"),
+                 tests::sequenceNrrd(phases, "axis 0 index unit:=ms\naxis 0 index values:=0 40 80\n"))};
 }
 
 void checkScan(const std::filesystem::path& place) {
@@ -102,13 +159,18 @@ void checkScan(const std::filesystem::path& place) {
 
 void readAnyScan(Bytes bytes) {
   const Choice choice = choose(bytes, kImageEndings.size());
+  putVoxelFiles();
   checkScan(scratchFile("a" + kImageEndings[choice.kind], choice.rest));
 }
 
 std::vector<std::string> scanSeeds() {
   const tests::LabelImage image = phantom();
-  return {chosen(0, tests::niftiFile(image)), chosen(1, tests::gzipped(tests::niftiFile(image))),
-          chosen(2, tests::nrrdFile(image)), chosen(4, tests::metaImageFile(image))};
+  std::vector<std::string> seeds = moreSeeds(image);
+  for (const std::string& seed :
+       {chosen(0, tests::niftiFile(image)), chosen(1, tests::gzipped(tests::niftiFile(image))),
+        chosen(2, tests::nrrdFile(image)), chosen(4, tests::metaImageFile(image))})
+    seeds.push_back(seed);
+  return seeds;
 }
 
 constexpr std::string_view kNextSlice = "\n==next slice==\n";
