@@ -23,6 +23,7 @@
 #include "cli/stage_options.h"
 #include "cli/version_text.h"
 #include "viscera/core/error.h"
+#include "viscera/core/text.h"
 #include "viscera/medical_io/file_kind.h"
 #include "viscera/sample_organs/sample_organ.h"
 
@@ -108,6 +109,7 @@ void addWindowOptions(CLI::App& app, WindowOptions& window, std::string& size) {
 
 /// One line for a terminal, whatever the message holds.
 std::string oneLine(std::string text) {
+  text = withoutControls(std::move(text));
   std::replace(text.begin(), text.end(), '\n', ' ');
   std::erase(text, '\r');
   while (!text.empty() && text.back() == ' ')
@@ -139,7 +141,7 @@ void print(std::ostream& out, const Outcome& outcome, bool json) {
   if (json)
     out << outcome.json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << '\n';
   else
-    out << outcome.text;
+    out << withoutControls(outcome.text); // Names in it come from files.
   out.flush();
   if (!out)
     throw CannotCreateError("It cannot be written", "standard output");

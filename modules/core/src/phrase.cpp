@@ -138,7 +138,8 @@ Text::Text(Kind kind, std::string words, std::vector<Text> parts)
 
 Text::Text(const char* message) : Text(Kind::message, message, {}) {}
 
-Text::Text(std::string verbatim) : Text(Kind::verbatim, std::move(verbatim), {}) {}
+// Most of such words come from files.
+Text::Text(std::string verbatim) : Text(Kind::verbatim, withoutControls(std::move(verbatim)), {}) {}
 
 std::string Text::english() const {
   return inWords(*this, {});
@@ -195,7 +196,7 @@ Text misuseOf(const char* pattern, std::vector<Text> parts) {
 }
 
 Text named(std::string_view name) {
-  return {Text::Kind::name, std::string(name), {}};
+  return {Text::Kind::name, withoutControls(std::string(name)), {}};
 }
 
 Text inFixed(double value, int digits) {

@@ -78,6 +78,32 @@ std::string toUtf8(std::string text) {
   return valid;
 }
 
+std::string withoutControls(std::string text) {
+  std::size_t kept = 0;
+  for (std::size_t at = 0; at < text.size(); ++at) {
+    const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+    const bool isC0 = byte(at) < ' ' && text[at] != '\n' && text[at] != '\t';
+    if (isC0 || byte(at) == 0x7F)
+      continue;
+    if (byte(at) == 0xC2 && at + 1 < text.size() && byte(at + 1) >= 0x80 && byte(at + 1) < 0xA0) {
+      ++at;
+      continue;
+    }
+    text[kept++] = text[at];
+  }
+  text.resize(kept);
+  return text;
+}
+
+std::string printableName(std::string text) {
+  text = withoutControls(toUtf8(std::move(text)));
+  for (char& c : text)
+    if (c == '\n' || c == '\t')
+      c = ' ';
+  const std::size_t begin = text.find_first_not_of(' ');
+  return begin == text.npos ? std::string() : text.substr(begin, text.find_last_not_of(' ') - begin + 1);
+}
+
 std::string restOf(std::istream& stream, const std::string& where) {
   constexpr std::size_t kBlock = std::size_t{1} << 16U;
   std::string text;

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "viscera/core/phrase.h"
+
 namespace viscera {
 namespace {
 
@@ -19,6 +21,25 @@ TEST(Utf8, TakesOtherBytesAsLatin1SoThatTextsThatDifferStillDo) {
   EXPECT_NE(toUtf8("H-\xE4"), toUtf8("H-\xE5"));
   for (int byte = 1; byte < 256; ++byte)
     EXPECT_TRUE(isUtf8(toUtf8(std::string(1, static_cast<char>(byte)) + "x"))) << byte;
+}
+
+/// So that no text of a file commands a terminal.
+TEST(Text, HasNoControlCharacters) {
+  EXPECT_EQ(withoutControls("a\x1B[31mb\x07\x7F\r c\n\td"), "a[31mb c\n\td");
+  EXPECT_EQ(withoutControls("\xC2\x9B"
+                            "31m \xC2\xA0\xC3\xA9"),
+            "31m \xC2\xA0\xC3\xA9")
+      << "C1";
+  EXPECT_EQ(printableName(" Left\n\x1B kidney\t"), "Left  kidney");
+  EXPECT_EQ(printableName("N\xE4hte"), "N\xC3\xA4hte");
+  EXPECT_EQ(phrase("Open %1", std::string("a\x1B"
+                                          "b"))
+                .english(),
+            "Open ab");
+  EXPECT_EQ(named("a\x1B"
+                  "b")
+                .english(),
+            "ab");
 }
 
 } // namespace

@@ -30,6 +30,14 @@ bool isUtf8(std::string_view text);
 /// Latin-1, so that different texts stay different. O(n).
 std::string toUtf8(std::string text);
 
+/// The text without control characters (C0, DEL, C1 in UTF-8) but line breaks and tabs, so that no text of a
+/// file commands a terminal. O(n).
+std::string withoutControls(std::string text);
+
+/// The name of something in a file, for lists, messages and the window: UTF-8 on one line, without control
+/// characters and without white space around it. Line breaks and tabs become spaces. O(n).
+std::string printableName(std::string text);
+
 /// All bytes of a stream from its present place to its end; nothing from one that was never opened. O(n).
 /// Throws `NoInputError` with `where`, the name of the file, when reading fails before the end (a disk or a
 /// connection that is gone), so that no file is taken for a shorter one.
