@@ -2,7 +2,7 @@
 #include <variant>
 
 #include "beating_labels.h"
-#include "dicom_slices.h"
+#include "dicom_segments.h"
 #include "fuzz_target.h"
 #include "good_files.h"
 #include "label_files.h"
@@ -13,6 +13,7 @@
 #include "viscera/medical_io/label_map.h"
 #include "viscera/medical_io/label_series.h"
 #include "viscera/medical_io/scan.h"
+#include "viscera/medical_io/surface_file.h"
 
 /// Label maps, their series, and scans.
 namespace viscera::fuzz {
@@ -119,6 +120,14 @@ std::vector<std::string> labelSeeds() {
     voxel = static_cast<std::int16_t>(voxel % 3);
   for (const auto& more : {moreSeeds(image), mitkSeeds(image)})
     out.insert(out.end(), more.begin(), more.end());
+  tests::LabelImage organs = tests::emptyLabels({6, 5, 4});
+  organs.fill({1, 1, 1}, {3, 3, 2}, 2);
+  const tests::SegmentWriting labelMap{.type = "LABELMAP", .bits = 8, .names = {{2, "\x1B$B4NB!\x1B(B"}}};
+  const tests::DicomElements elements = tests::segmentationElements(organs, labelMap);
+  for (const std::string& bytes :
+       {tests::dicomBytes(elements), tests::dicomElements(elements),
+        tests::packedDicom(tests::dicomBytes(elements), "rle"), tests::rleBits(organs, {}, false)})
+    out.push_back(chosen(kImageEndings.size(), bytes));
   return out;
 }
 
@@ -203,7 +212,33 @@ std::vector<std::string> dicomSeeds() {
     }
     out.push_back(series);
   }
+  std::string bare, unknown; // Without preamble; without types.
+  for (int k = 0; k < 2; ++k) {
+    tests::DicomElements slice = tests::dicomSlice(image, k);
+    bare += (k > 0 ? std::string(kNextSlice) : "") + tests::dicomElements(slice);
+    for (auto& [tag, typed] : slice)
+      if (tag >> 16U <= 0x20)
+        typed = "UN" + typed.substr(2);
+    unknown += (k > 0 ? std::string(kNextSlice) : "") + tests::dicomBytes(slice);
+  }
+  out.push_back(bare);
+  out.push_back(unknown);
   return out;
+}
+
+void readAnyDicomSurface(Bytes bytes) {
+  const medical_io::SurfaceFile read = medical_io::readSurface(scratchFile("a.dcm", bytes));
+  geometry::requireValid(read.mesh, "what was read");
+  require(read.mesh.triangles.rows() > 0, "A surface that was read has triangles.");
+}
+
+std::vector<std::string> dicomSurfaceSeeds() {
+  const std::string obj = "v 0 0 0\nv 2 0 0\nv 0 2 0\nv 0 0 2\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
+  return {tests::dicomBytes({{0x00080016, "UI1.2.840.10008.5.1.4.1.1.104.4"},
+                             {0x00080018, "UI1.2.3.4"},
+                             {0x004008EA, "SQ" + tests::dicomItem({{0x00080100, "SHcm"}})},
+                             {0x00420010, "STLiver"},
+                             {0x00420011, "OB" + obj}})};
 }
 
 } // namespace
@@ -212,7 +247,8 @@ std::vector<Target> imageTargets() {
   return {{"label_maps", readAnyLabels, labelSeeds},
           {"label_series", readAnySeries, seriesSeeds},
           {"scans", readAnyScan, scanSeeds},
-          {"dicom_series", readAnyDicom, dicomSeeds}};
+          {"dicom_series", readAnyDicom, dicomSeeds},
+          {"dicom_surfaces", readAnyDicomSurface, dicomSurfaceSeeds}};
 }
 
 } // namespace viscera::fuzz

@@ -1,7 +1,5 @@
-#include <system_error>
-
-#include "dicom/deflated_dicom.h"
-#include "dicom/quiet_dcmtk.h"
+#include "dicom/dicom_load.h"
+#include "dicom/dicom_mark.h"
 #include "text_scanner.h"
 #include "viscera/core/error.h"
 #include "viscera/medical_io/label_series.h"
@@ -25,18 +23,15 @@ std::optional<double> numberAnywhere(DcmItem& item, const DcmTagKey& key) {
 } // namespace
 
 DicomPhase dicomPhase(const std::filesystem::path& file) {
-  silenceDcmtk();
   DicomPhase phase;
-  std::error_code error;
+  if (dicomKind(file) == DicomKind::none)
+    return phase;
+  DcmFileFormat format;
   try {
-    requireBoundedInflation(file);
+    loadDicom(format, FileBytes{file, {}});
   } catch (const DataError&) {
     return phase;
   }
-  DcmFileFormat format;
-  if (!std::filesystem::is_regular_file(file, error) ||
-      format.loadFile(file.c_str(), EXS_Unknown, EGL_noChange, 4096, ERM_fileOnly).bad())
-    return phase;
   DcmDataset& dataset = *format.getDataset();
   phase.triggerMs = numberAnywhere(dataset, DCM_TriggerTime);
   if (!phase.triggerMs)

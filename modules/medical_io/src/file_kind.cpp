@@ -20,14 +20,29 @@ FileBytes beginOf(const std::filesystem::path& file) {
   return json ? readBeginOfFile(file, kMostHeaderBytes) : begin;
 }
 
+FileKind kindOfDicom(const std::filesystem::path& file) {
+  switch (dicomKind(file)) {
+  case DicomKind::image:
+    return FileKind::scan;
+  case DicomKind::segmentation:
+    return FileKind::labelMap;
+  case DicomKind::surface:
+    return FileKind::surface;
+  case DicomKind::none:
+  case DicomKind::other:
+    break;
+  }
+  return FileKind::unknown;
+}
+
 } // namespace
 
 FileKind fileKind(const std::filesystem::path& file) {
   const FileKind byName = fileKind(signatureOfEnding(file));
   try {
     const Signature found = signatureOf(beginOf(file));
-    if (found == Signature::dicom && dicomKind(file) == DicomKind::image)
-      return FileKind::scan;
+    if (found == Signature::dicom)
+      return kindOfDicom(file);
     const FileKind byContents = fileKind(found);
     return byContents == FileKind::unknown ? byName : byContents;
   } catch (const DataError&) {

@@ -8,6 +8,8 @@
 #include <string_view>
 #include <vector>
 
+#include "dicom/dicom_mark.h"
+#include "dicom/dicom_start.h"
 #include "image_formats/analyze_header.h"
 #include "image_formats/image_marks.h"
 #include "image_formats/unpack.h"
@@ -172,6 +174,8 @@ Signature binarySignature(const FileBytes& file, std::string_view begin) {
     return Signature::nifti;
   if (isBinaryStl(file))
     return Signature::stl;
+  if (dicomStart(begin, std::max<std::uint64_t>(file.length, file.bytes.size())))
+    return Signature::dicom; // Without its mark.
   if (orderOfAnalyze(begin)) // The same header without a mark.
     return Signature::nifti;
   if (hasGiplMark(begin))
@@ -328,6 +332,9 @@ Signature signatureFor(const FileBytes& file, FileKind wanted) {
 }
 
 void refuse(const FileBytes& file, FileKind wanted) {
+  const std::string dicom = dicomClass(file.file);
+  if (kindOfDicomClass(dicom) == DicomKind::other)
+    failAsDicomObject(file, dicom);
   const auto image = unreadImage(file);
   const Known known = image ? Known{named(image->description), {}, image->wayOut}
                             : knownAs(signatureOf(file), extensionOf(file.file));

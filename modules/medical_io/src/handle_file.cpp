@@ -12,6 +12,7 @@
 #include "viscera/core/atomic_file.h"
 #include "viscera/core/error.h"
 #include "viscera/core/phrase.h"
+#include "viscera/core/text.h"
 
 namespace viscera::medical_io {
 namespace {
@@ -117,6 +118,11 @@ HandleFile readHandles(const std::filesystem::path& file) {
   const FileBytes bytes = readWholeFile(file);
   try {
     HandleFile result = readAny(bytes);
+    for (HandleGroupRecord& group : result.groups) {
+      group.name = printableName(group.name);
+      for (HandleRecord& handle : group.handles)
+        handle.label = printableName(handle.label);
+    }
     if (result.count() == 0)
       bytes.fail(diagnostic("It holds no points"), "place some points and save them again");
     LabelMender(result).run();

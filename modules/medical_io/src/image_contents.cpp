@@ -81,6 +81,7 @@ std::optional<ImageContents> statedContents(const std::filesystem::path& fileOrF
   case DicomKind::segmentation:
     return ImageContents::labels;
   case DicomKind::image:
+  case DicomKind::surface:
   case DicomKind::other:
     return ImageContents::values;
   case DicomKind::none:

@@ -247,6 +247,7 @@ bool isLabelMap(const std::filesystem::path& fileOrFolder) {
     case DicomKind::segmentation:
       return true;
     case DicomKind::image:
+    case DicomKind::surface:
     case DicomKind::other:
       return false;
     case DicomKind::none:

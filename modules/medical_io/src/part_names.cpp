@@ -2,11 +2,9 @@
 
 #include <algorithm>
 #include <array>
-#include <utility>
 
 #include "file_bytes.h"
 #include "text_scanner.h"
-#include "viscera/core/text.h"
 
 namespace viscera::medical_io {
 
@@ -19,13 +17,6 @@ bool saysNothing(std::string_view name) {
       "shape", "unnamed",  "untitled", "node",  "geometry", "scene",     "root", "noname",  "polydata",
       "mtl",   "material", "null",     "block", "part",     "primitive", "none"};
   return stem.empty() || std::find(kPlainNames.begin(), kPlainNames.end(), stem) != kPlainNames.end();
-}
-
-std::string printableName(std::string name) {
-  name = toUtf8(std::move(name));
-  std::erase_if(name, [](char c) { return static_cast<unsigned char>(c) < ' ' || c == '\x7f'; });
-  const std::size_t begin = name.find_first_not_of(' ');
-  return begin == name.npos ? std::string() : name.substr(begin, name.find_last_not_of(' ') - begin + 1);
 }
 
 std::string comparableName(std::string_view name) {

@@ -12,6 +12,7 @@
 #include "space_tag.h"
 #include "viscera/core/error.h"
 #include "viscera/core/phrase.h"
+#include "viscera/core/text.h"
 #include "viscera/geometry/surface_check.h"
 #include "viscera/medical_io/part_names.h"
 #include "viscera/medical_io/plausible_size.h"

@@ -2,6 +2,7 @@
 
 #include "dicom/dicom_mark.h"
 #include "dicom/dicom_scan.h"
+#include "dicom/segmentation_source.h"
 #include "file_signature.h"
 #include "image_formats/sample_collector.h"
 #include "opened_image.h"
@@ -57,6 +58,8 @@ bool endsLikeAnImage(const std::filesystem::path& file) {
 } // namespace
 
 std::vector<ScanSeries> listScans(const std::filesystem::path& fileOrFolder, Progress& progress) {
+  if (dicomKind(fileOrFolder) == DicomKind::segmentation)
+    return {segmentationSource(fileOrFolder).described};
   if (isDicomPlace(fileOrFolder))
     return listDicomScans(fileOrFolder, progress);
   return {describeImage(fileOrFolder)};

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <utility>
 
+#include "dicom/encapsulated_surface.h"
 #include "file_bytes.h"
 #include "file_signature.h"
 #include "raw_surface.h"
@@ -46,7 +47,7 @@ const SurfaceFormat* formatOf(Signature signature) {
   return found == kSurfaceFormats.end() ? nullptr : &*found;
 }
 
-const SurfaceFormat& formatOf(const FileBytes& file) {
+const SurfaceFormat& surfaceFormatOf(const FileBytes& file) {
   return *formatOf(signatureFor(file, FileKind::surface));
 }
 
@@ -79,7 +80,9 @@ geometry::TriangleMesh inSpace(const geometry::TriangleMesh& mesh, Space space) 
 
 RawSurface readRawSurface(const std::filesystem::path& file) {
   const FileBytes bytes = readWholeFile(file);
-  const SurfaceFormat& format = formatOf(bytes);
+  if (signatureOf(bytes) == Signature::dicom)
+    return inMemory(file, [&] { return readDicomSurface(bytes); });
+  const SurfaceFormat& format = surfaceFormatOf(bytes);
   return inMemory(file, [&] { return format.read(bytes); });
 }
 

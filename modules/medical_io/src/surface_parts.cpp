@@ -12,6 +12,7 @@
 #include "text_scanner.h"
 #include "viscera/core/error.h"
 #include "viscera/core/phrase.h"
+#include "viscera/core/text.h"
 #include "viscera/geometry/winding_number.h"
 #include "viscera/medical_io/part_names.h"
 

@@ -2,11 +2,13 @@
 
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <new>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "dicom_slices.h"
 #include "label_files.h"
 #include "session_fixture.h"
 #include "viscera/core/error.h"
@@ -333,6 +335,26 @@ TEST_F(OpenFiles, GroupsOfASurfaceFileAreOrgansThatASessionHolds) {
   EXPECT_THROW(readOrgan(folder_ / "a.obj"), UsageError);
   EXPECT_EQ(readOrgan(folder_ / "a.obj", medical_io::SeveralOrgans::join).mesh->triangles.rows(), 8);
   EXPECT_EQ(readOrgans(folder_ / "a.obj", "tissue b").front().organ.name, "Tissue_b");
+}
+
+/// A DICOM object with an STL file of one closed surface within, or of another class.
+std::string dicomObject(const std::string& kind, const std::string& document) {
+  return tests::dicomBytes({{0x00080016, "UI1.2.840.10008.5.1.4.1.1." + kind},
+                            {0x00080018, "UI1.2.3.4"},
+                            {0x00420010, "STLiver"},
+                            {0x00420011, "OB" + document}});
+}
+
+TEST_F(OpenFiles, OpensADicomFileWithASurfaceAndNamesOtherKinds) {
+  std::ifstream stl(surface("ball.stl", 40), std::ios::binary);
+  const std::string document{std::istreambuf_iterator<char>(stl), std::istreambuf_iterator<char>()};
+  std::ofstream(folder_ / "a.dcm", std::ios::binary) << dicomObject("104.3", document);
+  Progress progress;
+  const OpenedFiles opened = openFiles({folder_ / "a.dcm"}, progress);
+  ASSERT_EQ(opened.organs.size(), 1U);
+  EXPECT_EQ(opened.organs[0].organ.name, "Liver");
+  std::ofstream(folder_ / "RS.1.2.3", std::ios::binary) << dicomObject("481.3", "");
+  EXPECT_THAT(refusal<DataError>({folder_ / "RS.1.2.3"}), HasSubstr("RTSTRUCT"));
 }
 
 } // namespace

@@ -43,9 +43,9 @@ std::uint32_t littleEndian(const unsigned char* bytes, int count) {
 std::optional<std::streamoff> dataBegin(std::ifstream& stream, std::streamoff size) {
   std::array<unsigned char, 12> head{};
   const auto bytes = reinterpret_cast<char*>(head.data());
-  if (!stream.seekg(kPreamble).read(bytes, 4) || std::string_view(bytes, 4) != "DICM")
-    return std::nullopt;
-  std::streamoff at = kPreamble + 4, elements = 0;
+  const bool marked = stream.seekg(kPreamble).read(bytes, 4) && std::string_view(bytes, 4) == "DICM";
+  stream.clear();
+  std::streamoff at = marked ? kPreamble + 4 : 0, elements = 0; // Some files have no preamble.
   while (at + 8 <= size && stream.seekg(at).read(bytes, 8) && littleEndian(head.data(), 2) == 2) {
     const std::string_view kind(bytes + 4, 2);
     const bool isLong = kind == "OB" || kind == "UN" || kind == "OW" || kind == "UT" || kind == "SQ";

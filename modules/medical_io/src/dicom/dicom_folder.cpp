@@ -64,14 +64,21 @@ std::vector<std::filesystem::path> dicomImages(const std::filesystem::path& file
     throw NoInputError("there is no such file", fileOrFolder.string(), "check the name and the folder");
   const bool isFolder = std::filesystem::is_directory(fileOrFolder, error);
   const std::filesystem::path folder = isFolder ? fileOrFolder : fileOrFolder.parent_path();
+  const DicomKind kind = isFolder ? DicomKind::image : dicomKind(fileOrFolder);
+  if (kind != DicomKind::image && kind != DicomKind::none)
+    failAsDicomObject(FileBytes{fileOrFolder, {}}, dicomClass(fileOrFolder));
   std::vector<std::filesystem::path> list;
+  std::filesystem::path other; // Of another kind.
   std::size_t seen = 0;
   const auto add = [&](const std::filesystem::path& file) {
     if (++seen > kMostFiles)
       throw DataError(phrase("It has more than %1 files", kMostFiles), folder.string(),
                       "name the folder of one patient");
-    if (dicomKind(file) == DicomKind::image)
+    const DicomKind found = dicomKind(file);
+    if (found == DicomKind::image)
       list.push_back(file);
+    else if (found != DicomKind::none && other.empty())
+      other = file;
     return true;
   };
   if (isFolder) {
@@ -84,6 +91,8 @@ std::vector<std::filesystem::path> dicomImages(const std::filesystem::path& file
   if (error)
     throw NoInputError(phrase("It cannot be opened: %1", error.message()), folder.string(),
                        "check that you may read it");
+  if (list.empty() && !other.empty())
+    failAsDicomObject(FileBytes{other, {}}, dicomClass(other));
   if (list.empty())
     throw DataError(isFolder ? "It has no DICOM files with images" : "It is a DICOM file without an image",
                     fileOrFolder.string(), "name the folder of a CT or MR series, or one of its files");

@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "dicom/deflated_dicom.h"
-#include "dicom/quiet_dcmtk.h"
+#include "dicom/dicom_kinds.h"
+#include "dicom/dicom_load.h"
+#include "dicom/dicom_text.h"
 #include "image_formats/raw_image.h"
 #include "text_scanner.h"
 #include "viscera/core/error.h"
@@ -13,43 +14,17 @@
 // DCMTK's configuration has to be known before its other headers.
 #include <dcmtk/config/osconfig.h>
 
-#include <dcmtk/dcmdata/dcspchrs.h>
 #include <dcmtk/dcmdata/dctk.h>
 #include <dcmtk/dcmdata/dcxfer.h>
 
 namespace viscera::medical_io {
 namespace {
 
-/// Longer values (pixels) stay on the disk.
-constexpr Uint32 kLongestLoaded = 4096;
 constexpr int kMostFrames = 100'000;
 /// A picture that is all of one value takes few bytes, but not as few as a damaged header may claim.
 constexpr std::uint64_t kMostPerByte = 2000, kLeastLimit = std::uint64_t{1} << 25U;
 constexpr double kUnitLength = 1e-3; ///< Direction cosines are off by no more.
 constexpr double kSecondsPerMinute = 60, kSecondsPerHour = 3600;
-
-std::string textAt(DcmItem& item, const DcmTagKey& key) {
-  OFString text;
-  if (item.findAndGetOFStringArray(key, text).bad())
-    return {};
-  return std::string(trimmed(std::string_view(text.c_str(), text.size())));
-}
-
-/// All numbers of a value; empty when one of them is none.
-std::vector<double> numbersAt(DcmItem& item, const DcmTagKey& key) {
-  std::vector<double> list;
-  const std::string text = textAt(item, key);
-  std::string_view rest = text;
-  while (!rest.empty()) {
-    const std::size_t end = std::min(rest.find('\\'), rest.size());
-    const auto number = parseNumber(trimmed(rest.substr(0, end)));
-    if (!number || !std::isfinite(*number))
-      return {};
-    list.push_back(*number);
-    rest.remove_prefix(std::min(end + 1, rest.size()));
-  }
-  return list;
-}
 
 std::optional<double> numberAt(DcmItem& item, const DcmTagKey& key) {
   const std::vector<double> list = numbersAt(item, key);
@@ -97,7 +72,7 @@ public:
   }
   std::string text(const DcmTagKey& sequence, const DcmTagKey& key) const {
     DcmItem* item = with(sequence, key);
-    return item != nullptr ? textAt(*item, key) : std::string();
+    return item != nullptr ? codeAt(*item, key) : std::string();
   }
 
 private:
@@ -107,15 +82,20 @@ private:
 
 class ElementReader {
 public:
-  explicit ElementReader(const std::filesystem::path& file) : file_{file, {}} { header_.file = file; }
+  ElementReader(const std::filesystem::path& file, DcmFileFormat& format) : file_{file, {}}, format_(format) {
+    header_.file = file;
+  }
 
   DicomHeader run() {
-    load();
     DcmDataset& dataset = *format_.getDataset();
-    header_.seriesUid = textAt(dataset, DCM_SeriesInstanceUID);
-    header_.modality = textAt(dataset, DCM_Modality);
-    header_.description = readable(dataset, textAt(dataset, DCM_SeriesDescription));
-    header_.rescaleType = textAt(dataset, DCM_RescaleType);
+    header_.classUid = codeAt(dataset, DCM_SOPClassUID);
+    header_.instanceUid = codeAt(dataset, DCM_SOPInstanceUID);
+    header_.seriesUid = codeAt(dataset, DCM_SeriesInstanceUID);
+    header_.frameOfReference = codeAt(dataset, DCM_FrameOfReferenceUID);
+    header_.modality = codeAt(dataset, DCM_Modality);
+    header_.description = textAt(dataset, dataset, DCM_SeriesDescription);
+    header_.rescaleType = codeAt(dataset, DCM_RescaleType);
+    isSegmentation_ = isSegmentationClass(header_.classUid);
     header_.temporalResolutionMs = numberAt(dataset, DCM_TemporalResolution);
     const DcmXfer syntax(dataset.getOriginalXfer());
     header_.transferSyntax = syntax.getXferName();
@@ -128,15 +108,6 @@ public:
   }
 
 private:
-  void load() {
-    silenceDcmtk();
-    requireBoundedInflation(file_.file);
-    const OFCondition loaded =
-        format_.loadFile(file_.file.c_str(), EXS_Unknown, EGL_noChange, kLongestLoaded, ERM_autoDetect);
-    if (loaded.bad())
-      file_.fail(diagnostic("It is damaged or no DICOM file: %1", loaded.text()));
-  }
-
   /// False for what is no slice of a scan.
   bool readPixelFormat(DcmItem& dataset) {
     if (!dataset.tagExists(DCM_PixelData)) {
@@ -147,7 +118,7 @@ private:
       return false;
     }
     // Siemens puts the slices of one instant side by side into one large image.
-    if (textAt(dataset, DCM_ImageType).find("MOSAIC") != std::string::npos) {
+    if (codeAt(dataset, DCM_ImageType).find("MOSAIC") != std::string::npos) {
       header_.notAScan =
           "is a mosaic of many slices in one image, as Siemens writes them, which Viscera does "
           "not take apart; convert it to NIfTI (dcm2niix does)";
@@ -158,9 +129,12 @@ private:
     };
     header_.columns = axisSize(file_, number(DCM_Columns, 0), "a row");
     header_.rows = axisSize(file_, number(DCM_Rows, 0), "a column");
-    const std::string colours = textAt(dataset, DCM_PhotometricInterpretation);
-    if (number(DCM_SamplesPerPixel, 1) != 1 || (!colours.empty() && !colours.starts_with("MONOCHROME"))) {
-      header_.notAScan = "is a colour image";
+    const std::string colours = codeAt(dataset, DCM_PhotometricInterpretation);
+    const bool plain = colours.empty() || colours.starts_with("MONOCHROME") ||
+                       (isSegmentation_ && colours.starts_with("PALETTE")); // Labels with their colours.
+    if (number(DCM_SamplesPerPixel, 1) != 1 || !plain) {
+      const Text kind = nameOfDicomClass(header_.classUid);
+      header_.notAScan = kind.empty() ? Text("is a colour image") : phrase("is %1 in colour", kind);
       return false;
     }
     DicomPixelFormat& format = header_.format;
@@ -168,8 +142,9 @@ private:
     format.stored = number(DCM_BitsStored, format.allocated);
     format.high = number(DCM_HighBit, format.stored - 1);
     format.isSigned = number(DCM_PixelRepresentation, 0) == 1;
-    if ((format.allocated != 8 && format.allocated != 16 && format.allocated != 32) || format.stored < 1 ||
-        format.high >= format.allocated || format.high + 1 < format.stored)
+    const bool bits = format.allocated == 1 && isSegmentation_;
+    if ((!bits && format.allocated != 8 && format.allocated != 16 && format.allocated != 32) ||
+        format.stored < 1 || format.high >= format.allocated || format.high + 1 < format.stored)
       file_.fail(phrase("its pixels of %1 bits in %2, up to bit %3, are not supported", format.stored,
                         format.allocated, format.high),
                  "export it as pixels of 16 bits");
@@ -182,9 +157,11 @@ private:
 
   /// So that no memory is taken for pixels that cannot be there.
   void requirePixels(DcmItem& dataset) const {
-    const std::uint64_t each = std::uint64_t(header_.rows) * std::uint64_t(header_.columns) *
-                               std::uint64_t(header_.format.allocated / 8);
-    const std::uint64_t promised = saturatedProduct(each, header_.frames.size());
+    const std::uint64_t all =
+        saturatedProduct(std::uint64_t(header_.rows) * std::uint64_t(header_.columns), header_.frames.size());
+    const std::uint64_t promised = header_.format.allocated == 1
+                                       ? all / 8 + (all % 8 != 0 ? 1 : 0)
+                                       : saturatedProduct(all, std::uint64_t(header_.format.allocated / 8));
     if (header_.packed) {
       std::error_code error;
       const std::uint64_t there = std::filesystem::file_size(file_.file, error);
@@ -194,8 +171,10 @@ private:
       return;
     }
     DcmElement* pixels = nullptr;
-    if (dataset.findAndGetElement(DCM_PixelData, pixels).bad() || pixels == nullptr ||
-        pixels->getLengthField() < promised)
+    if (dataset.findAndGetElement(DCM_PixelData, pixels).good() && pixels != nullptr &&
+        pixels->getLengthField() == DCM_UndefinedLength)
+      file_.fail("its pixels are packed in a way that is not supported", "save it without compression");
+    if (pixels == nullptr || pixels->getLengthField() < promised)
       file_.fail(diagnostic("the file is cut off: its header promises %1 bytes of pixels, %2 are there",
                             promised, pixels == nullptr ? 0 : pixels->getLengthField()));
   }
@@ -227,7 +206,7 @@ private:
     dataset.findAndGetSequence(DCM_PerFrameFunctionalGroupsSequence, groups);
     if (groups != nullptr && groups->card() != static_cast<unsigned long>(count))
       file_.fail(diagnostic("its header is damaged: it describes %1 of %2 frames", groups->card(), count));
-    const std::string uid = textAt(dataset, DCM_SOPInstanceUID);
+    const std::string& uid = header_.instanceUid;
     DcmObject* own = nullptr;
     for (int frame = 0; frame < count; ++frame) {
       own = groups != nullptr ? groups->nextInContainer(own) : nullptr;
@@ -249,7 +228,10 @@ private:
     const auto directions = items.numbers(DCM_PlaneOrientationSequence, DCM_ImageOrientationPatient);
     const auto spacing = items.numbers(DCM_PixelMeasuresSequence, DCM_PixelSpacing);
     if (position.size() != 3 || directions.size() != 6) {
-      header_.notAScan = "does not say where in the patient it lies";
+      const Text kind = nameOfDicomClass(header_.classUid);
+      header_.notAScan = kind.empty()
+                             ? Text("does not say where in the patient it lies")
+                             : phrase("is %1, which does not say where in the patient it lies", kind);
       return;
     }
     if (spacing.size() != 2 || !(spacing[0] > 0 && spacing[1] > 0)) {
@@ -266,15 +248,21 @@ private:
     frame.column = column.normalized();
     frame.betweenRows = spacing[0];
     frame.betweenColumns = spacing[1];
-    frame.thickness = items.number(DCM_PixelMeasuresSequence, DCM_SpacingBetweenSlices)
-                          .value_or(items.number(DCM_PixelMeasuresSequence, DCM_SliceThickness).value_or(0));
+    const auto betweenSlices = items.number(DCM_PixelMeasuresSequence, DCM_SpacingBetweenSlices);
+    frame.betweenSlices = betweenSlices.value_or(0);
+    frame.thickness = betweenSlices ? *betweenSlices
+                                    : items.number(DCM_PixelMeasuresSequence, DCM_SliceThickness).value_or(0);
     frame.slope = items.number(DCM_PixelValueTransformationSequence, DCM_RescaleSlope).value_or(1);
     frame.intercept = items.number(DCM_PixelValueTransformationSequence, DCM_RescaleIntercept).value_or(0);
     if (frame.slope == 0)
       file_.fail(diagnostic("its header is damaged: its rescale slope is 0"));
     if (!header_.window)
       readFrameWindow(items);
-    readTimes(items, frame);
+    if (isSegmentation_)
+      frame.segment = static_cast<int>(
+          items.number(DCM_SegmentIdentificationSequence, DCM_ReferencedSegmentNumber).value_or(0));
+    else
+      readTimes(items, frame);
     header_.frames.push_back(std::move(frame));
   }
 
@@ -323,29 +311,21 @@ private:
   }
 
   FileBytes file_;
-  DcmFileFormat format_;
+  DcmFileFormat& format_;
   DicomHeader header_;
+  bool isSegmentation_ = false;
 };
 
 } // namespace
 
-std::string readable(DcmItem& dataset, const std::string& text) {
-  const auto isAscii = [](char c) { return static_cast<unsigned char>(c) < 0x80; };
-  if (std::all_of(text.begin(), text.end(), isAscii))
-    return text;
-  DcmSpecificCharacterSet set;
-  OFString converted;
-  if (set.selectCharacterSet(dataset).good() &&
-      set.convertString(OFString(text.data(), text.size()), converted).good())
-    return std::string(converted.c_str(), converted.size());
-  std::string result = text;
-  std::replace_if(
-      result.begin(), result.end(), [&](char c) { return !isAscii(c); }, '?');
-  return result;
+DicomHeader dicomHeaderOf(const std::filesystem::path& file, DcmFileFormat& format) {
+  return ElementReader(file, format).run();
 }
 
 DicomHeader readDicomHeader(const std::filesystem::path& file) {
-  return ElementReader(file).run();
+  DcmFileFormat format;
+  loadDicom(format, FileBytes{file, {}});
+  return dicomHeaderOf(file, format);
 }
 
 } // namespace viscera::medical_io

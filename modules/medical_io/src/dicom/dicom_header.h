@@ -9,14 +9,14 @@
 #include "viscera/core/phrase.h"
 #include "viscera/medical_io/scan.h"
 
-class DcmItem;
+class DcmFileFormat;
 
 /// Reads the headers of DICOM files, by DCMTK, without their pixels.
 namespace viscera::medical_io {
 
 /// How pixel values are stored; the same for all frames of a file.
 struct DicomPixelFormat {
-  int allocated = 16; ///< Bits a pixel takes.
+  int allocated = 16; ///< Bits a pixel takes: 8, 16, 32; 1 for a segmentation.
   int stored = 16;    ///< Bits of them that count ...
   int high = 15;      ///< ... of which this is the highest.
   bool isSigned = false;
@@ -33,12 +33,14 @@ struct DicomFrame {
   Vec3 position = Vec3::Zero();                     ///< Of the first pixel's centre, mm LPS.
   Vec3 row = Vec3::UnitX(), column = Vec3::UnitY(); ///< Unit vectors along a row and along a column.
   double betweenColumns = 1, betweenRows = 1;       ///< mm: the steps along a row and along a column.
-  double thickness = 0;                             ///< As stated in the file, mm; 0: not stated.
+  double betweenSlices = 0;                         ///< As stated in the file, mm; 0: not stated.
+  double thickness = 0;                             ///< The same, or else the thickness of a slice.
   double slope = 1, intercept = 0;
   std::optional<double> temporalPosition, triggerMs, percent, acquisitionSeconds;
   std::int64_t instance = 0; ///< Its number in the series.
   std::string echo;          ///< Identifies the echo.
   std::string uid;           ///< Of the image; with the frame's number for a file of several.
+  int segment = 0;           ///< Of a segmentation: which one it is a slice of; 0: not stated.
 
   Vec3 normal() const { return row.cross(column).normalized(); }
 };
@@ -46,6 +48,7 @@ struct DicomFrame {
 /// A file with one frame or more.
 struct DicomHeader {
   std::filesystem::path file;
+  std::string classUid, instanceUid, frameOfReference;
   std::string seriesUid, description, modality, transferSyntax;
   bool packed = false; ///< Pixels are compressed.
   std::string rescaleType;
@@ -57,9 +60,9 @@ struct DicomHeader {
   Text notAScan;                  ///< Why it has no frames that could be slices: "is a colour image".
 };
 
-/// Converts a text of a data set, which states its character set, to UTF-8; unknown letters become question
-/// marks.
-std::string readable(DcmItem& dataset, const std::string& text);
+/// Reads the header of a loaded file; of a segmentation also the number of the segment of each frame. Throws
+/// `DataError` for a damaged one.
+DicomHeader dicomHeaderOf(const std::filesystem::path& file, DcmFileFormat& format);
 
 /// Reads one. Throws `DataError` for a damaged file, `NoInputError`.
 DicomHeader readDicomHeader(const std::filesystem::path& file);

@@ -1,15 +1,19 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
+
+#include "dicom/dicom_kinds.h"
 
 namespace viscera::medical_io {
 
-/// The contents of a DICOM file, judged by its first bytes.
-enum class DicomKind { none, image, segmentation, other };
-
-/// Judges by the mark after 128 bytes and the class in the group before the data set, without parsing.
-/// `other` for what holds no pixels, such as a folder's table of contents or a report. Cheap.
+/// Judges by the first elements of the file, which state its class, without parsing. Files without a preamble
+/// are recognised, too. `other` for what holds no pixels, such as a folder's table of contents or a report.
+/// Cheap.
 DicomKind dicomKind(const std::filesystem::path& file);
+
+/// The SOP class that the beginning of a DICOM file states; empty for any other file, or when it states none.
+std::string dicomClass(const std::filesystem::path& file);
 
 /// Whether a folder, or one below it, has a DICOM file with pixels that is no segmentation. Stops at the
 /// first.

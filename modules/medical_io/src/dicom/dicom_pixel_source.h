@@ -1,6 +1,9 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
+#include <string>
+#include <string_view>
 
 #include "dicom/dicom_pixels.h"
 
@@ -16,6 +19,9 @@ public:
   /// As `DicomPixelReader::read`.
   virtual DicomPixels read(int frame) = 0;
 };
+
+/// A byte for each of `count` bits from number `first` on, the lowest bit of a byte first; `bits` has them.
+std::string bytesOfBits(std::string_view bits, std::uint64_t first, std::uint64_t count);
 
 /// JPEG 2000, unpacked by OpenJPEG. Throws `DataError`.
 std::unique_ptr<DicomPixelSource> jpeg2000Pixels(const DicomHeader& header,

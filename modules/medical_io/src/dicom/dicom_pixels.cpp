@@ -5,9 +5,8 @@
 #include <mutex>
 #include <string_view>
 
-#include "dicom/deflated_dicom.h"
+#include "dicom/dicom_load.h"
 #include "dicom/dicom_pixel_source.h"
-#include "dicom/quiet_dcmtk.h"
 #include "file_bytes.h"
 #include "viscera/core/phrase.h"
 
@@ -27,9 +26,6 @@
 /// damaged data, is ours.
 namespace viscera::medical_io {
 namespace {
-
-/// Bytes of a value; longer ones stay on the disk until they are read.
-constexpr Uint32 kLongestLoadedPixels = 4096;
 
 void registerCodecs() {
   static std::once_flag once;
@@ -69,6 +65,8 @@ public:
   }
 
   DicomPixels read(int frame) override {
+    if (header_.format.allocated == 1)
+      return readBits(frame);
     const std::uint64_t each = bytesOf(header_);
     const std::uint64_t begin = saturatedProduct(each, static_cast<std::uint64_t>(frame));
     if (saturatedSum(begin, each) > size_)
@@ -78,6 +76,16 @@ public:
   }
 
 private:
+  /// Frames of bits follow each other without a gap.
+  DicomPixels readBits(int frame) const {
+    const std::uint64_t each = std::uint64_t(header_.rows) * std::uint64_t(header_.columns);
+    const std::uint64_t first = each * static_cast<std::uint64_t>(frame);
+    if ((first + each + 7) / 8 > size_)
+      file_.fail(diagnostic("the file is cut off: its %n {frame has|frames have} too few pixels",
+                            header_.frames.size()));
+    return {bytesOfBits({pixels_, size_}, first, each), header_.format};
+  }
+
   const DicomHeader& header_;
   FileBytes file_;
   std::shared_ptr<DcmFileFormat> format_; ///< Owns the pixels.
@@ -125,6 +133,10 @@ public:
   PackedSource(const DicomHeader& header, std::shared_ptr<DcmFileFormat> format)
       : header_(header), file_{header.file, {}}, format_(std::move(format)) {
     registerCodecs();
+    if (header.format.allocated == 1)
+      file_.fail(phrase("its pixels of one bit are packed in a way that is not supported (%1)",
+                        header.transferSyntax),
+                 "save it without compression, or as RLE");
     DcmElement* element = nullptr;
     if (format_->getDataset()->findAndGetElement(DCM_PixelData, element).good())
       pixels_ = dynamic_cast<DcmPixelData*>(element);
@@ -201,16 +213,21 @@ std::unique_ptr<DicomPixelSource> sourceOf(const DicomHeader& header, std::share
 
 } // namespace
 
+std::string bytesOfBits(std::string_view bits, std::uint64_t first, std::uint64_t count) {
+  std::string bytes(count, '\0');
+  for (std::uint64_t p = 0; p < count; ++p)
+    bytes[p] = static_cast<char>(static_cast<unsigned char>(bits[(first + p) / 8]) >> ((first + p) % 8) & 1);
+  return bytes;
+}
+
 DicomPixelReader::DicomPixelReader(const DicomHeader& header) {
-  silenceDcmtk();
-  requireBoundedInflation(header.file);
   const auto format = std::make_shared<DcmFileFormat>();
-  const OFCondition loaded =
-      format->loadFile(header.file.c_str(), EXS_Unknown, EGL_noChange, kLongestLoadedPixels, ERM_autoDetect);
-  if (loaded.bad())
-    FileBytes{header.file, {}}.fail(diagnostic("It is damaged or no DICOM file: %1", loaded.text()));
+  loadDicom(*format, FileBytes{header.file, {}});
   source_ = sourceOf(header, format);
 }
+
+DicomPixelReader::DicomPixelReader(const DicomHeader& header, std::shared_ptr<DcmFileFormat> format)
+    : source_(sourceOf(header, std::move(format))) {}
 
 DicomPixelReader::~DicomPixelReader() = default;
 

@@ -5,11 +5,13 @@
 
 #include "dicom/dicom_header.h"
 
+class DcmFileFormat;
+
 namespace viscera::medical_io {
 
 /// The pixels of one frame, unpacked.
 struct DicomPixels {
-  std::string bytes; ///< In the machine's byte order, row by row.
+  std::string bytes; ///< In the machine's byte order, row by row; pixels of one bit take a byte each.
   DicomPixelFormat format;
 };
 
@@ -20,6 +22,8 @@ class DicomPixelReader {
 public:
   /// Throws `DataError` for a damaged file.
   explicit DicomPixelReader(const DicomHeader& header);
+  /// The same of a file that is loaded.
+  DicomPixelReader(const DicomHeader& header, std::shared_ptr<DcmFileFormat> format);
   ~DicomPixelReader();
   DicomPixelReader(const DicomPixelReader&) = delete;
   DicomPixelReader& operator=(const DicomPixelReader&) = delete;

@@ -297,6 +297,7 @@ std::vector<ScanSeries> listDicomScans(const std::filesystem::path& fileOrFolder
     series.spacing = stack.indexToLps.linear().colwise().norm();
     series.indexToLps = stack.indexToLps;
     series.phases = static_cast<int>(phases.size());
+    series.frameOfReference = first.frameOfReference;
     std::set<std::filesystem::path> files;
     for (const std::size_t f : group.frames)
       files.insert(folder.list.files[folder.list.frames[f].file].file);

@@ -147,7 +147,7 @@ std::string bytesAs(const opj_image_comp_t& picture) {
 }
 
 std::string bytesOf(const opj_image_comp_t& picture, int bitsAllocated) {
-  if (bitsAllocated == 8)
+  if (bitsAllocated <= 8)
     return bytesAs<std::uint8_t>(picture);
   return bitsAllocated == 16 ? bytesAs<std::uint16_t>(picture) : bytesAs<std::uint32_t>(picture);
 }

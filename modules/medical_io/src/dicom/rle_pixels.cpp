@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <optional>
+#include <string>
 #include <string_view>
 
 #include "dicom/dicom_pixel_source.h"
@@ -46,6 +48,19 @@ bool unpackSegment(std::string_view packed, std::size_t count, std::size_t step,
   return true;
 }
 
+/// Pixels of one bit: eight of them a byte, each frame from a byte of its own on; or, as some programs write
+/// them, a byte for each.
+std::optional<std::string> unpackBits(std::string_view packed, std::size_t pixels) {
+  std::string bytes(pixels, '\0');
+  if (unpackSegment(packed, pixels, 1, bytes.data()))
+    return bytes;
+  const std::size_t whole = (pixels + 7) / 8;
+  bytes.assign(whole, '\0');
+  if (!unpackSegment(packed, whole, 1, bytes.data()))
+    return std::nullopt;
+  return bytesOfBits(bytes, 0, pixels);
+}
+
 class RleSource final : public DicomPixelSource {
 public:
   RleSource(const DicomHeader& header, std::shared_ptr<DcmFileFormat> format)
@@ -73,7 +88,8 @@ public:
 private:
   std::string unpack(std::string_view packed, int frame) const {
     const auto pixels = static_cast<std::size_t>(header_.rows) * static_cast<std::size_t>(header_.columns);
-    const auto depth = static_cast<std::size_t>(header_.format.allocated / 8);
+    const bool bits = header_.format.allocated == 1;
+    const auto depth = bits ? 1 : static_cast<std::size_t>(header_.format.allocated / 8);
     const auto damaged = [&] {
       file_.fail(diagnostic("its pixels (%1) cannot be unpacked: frame %2 is damaged", header_.transferSyntax,
                             frame + 1));
@@ -89,9 +105,16 @@ private:
                          : packed.size();
       };
       const std::size_t begin = offset(segment), end = offset(segment + 1);
+      if (begin < kRleHeaderBytes || end < begin || end > packed.size())
+        damaged();
+      if (bits) {
+        std::optional<std::string> unpacked = unpackBits(packed.substr(begin, end - begin), pixels);
+        if (!unpacked)
+          damaged();
+        return *std::move(unpacked);
+      }
       const std::size_t place = std::endian::native == std::endian::little ? depth - 1 - segment : segment;
-      if (begin < kRleHeaderBytes || end < begin || end > packed.size() ||
-          !unpackSegment(packed.substr(begin, end - begin), pixels, depth, bytes.data() + place))
+      if (!unpackSegment(packed.substr(begin, end - begin), pixels, depth, bytes.data() + place))
         damaged();
     }
     return bytes;

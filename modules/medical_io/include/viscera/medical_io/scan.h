@@ -90,6 +90,7 @@ struct ScanSeries {
   Vec3 spacing = Vec3::Zero();                              ///< mm.
   Eigen::Affine3d indexToLps = Eigen::Affine3d::Identity(); ///< As `Scan::indexToLps`.
   int phases = 1;                                           ///< The number of volumes over time.
+  std::string frameOfReference; ///< DICOM: UID of the coordinate system that images of one patient share.
   std::vector<std::filesystem::path> files;
 };
 
@@ -100,7 +101,8 @@ struct ScanOptions {
 };
 
 /// The series at a place: those of a DICOM folder (or of the folder that a DICOM file lies in), largest
-/// first; one for another format. Reads headers only. Throws as `readScan`.
+/// first; one for a DICOM segmentation, which states its size and place, and for another format. Reads
+/// headers only. Throws as `readScan`.
 std::vector<ScanSeries> listScans(const std::filesystem::path& fileOrFolder, Progress& progress);
 
 /// Reads NIfTI, NRRD, MetaImage or a DICOM series (a folder, or any file of it; classic or enhanced). Nothing

@@ -26,10 +26,11 @@ struct SurfaceFile {
 };
 
 /// Reads the one organ of a file: STL, OBJ, PLY, OFF, VTK (polygons and strips), VTP, VTM, GLB or GLTF, by
-/// its extension. Equal points are merged, polygons cut into triangles, triangles with a repeated corner and
-/// points without a triangle dropped; warnings list this and other doubts: open, inside out, a size or volume
-/// that no such organ has. Never scales and never turns a surface around. How axes are stated, and what an
-/// organ is in a file of several parts: docs/file_formats.md.
+/// its extension, and a DICOM file with an STL or OBJ file within, under any name. Equal points are merged,
+/// polygons cut into triangles, triangles with a repeated corner and points without a triangle dropped;
+/// warnings list this and other doubts: open, inside out, a size or volume that no such organ has. Never
+/// scales and never turns a surface around. How axes are stated, and what an organ is in a file of several
+/// parts: docs/file_formats.md.
 ///
 /// Throws `NoInputError` when the file is missing or not readable, `DataError` naming file and reason when it
 /// is empty, truncated, of another kind than its name says, holds no triangle, or has coordinates that are

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <string_view>
+
+#include "file_bytes.h"
+#include "viscera/core/phrase.h"
+
+namespace viscera::medical_io {
+
+/// The contents of a DICOM file.
+enum class DicomKind {
+  none,         ///< It is no DICOM file.
+  image,        ///< Pixels, perhaps a slice of a scan.
+  segmentation, ///< Segments: binary, fractional, or a label map.
+  surface,      ///< An STL or OBJ file within.
+  other,        ///< Nothing that Viscera reads.
+};
+
+/// The kind of an object by its SOP class; `image` when the class is empty, because only reading tells then.
+DicomKind kindOfDicomClass(std::string_view classUid);
+
+/// Whether a class is one of the two of segmentations (PS3.3, A.51 and A.51 with label maps, of 2024).
+bool isSegmentationClass(std::string_view classUid);
+
+/// What objects of a class are, as a part of a sentence: "an ultrasound image"; empty for what has no name
+/// here.
+Text nameOfDicomClass(std::string_view classUid);
+
+/// Throws `DataError` that names the kind of an object that is not read, and what can be done with it.
+[[noreturn]] void failAsDicomObject(const FileBytes& file, std::string_view classUid);
+
+} // namespace viscera::medical_io
