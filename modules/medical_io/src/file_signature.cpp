@@ -239,7 +239,7 @@ Signature textSignature(const FileBytes& file, std::string_view begin) {
   const std::string_view word = takeWord(rest);
   if (text.starts_with("# vtk DataFile"))
     return Signature::legacyVtk;
-  if (text.starts_with("# Markups fiducial"))
+  if (text.starts_with("# Markups fiducial") || text.starts_with("# Fiducial List file"))
     return Signature::fcsv;
   if (word == "ply")
     return Signature::ply;

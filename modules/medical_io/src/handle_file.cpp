@@ -1,7 +1,10 @@
 #include "viscera/medical_io/handle_file.h"
 
+#include <algorithm>
+#include <array>
 #include <new>
 #include <string>
+#include <string_view>
 #include <unordered_map>
 #include <unordered_set>
 
@@ -88,7 +91,33 @@ HandleFile readAny(const FileBytes& file) {
   return readMarkups(file);
 }
 
+constexpr std::size_t kMostNamedPoints = 8;
+
 } // namespace
+
+bool isPlaced(std::string_view status) {
+  static constexpr std::array<std::string_view, 6> kUnplaced = {"0",         "1",       "3",
+                                                                "undefined", "preview", "missing"};
+  return std::find(kUnplaced.begin(), kUnplaced.end(), lowered(status)) == kUnplaced.end();
+}
+
+void reportUnplaced(HandleFile& read, const std::vector<std::string>& labels, const FileBytes& file) {
+  if (labels.empty())
+    return;
+  std::vector<Text> some;
+  for (std::size_t i = 0; i < std::min(labels.size(), kMostNamedPoints); ++i)
+    some.push_back(inQuotes(labels[i]));
+  Text list = listOf(std::move(some));
+  if (labels.size() > kMostNamedPoints)
+    list = phrase("%2 and %n more", labels.size() - kMostNamedPoints, list);
+  if (read.count() == 0)
+    file.fail(
+        phrase("%n {point was|points were} never placed (%2), and there is no other", labels.size(), list),
+        "place some points and save them again");
+  read.warnings.push_back(
+      phrase("%n {point that was never placed is|points that were never placed are} left out: %2",
+             labels.size(), list));
+}
 
 Eigen::Index HandleFile::count() const {
   Eigen::Index total = 0;

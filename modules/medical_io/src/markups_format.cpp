@@ -4,6 +4,8 @@
 #include <ostream>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 
@@ -37,6 +39,10 @@ public:
                  "save the points from Slicer as .mrk.json");
     for (std::size_t i = 0; i < lists->size(); ++i)
       readList((*lists)[i], i);
+    if (result_.count() == 0 && unplaced_.empty() && !others_.empty())
+      file_.fail(phrase("It holds no points, but %1", listOf(others_)),
+                 "copy its control points into a point list in Slicer's module Markups, and save the list");
+    reportUnplaced(result_, unplaced_, file_);
     return std::move(result_);
   }
 
@@ -52,6 +58,7 @@ private:
     if (type != "Fiducial") {
       result_.warnings.push_back(phrase("the markup %1 of type %2 is not a list of points and was left out",
                                         inQuotes(group.name), inQuotes(type)));
+      others_.push_back(phrase("%1 %2", named(kindOf(type)), inQuotes(group.name)));
       return;
     }
     const auto display = list.find("display");
@@ -71,6 +78,18 @@ private:
       handle.visible = handle.visible && listVisible;
     }
     result_.groups.push_back(std::move(group));
+  }
+
+  /// What a markup that is no list of points is to a user of Slicer.
+  static std::string_view kindOf(std::string_view type) {
+    static constexpr std::array<std::pair<std::string_view, std::string_view>, 6> kMarkupKinds = {
+        {{"Line", "a line"},
+         {"Angle", "an angle"},
+         {"Curve", "a curve"},
+         {"ClosedCurve", "a closed curve"},
+         {"Plane", "a plane"},
+         {"ROI", "a box (ROI)"}}};
+    return lookUp(kMarkupKinds, type).value_or("a markup of another kind");
   }
 
   /// Slicer draws selected points, as all are by default, in `selectedColor`.
@@ -121,18 +140,24 @@ private:
     const Text where = diagnostic("list %1, point %2", inQuotes(group.name), number + 1);
     if (!point.is_object())
       file_.fail(diagnostic("%1 is not a JSON object", where));
-    const std::string status = textIn(point, "positionStatus");
-    if (!status.empty() && status != "defined") {
-      result_.warnings.push_back(phrase("%1 has no place (%2) and was left out", where, status));
-      return;
-    }
     HandleRecord handle;
     handle.label = textIn(point, "label");
+    if (!isPlaced(statusOf(point))) {
+      unplaced_.push_back(handle.label.empty() ? group.name + "-" + std::to_string(number + 1)
+                                               : handle.label);
+      return;
+    }
     handle.description = textIn(point, "description");
     handle.locked = flagIn(point, "locked", false);
     handle.visible = flagIn(point, "visibility", true);
     handle.position = readPosition(point, where, frame);
     group.handles.push_back(std::move(handle));
+  }
+
+  static std::string statusOf(const OrderedJson& point) {
+    const auto status = point.find("positionStatus");
+    return status != point.end() && status->is_number_unsigned() ? std::to_string(status->get<unsigned>())
+                                                                 : textIn(point, "positionStatus");
   }
 
   Vec3 readPosition(const OrderedJson& point, const Text& where, const Frame& frame) const {
@@ -155,6 +180,8 @@ private:
 
   const FileBytes& file_;
   HandleFile result_;
+  std::vector<std::string> unplaced_; ///< The labels of points without a place.
+  std::vector<Text> others_;          ///< The markups that are no lists of points.
 };
 
 OrderedJson pointJson(const HandleRecord& handle, std::size_t number, Space space) {

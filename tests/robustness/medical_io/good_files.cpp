@@ -162,6 +162,21 @@ GoodFile fcsv() {
   return {"tips.fcsv", text, FileUse::handles, true};
 }
 
+/// Slicer 5's, with points that were never placed, and Slicer 3's.
+GoodFile unplacedFcsv() {
+  return {"unplaced.fcsv",
+          "# Markups fiducial file version = 5.6\n# CoordinateSystem = LPS\n"
+          "1,12,-9,7,0,0,0,1,1,1,0,F-1,,,2,0\n2,0,0,0,0,0,0,1,1,1,0,F-2,,,0,0\n",
+          FileUse::handles, true};
+}
+
+GoodFile oldFcsv() {
+  return {"old.fcsv",
+          "# Fiducial List file f\n# name = tips\n# selectedColor = 1,0.5,0\n# locked = 1\n"
+          "# columns = label,x,y,z,sel,vis\nP,50,100,200,1,1\nQ,1,2,3,1,0\n",
+          FileUse::handles, true};
+}
+
 LabelImage labels() {
   LabelImage image = emptyLabels({11, 9, 8});
   image.indexToLps.linear() = Vec3(-1.5, 2, 3).asDiagonal();
@@ -236,6 +251,8 @@ std::vector<GoodFile> goodFiles() {
   list.push_back(vtp("raw_packed.vtp", vtkXMLWriter::Appended, false, true));
   list.push_back(markups());
   list.push_back(fcsv());
+  list.push_back(unplacedFcsv());
+  list.push_back(oldFcsv());
   addLabelMaps(list);
   return list;
 }

@@ -164,7 +164,64 @@ TEST(HandleFile, UnplacedPointsAndOtherMarkupsAreLeftOutWithAWarning) {
           point("a", "[1,0,0]") + "," + point("b", "[0,0,0]", R"(, "positionStatus": "undefined")") + "]}]}");
   const HandleFile read = readHandles(file);
   EXPECT_THAT(read.labels(), ElementsAre("a"));
-  EXPECT_THAT(inEnglish(read.warnings), ElementsAre(HasSubstr("Plane"), HasSubstr("point 2")));
+  EXPECT_THAT(inEnglish(read.warnings), ElementsAre(HasSubstr("Plane"), HasSubstr("left out: \"b\"")));
+}
+
+TEST(HandleFile, EveryStatusButDefinedIsNoPlace) {
+  const TemporaryFolder folder;
+  std::string points = point("a", "[1,0,0]", R"(, "positionStatus": "defined")");
+  for (const std::string status : {R"("undefined")", R"("missing")", R"("preview")", "0", "1", "3"})
+    points +=
+        "," + point("no " + std::to_string(points.size()), "[0,0,0]", R"(, "positionStatus": )" + status);
+  points += R"(,{"label": "no place", "positionStatus": "undefined"})" // Slicer may leave the position out.
+            "," +
+            point("b", "[2,0,0]", R"(, "positionStatus": 2)") + "," + point("c", "[3,0,0]");
+  const HandleFile read = readHandles(folder.put("f.mrk.json", markups(points)));
+  EXPECT_THAT(read.labels(), ElementsAre("a", "b", "c"));
+  EXPECT_THAT(inEnglish(read.warnings),
+              ElementsAre(HasSubstr("7 points that were never placed are left out: \"no ")));
+}
+
+TEST(HandleFile, UnplacedPointsOfAllListsAreOneWarningAndManyAreNotAllNamed) {
+  const TemporaryFolder folder;
+  std::string unplaced;
+  for (int i = 0; i < 10; ++i)
+    unplaced += "," + point("u" + std::to_string(i), "[0,0,0]", R"(, "positionStatus": "missing")");
+  const std::string list = R"({"type": "Fiducial", "name": "L", "controlPoints": [)";
+  const auto file = folder.put("f.mrk.json", R"({"markups": [)" + list + point("a", "[1,0,0]") + unplaced +
+                                                 "]}," + list + point("b", "[2,0,0]") + unplaced + "]}]}");
+  const HandleFile read = readHandles(file);
+  EXPECT_THAT(read.labels(), ElementsAre("a", "b"));
+  EXPECT_THAT(inEnglish(read.warnings),
+              ElementsAre(testing::AllOf(HasSubstr("20 points"), HasSubstr("\"u7\" and 12 more"))));
+  EXPECT_THAT(problemOfHandles(folder.put("none.mrk.json", markups(unplaced.substr(1)))),
+              HasSubstr("10 points were never placed"));
+}
+
+TEST(HandleFile, AFileWithoutListsOfPointsNamesWhatItHas) {
+  const TemporaryFolder folder;
+  const auto only = [&](const std::string& type) {
+    return problemOfHandles(folder.put("f.mrk.json", R"({"markups": [{"type": ")" + type +
+                                                         R"(", "name": "M", "controlPoints": [)" +
+                                                         point("a", "[1,0,0]") + "]}]}"));
+  };
+  EXPECT_EQ(only("Curve"), "It holds no points, but a curve \"M\"");
+  EXPECT_EQ(only("ClosedCurve"), "It holds no points, but a closed curve \"M\"");
+  EXPECT_EQ(only("Line"), "It holds no points, but a line \"M\"");
+  EXPECT_EQ(only("Angle"), "It holds no points, but an angle \"M\"");
+  EXPECT_EQ(only("Plane"), "It holds no points, but a plane \"M\"");
+  EXPECT_EQ(only("ROI"), "It holds no points, but a box (ROI) \"M\"");
+  EXPECT_EQ(only("GridSurface"), "It holds no points, but a markup of another kind \"M\"");
+  const std::string several =
+      R"({"markups": [{"type": "Curve", "name": "C"}, {"type": "Fiducial", "name": "F"},)"
+      R"({"type": "Line", "name": "L"}]})";
+  EXPECT_EQ(problemOfHandles(folder.put("g.mrk.json", several)),
+            "It holds no points, but a curve \"C\", a line \"L\"");
+  const auto mixed =
+      folder.put("h.mrk.json", R"({"markups": [{"type": "Curve", "name": "C"}, {"type": "Fiducial",)"
+                               R"("controlPoints": [)" +
+                                   point("a", "[1,0,0]") + "]}]}");
+  EXPECT_THAT(readHandles(mixed).labels(), ElementsAre("a"));
 }
 
 TEST(HandleFile, SelectedColourIsTheOneSlicerShows) {
@@ -230,6 +287,65 @@ TEST(Fcsv, AxesByNumberAreThoseOfOldSlicers) {
   EXPECT_EQ(read("0"), Vec3(-1, -2, 3));
   EXPECT_EQ(read("1"), Vec3(1, 2, 3));
   EXPECT_EQ(read("LPS"), Vec3(1, 2, 3));
+}
+
+constexpr auto kFcsvColumns = "# columns = id,x,y,z,ow,ox,oy,oz,vis,sel,lock,label,desc,associatedNodeID";
+
+TEST(Fcsv, PointsThatWereNeverPlacedAreLeftOut) {
+  const TemporaryFolder folder;
+  const std::string rows = "1,12,-9,7,0,0,0,1,1,1,0,F-1,,,2,0\n2,0,0,0,0,0,0,1,1,1,0,F-2,,,0,0\n"
+                           "3,-4,6,8,0,0,0,1,1,1,0,F-3,\"a, b\",,2,0\n4,0,0,0,0,0,0,1,1,1,0,F-4,,,3,0\n"
+                           "5,nan,0,0,0,0,0,1,1,1,0,,,,1,0\n";
+  const std::string begin = "# Markups fiducial file version = 5.6\n# CoordinateSystem = LPS\n";
+  const std::string header = std::string(kFcsvColumns) + "\n";
+  const std::string listed = std::string(kFcsvColumns) + ",positionStatus,autoCreated\n";
+  std::string dos = begin + header + rows;
+  for (std::size_t at = 0; (at = dos.find('\n', at)) != std::string::npos; at += 2)
+    dos.insert(at, 1, '\r');
+  for (const std::string& text : {begin + header + rows, begin + listed + rows, begin + rows, dos}) {
+    const HandleFile read = readHandles(folder.put("f.fcsv", text));
+    EXPECT_THAT(read.labels(), ElementsAre("F-1", "F-3"));
+    EXPECT_EQ(read.groups[0].handles[1].position, Vec3(-4, 6, 8));
+    EXPECT_THAT(inEnglish(read.warnings),
+                ElementsAre("3 points that were never placed are left out: \"F-2\", \"F-4\", \"5\""));
+  }
+  EXPECT_THAT(problemOfHandles(folder.put("g.fcsv", begin + "2,0,0,0,0,0,0,1,1,1,0,F-2,,,0,0\n")),
+              HasSubstr("1 point was never placed (\"F-2\")"));
+}
+
+TEST(Fcsv, ARowWithoutAStatusIsAPoint) {
+  const TemporaryFolder folder;
+  // Slicer 4 wrote commas within labels without quotes, so that its last field comes one later.
+  const auto file = folder.put("f.fcsv", "# Markups fiducial file version = 4.8\n# CoordinateSystem = 0\n" +
+                                             std::string(kFcsvColumns) +
+                                             "\nn_1,1,2,3,0,0,0,1,1,1,0,left, upper,,\n"
+                                             "n_2,4,5,6,0,0,0,1,1,1,0,5\" probe,,vtkMRMLScalarVolumeNode1\n");
+  const HandleFile read = readHandles(file);
+  EXPECT_THAT(read.labels(), ElementsAre("left", "5\" probe"));
+  EXPECT_EQ(read.groups[0].handles[0].position, Vec3(-1, -2, 3));
+  EXPECT_TRUE(read.warnings.empty());
+}
+
+TEST(Fcsv, FilesOfSlicer3AreRas) {
+  const TemporaryFolder folder;
+  const auto file =
+      folder.put("f.fcsv", "# Fiducial List file /data/f.fcsv\n# version = 2\n# name = tips\n"
+                           "# numPoints = 2\n# visibility = 1\n# color = 0.4,1,1\n"
+                           "# selectedColor = 1,0.5,0.25\n# locked = 1\n"
+                           "# columns = label,x,y,z,sel,vis\nL-P,50,100,200,1,1\nL-Q,1,2,3,1,0\n");
+  const HandleFile read = readHandles(file);
+  ASSERT_EQ(read.count(), 2);
+  EXPECT_EQ(read.groups[0].name, "tips");
+  EXPECT_EQ(read.groups[0].color, Vec3(1, 0.5, 0.25));
+  EXPECT_EQ(read.groups[0].handles[0], (HandleRecord{"L-P", {-50, -100, 200}, "", true, true}));
+  EXPECT_EQ(read.groups[0].handles[1], (HandleRecord{"L-Q", {-1, -2, 3}, "", true, false}));
+  EXPECT_THAT(inEnglish(read.warnings), ElementsAre(HasSubstr("RAS is assumed")));
+  // Other programs write the rows alone.
+  const HandleFile bare = readHandles(folder.put("g.fcsv", "L-P,50,100,200,1,0\nL-Q,1,2,3\n"));
+  EXPECT_THAT(bare.labels(), ElementsAre("L-P", "L-Q"));
+  EXPECT_EQ(bare.groups[0].handles[0].position, Vec3(-50, -100, 200));
+  EXPECT_FALSE(bare.groups[0].handles[0].visible);
+  EXPECT_THAT(inEnglish(bare.warnings), ElementsAre(HasSubstr("RAS is assumed")));
 }
 
 TEST(Fcsv, BadNumbersAreNamedByLine) {
