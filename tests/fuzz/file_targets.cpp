@@ -6,6 +6,7 @@
 #include "viscera/medical_io/file_kind.h"
 #include "viscera/medical_io/handle_file.h"
 #include "viscera/medical_io/surface_file.h"
+#include "zip_files.h"
 
 /// Files of surfaces and of handles.
 namespace viscera::fuzz {
@@ -60,7 +61,37 @@ void readAnyHandles(Bytes bytes) {
   require(again.positions() == read.positions(), "Handles that are written and read have the same places.");
 }
 
+/// The bytes as the model of a 3MF package: a package that is changed fails by its checksums.
+void readAnyModel(Bytes bytes) {
+  const std::string package = tests::zipFile({{"3D/3dmodel.model", textOf(bytes), false}});
+  const auto file = scratchFile("a.3mf", {reinterpret_cast<const std::uint8_t*>(package.data()), package.size()});
+  for (const medical_io::SurfacePart& part : medical_io::readSurfaces(file)) {
+    geometry::requireValid(part.surface.mesh, "what was read");
+    require(part.surface.mesh.triangles.rows() > 0, "A part that was read has triangles.");
+    require(part.opacity >= 0 && part.opacity <= 1, "An opacity is from 0 to 1.");
+  }
+}
+
+/// A model with what programs use: two kinds of colours, an assembly that is turned, a unit.
+std::string modelWithEverything() {
+  return R"(<?xml version="1.0"?><model unit="inch" xmlns="http://schemas.microsoft.com/3dmanufacturing/core/2015/02" )"
+         R"(xmlns:m="http://schemas.microsoft.com/3dmanufacturing/material/2015/02"><metadata name="Description">)"
+         R"(Viscera: a; SPACE=RAS</metadata><resources><basematerials id="1"><base name="a" displaycolor="#FF8000"/>)"
+         R"(</basematerials><m:colorgroup id="2"><m:color color="#00FF0080"/><m:color color="#0000FF"/></m:colorgroup>)"
+         R"(<object id="3" name="Liver" type="model" pid="1" pindex="0"><mesh><vertices><vertex x="0" y="0" z="0"/>)"
+         R"(<vertex x="9" y="0" z="0"/><vertex x="0" y="9" z="0"/><vertex x="0" y="0" z="9"/></vertices><triangles>)"
+         R"(<triangle v1="0" v2="2" v3="1"/><triangle v1="0" v2="1" v3="3" pid="2" p1="0" p2="1" p3="1"/>)"
+         R"(<triangle v1="0" v2="3" v3="2"/><triangle v1="1" v2="2" v3="3"/></triangles></mesh></object>)"
+         R"(<object id="4" type="model"><components><component objectid="3"/>)"
+         R"(<component objectid="3" transform="-1 0 0 0 2 0 0 0 1 5 6 7"/></components></object></resources>)"
+         R"(<build><item objectid="4" transform="0 1 0 -1 0 0 0 0 1 0 0 0"/><item objectid="3"/></build></model>)";
+}
+
 } // namespace
+
+Target modelTarget() {
+  return {"models", readAnyModel, [] { return std::vector<std::string>{modelWithEverything()}; }};
+}
 
 Target surfaceFileTarget() {
   return {"surfaces", readAnySurface, [] {

@@ -16,7 +16,7 @@ const tests::TemporaryFolder& scratch() {
 } // namespace
 
 std::vector<Target> readerTargets() {
-  std::vector<Target> all = {surfaceFileTarget(), handleFileTarget(), surfaceSoupTarget()};
+  std::vector<Target> all = {surfaceFileTarget(), handleFileTarget(), modelTarget(), surfaceSoupTarget()};
   for (const auto& some : {imageTargets(), documentTargets(), motionTargets()})
     all.insert(all.end(), some.begin(), some.end());
   return all;

@@ -55,6 +55,7 @@ std::vector<Target> documentTargets();
 std::vector<Target> motionTargets();
 Target surfaceFileTarget();
 Target handleFileTarget();
+Target modelTarget();
 Target surfaceSoupTarget();
 
 } // namespace viscera::fuzz

@@ -40,6 +40,7 @@ constexpr std::array kRead = std::to_array<Format>({
     {Signature::vtm, FileKind::surface, "VTM", "VTK XML multiblock data", ".vtm .vtmb", false},
     {Signature::glb, FileKind::surface, "GLB", "a binary glTF scene", ".glb", true},
     {Signature::gltf, FileKind::surface, "glTF", "a glTF scene", ".gltf", false},
+    {Signature::threeMf, FileKind::surface, "3MF", "a 3MF model", ".3mf", true},
     {Signature::nifti, FileKind::labelMap, "NIfTI", "a NIfTI image", ".nii .nii.gz .hdr .hdr.gz .img .img.gz",
      true},
     {Signature::nrrd, FileKind::labelMap, "NRRD", "an NRRD image",
@@ -161,7 +162,7 @@ Signature binarySignature(const FileBytes& file, std::string_view begin) {
   if (begin.starts_with("\x1f\x8b"))
     return Signature::gzip;
   if (begin.starts_with("PK\x03\x04"))
-    return Signature::zip;
+    return file.view().find("3dmodel.model") != std::string_view::npos ? Signature::threeMf : Signature::zip;
   if (begin.starts_with("NRRD00"))
     return Signature::nrrd;
   if (begin.starts_with("\x89PNG") || begin.starts_with("\xff\xd8\xff") || begin.starts_with("GIF8"))
@@ -316,7 +317,8 @@ const std::vector<std::string>& endingsOf(FileKind kind) {
 Signature signatureFor(const FileBytes& file, FileKind wanted) {
   const Signature found = wanted == FileKind::labelMap ? signatureUnpacked(file) : signatureOf(file);
   const Signature promised = signatureOfEnding(file.file);
-  const bool packed = found == Signature::gzip; // The reader says what is wrong.
+  const bool packed = found == Signature::gzip || // The reader says what is wrong.
+                      (found == Signature::zip && promised == Signature::threeMf);
   if (found == Signature::unknown && unreadImage(file))
     refuse(file, wanted);
   const Signature own = found == Signature::unknown || packed ? promised : found;

@@ -34,6 +34,7 @@ enum class Signature {
   dicom,
   gzip,
   zip,
+  threeMf,
   picture,
 };
 

@@ -27,7 +27,7 @@ struct SurfaceFormat {
   void (*write)(std::ostream&, const geometry::TriangleMesh&, const WriteSurface&);
 };
 
-constexpr std::array<SurfaceFormat, 9> kSurfaceFormats = {{
+constexpr std::array<SurfaceFormat, 10> kSurfaceFormats = {{
     {Signature::stl, readStl, writeStl},
     {Signature::obj, readObj, writeObj},
     {Signature::ply, readPly, writePly},
@@ -37,6 +37,7 @@ constexpr std::array<SurfaceFormat, 9> kSurfaceFormats = {{
     {Signature::vtm, readVtm, nullptr},
     {Signature::glb, readGltf, writeGlb},
     {Signature::gltf, readGltf, nullptr},
+    {Signature::threeMf, readThreeMf, writeThreeMf},
 }};
 
 /// Null for a signature of no surface.
@@ -141,6 +142,27 @@ void writeSurface(const std::filesystem::path& file, const geometry::TriangleMes
     throw DataError("there is no triangle to write", file.string(), "choose a surface that has some");
   const geometry::TriangleMesh written = inSpace(mesh, options.space);
   writeAtomically(file, [&](std::ostream& out) { format->write(out, written, options); });
+}
+
+void writeSurfaces(const std::filesystem::path& file, const std::vector<NamedSurface>& surfaces,
+                   Space space) {
+  const Signature format = signatureOfEnding(file);
+  if (format != Signature::glb && format != Signature::threeMf)
+    throw CannotCreateError("several surfaces are written as .glb or .3mf only", file.string(),
+                            "choose a name that ends in .glb or .3mf");
+  if (surfaces.empty())
+    throw DataError("there is no surface to write", file.string(), "open one first");
+  std::vector<NamedSurface> written = surfaces;
+  for (std::size_t i = 0; i < written.size(); ++i) {
+    geometry::requireValid(*written[i].mesh, written[i].name);
+    if (written[i].cavityOf >= static_cast<int>(i))
+      throw DataError(misuse("surface %1 is a cavity of one that does not come before it", i), file.string());
+    if (space != Space::lps)
+      written[i].mesh = std::make_shared<const geometry::TriangleMesh>(inSpace(*written[i].mesh, space));
+  }
+  writeAtomically(file, [&](std::ostream& out) {
+    (format == Signature::glb ? writeGlbParts : writeThreeMfParts)(out, written, space);
+  });
 }
 
 } // namespace viscera::medical_io

@@ -2,6 +2,7 @@
 
 #include <iosfwd>
 #include <string>
+#include <vector>
 
 #include "file_bytes.h"
 #include "raw_surface.h"
@@ -23,6 +24,9 @@ RawSurface readVtp(const FileBytes& file);
 /// GLB, or the JSON of a GLTF, whose buffers are beside it.
 RawSurface readGltf(const FileBytes& file);
 
+/// A 3MF package: every object that is placed is a part.
+RawSurface readThreeMf(const FileBytes& file);
+
 /// VTK's multiblock data: the surfaces beside the file that its blocks name, each a part.
 RawSurface readVtm(const FileBytes& file);
 
@@ -35,5 +39,9 @@ void writeVtp(std::ostream& out, const geometry::TriangleMesh& mesh, const Write
 /// The same for VTK's data, with the arrays at its points. Throws `CannotCreateError`.
 void writeVtp(std::ostream& out, vtkPolyData& data, const WriteSurface& options);
 void writeGlb(std::ostream& out, const geometry::TriangleMesh& mesh, const WriteSurface& options);
+void writeThreeMf(std::ostream& out, const geometry::TriangleMesh& mesh, const WriteSurface& options);
+/// Several valid surfaces in `space`; none is within one that comes behind it.
+void writeGlbParts(std::ostream& out, const std::vector<NamedSurface>& surfaces, Space space);
+void writeThreeMfParts(std::ostream& out, const std::vector<NamedSurface>& surfaces, Space space);
 
 } // namespace viscera::medical_io

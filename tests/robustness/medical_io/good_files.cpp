@@ -235,7 +235,7 @@ void addLabelMaps(std::vector<GoodFile>& list) {
 
 std::vector<GoodFile> goodFiles() {
   std::vector<GoodFile> list;
-  for (const char* extension : {".stl", ".obj", ".ply", ".off", ".vtk", ".vtp", ".glb"})
+  for (const char* extension : {".stl", ".obj", ".ply", ".off", ".vtk", ".vtp", ".glb", ".3mf"})
     list.push_back(written(extension));
   list.push_back(textStl());
   list.push_back(textPly());

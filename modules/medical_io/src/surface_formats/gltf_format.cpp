@@ -17,7 +17,6 @@
 #include "surface_formats/gltf_document.h"
 #include "surface_parts.h"
 #include "text_scanner.h"
-#include "viscera/core/atomic_file.h"
 #include "viscera/core/error.h"
 #include "viscera/core/json_reader.h"
 #include "viscera/core/phrase.h"
@@ -584,20 +583,11 @@ void writeGlb(std::ostream& out, const geometry::TriangleMesh& mesh, const Write
   out << builder.run();
 }
 
-void writeSurfaces(const std::filesystem::path& file, const std::vector<NamedSurface>& surfaces,
-                   Space space) {
-  if (extensionOf(file) != ".glb")
-    throw CannotCreateError("several surfaces are written as .glb only", file.string(),
-                            "choose a name that ends in .glb");
-  if (surfaces.empty())
-    throw DataError("there is no surface to write", file.string(), "open one first");
+void writeGlbParts(std::ostream& out, const std::vector<NamedSurface>& surfaces, Space space) {
   GlbBuilder builder(space);
-  for (const NamedSurface& surface : surfaces) {
-    geometry::requireValid(*surface.mesh, surface.name);
-    builder.add(space == Space::ras ? geometry::turnedHalf(*surface.mesh) : *surface.mesh, surface.name,
-                materialOf(surface), extrasOf(surface));
-  }
-  writeAtomically(file, [&](std::ostream& out) { out << builder.run(); });
+  for (const NamedSurface& surface : surfaces)
+    builder.add(*surface.mesh, surface.name, materialOf(surface), extrasOf(surface));
+  out << builder.run();
 }
 
 } // namespace viscera::medical_io

@@ -25,12 +25,12 @@ struct SurfaceFile {
   geometry::SurfaceReport report; ///< Of `mesh`.
 };
 
-/// Reads the one organ of a file: STL, OBJ, PLY, OFF, VTK (polygons and strips), VTP, VTM, GLB or GLTF, by
-/// its extension, and a DICOM file with an STL or OBJ file within, under any name. Equal points are merged,
-/// polygons cut into triangles, triangles with a repeated corner and points without a triangle dropped;
-/// warnings list this and other doubts: open, inside out, a size or volume that no such organ has. Never
-/// scales and never turns a surface around. How axes are stated, and what an organ is in a file of several
-/// parts: docs/file_formats.md.
+/// Reads the one organ of a file: any surface format of `fileFormats`, and a DICOM file with an STL or OBJ
+/// file within, under any name. Equal points are merged, polygons cut into triangles, triangles with a
+/// repeated corner and points without a triangle dropped; warnings list this and other doubts: open, inside
+/// out, a size or volume that no such organ has. Scales only what states another unit than mm, and never turns
+/// a surface around. How axes are stated, and what an organ is in a file of several parts:
+/// docs/file_formats.md.
 ///
 /// Throws `NoInputError` when the file is missing or not readable, `DataError` naming file and reason when it
 /// is empty, truncated, of another kind than its name says, holds no triangle, or has coordinates that are
@@ -53,9 +53,9 @@ struct SurfacePart {
 
 /// Reads all organs of a file, with names, colours and, where Viscera has written it, cavities. Organs are
 /// the named parts of the file (OBJ: objects, else groups, else materials; glTF: nodes; STL: solids; VTM:
-/// blocks) that are closed; open parts that share points are one organ. A warning says when an organ lies
-/// inside another, whose volume then contains its volume. Throws what `readSurface` throws, but for several
-/// organs. O(n + m log m).
+/// blocks; 3MF: objects) that are closed; open parts that share points are one organ. A warning says when an
+/// organ lies inside another, whose volume then contains its volume. Throws what `readSurface` throws, but
+/// for several organs. O(n + m log m).
 std::vector<SurfacePart> readSurfaces(const std::filesystem::path& file);
 
 /// The place of the organ with that name, as `segmentsNamed` compares names, or with that number from 1.
@@ -71,7 +71,7 @@ struct WriteSurface {
   std::string name; ///< On one line; truncated if the format has little room for it.
 };
 
-/// Writes by extension (STL, OBJ, PLY, OFF, VTK, VTP, GLB): first to a temporary name beside it, then
+/// Writes by extension (STL, OBJ, PLY, OFF, VTK, VTP, GLB, 3MF): first to a temporary name beside it, then
 /// renamed, so that nothing half-written is left. Colours are written if the format has them (all but STL).
 /// STL and GLB are in single precision, the others keep every bit. Throws `CannotCreateError` when the file
 /// cannot be written or has another ending, `DataError` for a mesh without triangles, with coordinates that
@@ -88,9 +88,12 @@ struct NamedSurface {
   int cavityOf = -1;            ///< The place in the list of the surface whose cavity this is; -1: of none.
 };
 
-/// Writes several surfaces into one GLB, each a node with its name and colour, in LPS mm as by
-/// `writeSurface`, or in RAS; `readSurfaces` reads them again. Atomic. Throws `CannotCreateError` when the
-/// file cannot be written or does not end in .glb, `DataError` for no surface, or one that is not valid.
+/// Writes several surfaces into one GLB or 3MF, each with its name and colour, in LPS mm as by
+/// `writeSurface`, or in RAS; `readSurfaces` reads them again. A cavity comes behind its organ. In a GLB it
+/// is a surface of its own; in a 3MF, which is for printing, it is in the mesh of its organ, with its
+/// triangles turned so that the organ is hollow there. Atomic. Throws `CannotCreateError` when the file
+/// cannot be written or has another ending, `DataError` for no surface, one that is not valid, or a cavity
+/// that comes before its organ.
 void writeSurfaces(const std::filesystem::path& file, const std::vector<NamedSurface>& surfaces,
                    Space space = Space::lps);
 
