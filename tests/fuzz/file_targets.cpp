@@ -64,7 +64,8 @@ void readAnyHandles(Bytes bytes) {
 /// The bytes as the model of a 3MF package: a package that is changed fails by its checksums.
 void readAnyModel(Bytes bytes) {
   const std::string package = tests::zipFile({{"3D/3dmodel.model", textOf(bytes), false}});
-  const auto file = scratchFile("a.3mf", {reinterpret_cast<const std::uint8_t*>(package.data()), package.size()});
+  const auto file =
+      scratchFile("a.3mf", {reinterpret_cast<const std::uint8_t*>(package.data()), package.size()});
   for (const medical_io::SurfacePart& part : medical_io::readSurfaces(file)) {
     geometry::requireValid(part.surface.mesh, "what was read");
     require(part.surface.mesh.triangles.rows() > 0, "A part that was read has triangles.");

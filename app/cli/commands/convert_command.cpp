@@ -1,22 +1,31 @@
 #include "cli/commands/all_commands.h"
 
+#include <cmath>
+#include <filesystem>
 #include <memory>
+#include <numbers>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <CLI/CLI.hpp>
 
 #include "cli/inputs.h"
 #include "cli/listing.h"
+#include "cli/organ_group.h"
 #include "viscera/anatomy/part.h"
 #include "viscera/core/error.h"
+#include "viscera/deformation/organ_solid.h"
 #include "viscera/document/open_files.h"
+#include "viscera/document/session_file.h"
 #include "viscera/geometry/surface_check.h"
 #include "viscera/geometry/triangle_mesh.h"
 #include "viscera/medical_io/assess_surface.h"
+#include "viscera/medical_io/file_kind.h"
 #include "viscera/medical_io/handle_file.h"
 #include "viscera/medical_io/plausible_size.h"
+#include "viscera/medical_io/solid_model_file.h"
 #include "viscera/medical_io/space.h"
 #include "viscera/medical_io/surface_file.h"
 #include "viscera/medical_io/surface_repairs.h"
@@ -24,6 +33,7 @@
 namespace viscera::app::cli {
 namespace {
 
+constexpr double kSmallestElementMm = 0.01, kLargestElementMm = 1000;
 constexpr int kFewestConvertedTriangles = 100, kMostConvertedTriangles = 1'000'000;
 
 double millimetres(const std::string& unit) {
@@ -42,23 +52,28 @@ bool turned(medical_io::Space read, const std::string& stated) {
   return !stated.empty() && spaceNamed(stated) != read;
 }
 
-/// `viscera convert`: surfaces and handle files into other formats, axes and units. Repairs only what it is
-/// asked to.
+bool endsAsScene(const std::string& file) {
+  const std::filesystem::path ending = std::filesystem::path(file).extension();
+  return ending == ".3mf" || ending == ".glb";
+}
+
+/// `viscera convert`: surfaces and handle files into other formats, axes and units, several organs into one
+/// file, an organ into tetrahedra. Repairs only what it is asked to.
 class ConvertCommand final : public Command {
 public:
   std::string name() const override { return "convert"; }
-  std::string summary() const override { return "Convert a surface or a handle file"; }
+  std::string summary() const override {
+    return "Convert organs or a handle file, for printing and finite elements, too";
+  }
 
   void addOptions(CLI::App& options) override {
+    // One list: the library gives a list of names all that follow, and leaves none for a name behind it.
     options
         .add_option(
-            "IN", in_,
-            "A surface, one organ of a file of several (FILE/NAME), or a handle file (.mrk.json, .fcsv)")
-        ->required();
-    options
-        .add_option("OUT", out_,
-                    "The file to write, of the same kind; its ending says the format. Several organs are "
-                    "written as .glb")
+            "IN", inputs_,
+            "IN... OUT: a surface, one organ of a file of several (FILE/NAME), or a handle file "
+            "(.mrk.json, .fcsv), and the file to write, whose ending says the format. For .3mf, .glb, .inp "
+            "and .vtu also several organs, a session, a label map or sample:heart")
         ->required();
     options.add_option("--space", space_, "Axes to write in: LPS or RAS")
         ->check(CLI::IsMember({"LPS", "RAS"}))
@@ -77,13 +92,168 @@ public:
         ->type_name("N")
         ->check(CLI::Range(kFewestConvertedTriangles, kMostConvertedTriangles));
     options.add_flag("--mirror", mirror_, "Exchange left and right");
+    options
+        .add_option("--element-size", elementMm_,
+                    "For .inp and .vtu: largest edge of tetrahedra inside, in mm")
+        ->type_name("MM")
+        ->check(CLI::Range(kSmallestElementMm, kLargestElementMm));
+    options
+        .add_option("--cavity", cavities_,
+                    "For .inp and .vtu: a closed surface inside the organ that stays empty; may be repeated")
+        ->type_name("ORGAN")
+        ->expected(1)
+        ->take_all();
   }
 
   Outcome run(CommandContext& context) override {
+    takeOutput();
+    if (medical_io::isSolidModelFile(out_))
+      return convertToTetrahedra(context);
+    if (elementMm_ || !cavities_.empty())
+      throw UsageError("tetrahedra are written as .inp or .vtu only", out_,
+                       "leave out --element-size and --cavity");
+    if (endsAsScene(out_) && (inputs_.size() > 1 || holdsOrgans(in_)))
+      return convertOrgans(context);
+    if (inputs_.size() > 1)
+      throw UsageError("several organs are written as .3mf or .glb only", out_, "convert them one by one");
     return document::isHandleFile(in_) ? convertHandles() : convertSurface(context);
   }
 
 private:
+  /// The last argument.
+  void takeOutput() {
+    if (inputs_.size() < 2)
+      throw UsageError("There is no file to write", inputs_.front(), "name it last: viscera convert IN OUT");
+    out_ = inputs_.back();
+    inputs_.pop_back();
+    in_ = inputs_.front();
+  }
+
+  /// Whether it is more than a surface file: a sample organ, a session, a label map, or one organ of these.
+  static bool holdsOrgans(const std::string& input) {
+    if (isSample(input) || sessionReference(input) || namesLabel(input))
+      return true;
+    std::error_code unreachable;
+    if (std::filesystem::is_directory(input, unreachable) || document::isSessionFile(input))
+      return true;
+    return std::filesystem::is_regular_file(input, unreachable) &&
+           medical_io::fileKind(input) == medical_io::FileKind::labelMap;
+  }
+
+  /// All organs of all inputs into one file.
+  Outcome convertOrgans(CommandContext& context) const {
+    if (!repairs().empty() || remesh_ || !fromSpace_.empty() || unit_ != "mm")
+      throw UsageError("several organs are written as they are", out_,
+                       "leave out the options, or convert the organs one by one");
+    const OrganGroup group = organGroup(inputs_, context.samples, context.progress);
+    std::vector<medical_io::NamedSurface> surfaces;
+    Outcome outcome;
+    outcome.json = {{"in", in_}, {"out", out_}, {"organs", nlohmann::ordered_json::array()}};
+    Listing listing;
+    listing.add("file", out_);
+    Eigen::Index vertices = 0, triangles = 0;
+    for (std::size_t i = 0; i < group.organs.size(); ++i) {
+      const document::Organ& organ = group.organs[i];
+      auto mesh = organ.mesh;
+      if (mesh->colors.rows() > 0 && !organ.look.vertexColors) {
+        auto plainMesh = std::make_shared<geometry::TriangleMesh>(*mesh);
+        plainMesh->colors.resize(0, 3);
+        mesh = std::move(plainMesh);
+      }
+      surfaces.push_back({mesh, organ.name, organ.look.color, organ.look.opacity, group.cavityOf[i]});
+      vertices += mesh->points.rows();
+      triangles += mesh->triangles.rows();
+      const bool cavity = group.cavityOf[i] >= 0;
+      outcome.json["organs"].push_back({{"name", organ.name},
+                                        {"triangles", mesh->triangles.rows()},
+                                        {"closed", organ.closed()},
+                                        {"cavityOf", cavity ? nlohmann::ordered_json(group.cavityOf[i])
+                                                            : nlohmann::ordered_json(nullptr)}});
+      listing.add(organ.name,
+                  std::to_string(mesh->triangles.rows()) + " triangles" + (cavity ? ", a cavity" : ""));
+    }
+    context.progress.throwIfCancelled();
+    medical_io::writeSurfaces(out_, surfaces, written());
+    outcome.json["vertices"] = vertices;
+    outcome.json["triangles"] = triangles;
+    outcome.json["space"] = space_;
+    outcome.warnings = group.warnings;
+    outcome.json["warnings"] = outcome.warnings;
+    outcome.text = listing.text();
+    return outcome;
+  }
+
+  /// One organ, filled up to its cavities.
+  Outcome convertToTetrahedra(CommandContext& context) const {
+    if (!repairs().empty() || remesh_ || !fromSpace_.empty() || space_ != "LPS" || unit_ != "mm")
+      throw UsageError("tetrahedra are written in LPS mm of a surface as it is", out_,
+                       "convert the surface first, and then the result");
+    OrganGroup group = organGroup(inputs_, context.samples, context.progress);
+    const OrganGroup hollow = organGroup(cavities_, context.samples, context.progress);
+    if (group.organs.empty())
+      throw UsageError("there is no organ in it", in_);
+    const document::Organ& organ = group.organs.front();
+    std::vector<deformation::NamedWall> cavities;
+    for (std::size_t i = 1; i < group.organs.size(); ++i) {
+      if (group.cavityOf[i] != 0)
+        throw UsageError("tetrahedra are made of one organ with its cavities", group.organs[i].name,
+                         "name the organ behind a slash, and its cavities by --cavity");
+      cavities.push_back({group.organs[i].name, group.organs[i].mesh});
+    }
+    for (const document::Organ& cavity : hollow.organs)
+      cavities.push_back({cavity.name, cavity.mesh});
+    deformation::TetrahedraOptions options;
+    if (elementMm_) // The volume of a regular tetrahedron.
+      options.maxVolumeMm3 = std::pow(*elementMm_, 3) / (6 * std::numbers::sqrt2);
+    const deformation::OrganSolid solid = filled(organ, cavities, options, context.progress);
+    context.progress.throwIfCancelled();
+    medical_io::writeSolidModel(out_, solid, organ.name);
+    Outcome outcome = outcomeOf(solid);
+    outcome.warnings = std::move(group.warnings);
+    outcome.warnings.insert(outcome.warnings.end(), hollow.warnings.begin(), hollow.warnings.end());
+    outcome.json["warnings"] = outcome.warnings;
+    return outcome;
+  }
+
+  deformation::OrganSolid filled(const document::Organ& organ,
+                                 const std::vector<deformation::NamedWall>& cavities,
+                                 const deformation::TetrahedraOptions& options, Progress& progress) const {
+    try {
+      return deformation::fillOrgan({"OUTER", organ.mesh}, cavities, options, progress);
+    } catch (const deformation::TetrahedraError& error) {
+      using Reason = deformation::TetrahedraError::Reason;
+      const bool tooMany = error.reason() == Reason::timeLimit || error.reason() == Reason::memoryLimit;
+      throw DataError(error.problem(), in_,
+                      tooMany ? Text("choose a larger --element-size, or fewer triangles by --remesh first")
+                              : error.tryThis());
+    }
+  }
+
+  Outcome outcomeOf(const deformation::OrganSolid& solid) const {
+    Outcome outcome;
+    const double volumeMl = deformation::tetrahedronVolumes(solid.points, solid.tetrahedra).sum() / kMm3PerMl;
+    outcome.json = {{"in", in_},
+                    {"out", out_},
+                    {"vertices", solid.points.rows()},
+                    {"triangles", 0},
+                    {"tetrahedra", solid.tetrahedra.rows()},
+                    {"volumeMl", volumeMl},
+                    {"space", space_},
+                    {"walls", nlohmann::ordered_json::array()}};
+    Listing listing;
+    listing.add("file", out_)
+        .add("tetrahedra", std::to_string(solid.tetrahedra.rows()) + ", " + fixed(volumeMl, 1) + " ml")
+        .add("nodes", std::to_string(solid.points.rows()));
+    for (const deformation::OrganSolid::Wall& wall : solid.walls) {
+      outcome.json["triangles"] = outcome.json["triangles"].get<std::size_t>() + wall.faces.size();
+      outcome.json["walls"].push_back(
+          {{"name", wall.name}, {"nodes", wall.nodes.size()}, {"faces", wall.faces.size()}});
+      listing.add(wall.name, std::to_string(wall.nodes.size()) + " nodes");
+    }
+    outcome.text = listing.text();
+    return outcome;
+  }
+
   Outcome convertSurface(CommandContext& context) const {
     if (document::isHandleFile(out_))
       throw UsageError("a surface cannot be written as a handle file", out_,
@@ -95,7 +265,7 @@ private:
     } else {
       parts = medical_io::readSurfaces(in_);
     }
-    if (parts.size() > 1 && !out_.ends_with(".glb"))
+    if (parts.size() > 1 && !endsAsScene(out_))
       medical_io::readSurface(in_); // Throws, and lists the organs.
     Outcome outcome;
     std::vector<Converted> converted;
@@ -149,7 +319,8 @@ private:
 
   void write(const std::vector<medical_io::SurfacePart>& parts,
              const std::vector<Converted>& converted) const {
-    if (parts.size() == 1) {
+    // A print has the organ's colour, also of one alone.
+    if (parts.size() == 1 && std::filesystem::path(out_).extension() != ".3mf") {
       medical_io::writeSurface(out_, *converted.front().mesh,
                                {.space = written(), .name = converted.front().name});
       return;
@@ -257,8 +428,11 @@ private:
 
   medical_io::Space written() const { return spaceNamed(space_); }
 
-  std::string in_;
+  std::vector<std::string> inputs_; ///< Of the arguments all but the last.
+  std::string in_;                  ///< The first of them.
   std::string out_;
+  std::vector<std::string> cavities_;
+  std::optional<double> elementMm_;
   std::string space_ = "LPS";
   std::string fromSpace_;
   std::string unit_ = "mm";

@@ -145,4 +145,72 @@ TEST_F(CliConvert, DeformWritesDisplacementsAndAFieldThatLeadsBack) {
                 kCannotCreate, "t.xyz");
 }
 
+/// Boxes in and beside one another, as OFF.
+class CliConvertOrgans : public CliConvert {
+protected:
+  /// A box of that edge with its low corner at that place, on all axes.
+  std::string boxFile(const std::string& name, double low, double edge) const {
+    const auto at = [&](int high) { return std::to_string(low + high * edge); };
+    std::string text = "OFF\n8 12 0\n";
+    for (int i = 0; i < 8; ++i)
+      text += at(i & 1) + " " + at(i >> 1 & 1) + " " + at(i >> 2 & 1) + "\n";
+    return put(name, text +
+                         "3 0 2 3\n3 0 3 1\n3 4 5 7\n3 4 7 6\n3 0 1 5\n3 0 5 4\n3 2 6 7\n3 2 7 3\n3 0 4 6\n"
+                         "3 0 6 2\n3 1 3 7\n3 1 7 5\n");
+  }
+};
+
+TEST_F(CliConvertOrgans, SeveralInputsBecomeOrgansOfOnePrint) {
+  const std::string liver = boxFile("liver.off", 0, 80), spleen = boxFile("spleen.off", 100, 40);
+  const json outcome = runJson({"convert", liver, spleen, path("all.3mf")});
+  ASSERT_EQ(outcome["organs"].size(), 2U);
+  EXPECT_EQ(outcome["organs"][1]["name"], "spleen");
+  EXPECT_EQ(outcome["triangles"], 24);
+  const json again = runJson({"convert", path("all.3mf"), path("all.glb")});
+  ASSERT_EQ(again["organs"].size(), 2U);
+  EXPECT_EQ(again["organs"][0]["name"], "liver");
+  EXPECT_NE(run({"convert", liver, spleen, path("all.stl")}).exitCode, 0);
+  EXPECT_NE(run({"convert", liver, spleen, path("all.3mf"), "--mirror"}).exitCode, 0);
+}
+
+TEST_F(CliConvertOrgans, ASampleOrganIsPrintedWithHollowCavities) {
+  const json outcome = runJson({"convert", "sample:heart@low", path("heart.3mf")});
+  ASSERT_GT(outcome["organs"].size(), 4U);
+  EXPECT_TRUE(outcome["organs"][0]["cavityOf"].is_null());
+  EXPECT_EQ(outcome["organs"][1]["cavityOf"], 0);
+  const json info = runJson({"info", path("heart.3mf")});
+  EXPECT_EQ(info["components"], outcome["organs"].size());
+}
+
+TEST_F(CliConvertOrgans, AnOrganBecomesTetrahedraAroundItsCavities) {
+  const std::string outer = boxFile("outer.off", 0, 80), cavity = boxFile("ventricle.off", 20, 30);
+  const json outcome = runJson({"convert", outer, path("a.inp"), "--cavity", cavity, "--element-size", "12"});
+  EXPECT_NEAR(outcome["volumeMl"].get<double>(), 512 - 27, 1e-6);
+  ASSERT_EQ(outcome["walls"].size(), 2U);
+  EXPECT_EQ(outcome["walls"][0]["name"], "OUTER");
+  EXPECT_EQ(outcome["walls"][1]["name"], "ventricle");
+  EXPECT_EQ(outcome["walls"][1]["nodes"], 8);
+  const std::string inp = contents(path("a.inp"));
+  for (const char* part : {"*NODE, NSET=NALL", "TYPE=C3D4, ELSET=OUTER", "*NSET, NSET=OUTER",
+                           "*NSET, NSET=VENTRICLE", "*SURFACE, NAME=VENTRICLE_FACES, TYPE=ELEMENT"})
+    EXPECT_NE(inp.find(part), std::string::npos) << part;
+  const json coarse = runJson({"convert", outer, path("a.vtu")});
+  EXPECT_LT(coarse["tetrahedra"], outcome["tetrahedra"]);
+  EXPECT_NE(run({"convert", outer, cavity, path("b.inp")}).exitCode, 0) << "two organs";
+  EXPECT_NE(run({"convert", outer, path("b.stl"), "--element-size", "3"}).exitCode, 0);
+  EXPECT_NE(run({"convert", outer, path("b.inp"), "--cavity", boxFile("out.off", 70, 30)}).exitCode, 0);
+}
+
+TEST_F(CliConvertOrgans, TheSampleHeartIsFilledUpToItsCavities) {
+  const json sample = runJson({"sample", "heart", "--resolution", "low"});
+  const json outcome = runJson({"convert", "sample:heart@low", path("heart.inp")});
+  double volumeMl = sample["volumeMl"].get<double>();
+  for (std::size_t i = 1; i < sample["surfaces"].size(); ++i)
+    volumeMl -= sample["surfaces"][i]["volumeMl"].get<double>();
+  EXPECT_NEAR(outcome["volumeMl"].get<double>(), volumeMl, 1e-4);
+  ASSERT_EQ(outcome["walls"].size(), sample["surfaces"].size());
+  for (std::size_t i = 0; i < sample["surfaces"].size(); ++i)
+    EXPECT_EQ(outcome["walls"][i]["nodes"], sample["surfaces"][i]["vertices"]);
+}
+
 } // namespace viscera::app::cli
