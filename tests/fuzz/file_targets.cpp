@@ -1,7 +1,9 @@
 #include <algorithm>
+#include <fstream>
 
 #include "fuzz_target.h"
 #include "good_files.h"
+#include "packed_bytes.h"
 #include "viscera/geometry/surface_check.h"
 #include "viscera/medical_io/file_kind.h"
 #include "viscera/medical_io/handle_file.h"
@@ -33,11 +35,26 @@ bool placeHalves() {
   return true;
 }
 
+/// Puts the intact other half of a mesh that is two files.
+void putOtherHalf(const std::string& ending) {
+  static const tests::GoodFile kMesh = [] {
+    const std::vector<tests::GoodFile> all = tests::goodFiles();
+    return *std::find_if(all.begin(), all.end(),
+                         [](const tests::GoodFile& file) { return file.name.ends_with(".elem"); });
+  }();
+  const bool points = ending == ".pts";
+  std::ofstream(scratchFolder() / (points ? "a.elem" : "a.pts"), std::ios::binary)
+      << (points ? kMesh.bytes : kMesh.besideBytes);
+}
+
 void readAnySurface(Bytes bytes) {
   static const bool placed = placeHalves();
   require(placed, "The blocks are beside the file.");
   const auto& endings = medical_io::endingsOf(medical_io::FileKind::surface);
   const Choice choice = choose(bytes, endings.size());
+  if (const std::string& ending = endings[choice.kind];
+      ending == ".elem" || ending == ".surf" || ending == ".pts")
+    putOtherHalf(ending);
   for (const medical_io::SurfacePart& part :
        medical_io::readSurfaces(scratchFile("a" + endings[choice.kind], choice.rest))) {
     const geometry::TriangleMesh& mesh = part.surface.mesh;
@@ -47,6 +64,18 @@ void readAnySurface(Bytes bytes) {
     require(!part.surface.name.empty(), "An organ has a name.");
     geometry::checkSurface(mesh);
   }
+}
+
+/// The good files, other halves, and a compressed one.
+std::vector<std::string> surfaceSeeds() {
+  const auto& endings = medical_io::endingsOf(medical_io::FileKind::surface);
+  std::vector<std::string> out = goodFilesEnding(endings, tests::FileUse::surface);
+  out.push_back(chosen(0, tests::gzipped(out.front().substr(1))));
+  for (std::size_t kind = 0; kind < endings.size(); ++kind)
+    for (const tests::GoodFile& file : tests::goodFiles())
+      if (file.name.ends_with(".elem") && (endings[kind] == ".pts" || endings[kind] == ".surf"))
+        out.push_back(chosen(kind, endings[kind] == ".pts" ? file.besideBytes : file.bytes));
+  return out;
 }
 
 void readAnyHandles(Bytes bytes) {
@@ -95,10 +124,7 @@ Target modelTarget() {
 }
 
 Target surfaceFileTarget() {
-  return {"surfaces", readAnySurface, [] {
-            return goodFilesEnding(medical_io::endingsOf(medical_io::FileKind::surface),
-                                   tests::FileUse::surface);
-          }};
+  return {"surfaces", readAnySurface, surfaceSeeds};
 }
 
 Target handleFileTarget() {

@@ -70,9 +70,10 @@ std::string surfacePhases(std::size_t format, bool corresponding) {
 std::vector<std::string> surfacePhaseSeeds() {
   std::vector<std::string> out;
   for (std::size_t format = 0; format < medical_io::endingsOf(medical_io::FileKind::surface).size(); ++format)
-    if (const std::string& ending = medical_io::endingsOf(medical_io::FileKind::surface)[format];
-        ending != ".gltf" && !ending.starts_with(".vtm")) // Which are read, but not written.
+    try {
       out.push_back(surfacePhases(format, true));
+    } catch (const CannotCreateError&) { // It is read, but not written.
+    }
   out.push_back(surfacePhases(0, false));
   return out;
 }

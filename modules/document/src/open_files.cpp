@@ -46,17 +46,20 @@ std::string withoutEnding(const std::filesystem::path& file, const std::string& 
   return {};
 }
 
-/// The files without those voxel files (.img) whose header (.hdr) is in the list too, because reading the
-/// header reads both.
+/// The files without those voxel files (.img) whose header (.hdr), and those points (.pts) whose elements
+/// (.elem) are in the list too, because reading the one half reads both.
 std::vector<std::filesystem::path> withoutHalves(const std::vector<std::filesystem::path>& files) {
-  std::set<std::pair<std::filesystem::path, std::string>> headers;
-  for (const auto& file : files)
-    headers.emplace(file.parent_path(), withoutEnding(file, ".hdr"));
-  std::vector<std::filesystem::path> rest;
-  for (const auto& file : files) {
-    const std::string voxelsOf = withoutEnding(file, ".img");
-    if (voxelsOf.empty() || !headers.contains({file.parent_path(), voxelsOf}))
-      rest.push_back(file);
+  constexpr std::array<std::pair<const char*, const char*>, 2> kHalves = {
+      {{".hdr", ".img"}, {".elem", ".pts"}}};
+  std::vector<std::filesystem::path> rest = files;
+  for (const auto& [named, other] : kHalves) {
+    std::set<std::pair<std::filesystem::path, std::string>> first;
+    for (const auto& file : files)
+      first.emplace(file.parent_path(), withoutEnding(file, named));
+    std::erase_if(rest, [&, ending = other](const std::filesystem::path& file) {
+      const std::string half = withoutEnding(file, ending);
+      return !half.empty() && first.contains({file.parent_path(), half});
+    });
   }
   return rest;
 }

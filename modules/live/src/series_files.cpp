@@ -34,7 +34,8 @@ bool isDigit(char c) {
 }
 
 bool isSurface(const fs::path& file) {
-  return medical_io::fileKind(file) == medical_io::FileKind::surface;
+  // The points of an openCARP mesh are read with its elements.
+  return medical_io::fileKind(file) == medical_io::FileKind::surface && file.extension() != ".pts";
 }
 
 /// The files of a folder that are surfaces or label maps.

@@ -20,6 +20,8 @@ constexpr std::array<std::string_view, 12> kDoubleExtensions = {
     ".mrk.json", ".sequence.json", ".nii.gz",  ".hdr.gz", ".img.gz", ".seg.nrrd",
     ".seg.nhdr", ".seg.nrrd.gz",   ".nrrd.gz", ".mha.gz", ".mgh.gz", ".gipl.gz"};
 
+constexpr std::string_view kGzipEnding = ".gz";
+
 void requireReadable(const std::filesystem::path& file) {
   std::error_code error;
   const std::filesystem::file_status status = std::filesystem::status(file, error);
@@ -95,9 +97,15 @@ std::string extensionOf(const std::filesystem::path& file) {
   return lowered(file.extension().string());
 }
 
+std::string extensionWithin(const std::filesystem::path& file) {
+  const std::string extension = extensionOf(file);
+  return extension == kGzipEnding ? extensionOf(file.stem()) : extension;
+}
+
 std::string stemOf(const std::filesystem::path& file) {
-  const std::string name = file.filename().string();
-  return name.substr(0, name.size() - extensionOf(file).size());
+  const std::filesystem::path within = extensionOf(file) == kGzipEnding ? file.stem() : file.filename();
+  const std::string name = within.string();
+  return name.substr(0, name.size() - extensionOf(within).size());
 }
 
 std::optional<std::string> decodeBase64(std::string_view text) {

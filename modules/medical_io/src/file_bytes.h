@@ -50,7 +50,10 @@ std::string lowered(std::string_view text);
 /// ".sequence.json" count as one, and so do other packed forms of images.
 std::string extensionOf(const std::filesystem::path& file);
 
-/// The file's name without that extension.
+/// The same without the ".gz" of a compressed file: ".stl" for organ.stl.gz.
+std::string extensionWithin(const std::filesystem::path& file);
+
+/// The file's name without that extension and without ".gz".
 std::string stemOf(const std::filesystem::path& file);
 
 /// The bytes that base64 `text` stands for; white space is skipped. Nothing when a character does not belong

@@ -40,13 +40,13 @@ FileKind kindOfDicom(const std::filesystem::path& file) {
 FileKind fileKind(const std::filesystem::path& file) {
   const FileKind byName = fileKind(signatureOfEnding(file));
   try {
-    const Signature found = signatureOf(beginOf(file));
+    const Signature found = signatureUnpacked(beginOf(file));
     if (found == Signature::dicom)
       return kindOfDicom(file);
     const FileKind byContents = fileKind(found);
     return byContents == FileKind::unknown ? byName : byContents;
   } catch (const DataError&) {
-    // Empty: the name is all there is.
+    // Empty, or compressed and damaged: the name is all there is.
     return byName;
   }
 }

@@ -41,6 +41,14 @@ constexpr std::array kRead = std::to_array<Format>({
     {Signature::glb, FileKind::surface, "GLB", "a binary glTF scene", ".glb", true},
     {Signature::gltf, FileKind::surface, "glTF", "a glTF scene", ".gltf", false},
     {Signature::threeMf, FileKind::surface, "3MF", "a 3MF model", ".3mf", true},
+    {Signature::gifti, FileKind::surface, "GIFTI", "a GIFTI surface", ".gii", false},
+    {Signature::freeSurfer, FileKind::surface, "FreeSurfer", "a FreeSurfer surface", ".white .pial .asc",
+     false},
+    {Signature::carto, FileKind::surface, "CARTO", "a CARTO map", ".mesh", false},
+    {Signature::vtu, FileKind::surface, "VTU", "a VTK XML mesh of cells", ".vtu", false},
+    {Signature::gmsh, FileKind::surface, "gmsh", "a gmsh mesh", ".msh", false},
+    {Signature::medit, FileKind::surface, "medit", "a medit mesh", ".mesh .meshb", false},
+    {Signature::openCarp, FileKind::surface, "openCARP", "an openCARP mesh", ".elem .pts .surf", false},
     {Signature::nifti, FileKind::labelMap, "NIfTI", "a NIfTI image", ".nii .nii.gz .hdr .hdr.gz .img .img.gz",
      true},
     {Signature::nrrd, FileKind::labelMap, "NRRD", "an NRRD image",
@@ -139,11 +147,13 @@ Text refusalOf(FileKind wanted) {
 /// The endings of the formats of that kind, of all for `unknown`.
 std::string usualEndings(FileKind wanted) {
   const FileKind kind = wanted == FileKind::scan ? FileKind::labelMap : wanted;
+  std::vector<FileKind> kinds = {kind};
+  if (kind == FileKind::unknown)
+    kinds = {FileKind::surface, FileKind::labelMap, FileKind::handles, FileKind::sequence, FileKind::session};
   std::string list;
-  for (const FileFormat& format : fileFormats())
-    if (kind == FileKind::unknown || format.kind == kind)
-      for (const std::string& ending : format.endings)
-        list += (list.empty() ? "" : ", ") + ending;
+  for (const FileKind one : kinds)
+    for (const std::string& ending : endingsOf(one))
+      list += (list.empty() ? "" : ", ") + ending;
   return list;
 }
 
@@ -155,12 +165,27 @@ bool isBinaryStl(const FileBytes& file) {
   return count > 0 && 84 + 50 * count == length;
 }
 
+/// One in either order of bytes, the version, then the section of the dimension.
+bool isMeditBinary(std::string_view begin) {
+  constexpr std::int32_t kDimensionSection = 3;
+  if (begin.size() < 12)
+    return false;
+  for (const std::endian order : {std::endian::little, std::endian::big}) {
+    const auto word = [&](std::size_t at) { return loadValue<std::int32_t>(begin.data() + at, order); };
+    if (word(0) == 1 && word(4) >= 1 && word(4) <= 4 && word(8) == kDimensionSection)
+      return true;
+  }
+  return false;
+}
+
 Signature binarySignature(const FileBytes& file, std::string_view begin) {
   using namespace std::string_view_literals;
   if (begin.starts_with("glTF"))
     return Signature::glb;
   if (begin.starts_with("\x1f\x8b"))
     return Signature::gzip;
+  if (isMeditBinary(begin))
+    return Signature::medit;
   if (begin.starts_with("PK\x03\x04"))
     return file.view().find("3dmodel.model") != std::string_view::npos ? Signature::threeMf : Signature::zip;
   if (begin.starts_with("NRRD00"))
@@ -181,7 +206,11 @@ Signature binarySignature(const FileBytes& file, std::string_view begin) {
     return Signature::nifti;
   if (hasGiplMark(begin))
     return Signature::gipl;
-  return hasMghMark(begin) ? Signature::mgh : Signature::unknown;
+  if (hasMghMark(begin))
+    return Signature::mgh;
+  const bool freeSurfer = begin.starts_with("\xff\xff\xfe") || begin.starts_with("\xff\xff\xff") ||
+                          begin.starts_with("\xff\xff\xfd");
+  return freeSurfer ? Signature::freeSurfer : Signature::unknown;
 }
 
 /// By the names that stand near the beginning: good enough to choose a reader, which then checks.
@@ -201,10 +230,12 @@ Signature jsonSignature(std::string_view whole) {
 Signature xmlSignature(std::string_view begin) {
   const std::size_t root = begin.find("<VTKFile");
   if (root == begin.npos)
-    return Signature::unknown;
+    return begin.find("<GIFTI") != begin.npos ? Signature::gifti : Signature::unknown;
   const std::string_view tag = begin.substr(root, begin.find('>', root) - root);
   if (tag.find("\"vtkMultiBlock") != tag.npos)
     return Signature::vtm;
+  if (tag.find("\"UnstructuredGrid\"") != tag.npos)
+    return Signature::vtu;
   return tag.find("\"PolyData\"") != tag.npos ? Signature::vtp : Signature::otherVtkXml;
 }
 
@@ -229,6 +260,25 @@ bool looksLikeObj(std::string_view begin) {
   return statements > 0;
 }
 
+/// A number of elements, then an element of one of openCARP's types.
+bool looksLikeOpenCarp(std::string_view text) {
+  constexpr std::array<std::string_view, 6> kTypes = {"Tt", "Hx", "Py", "Pr", "Tr", "Qd"};
+  const std::string_view count = takeWord(text);
+  text.remove_prefix(std::min(text.find('\n'), text.size()));
+  const std::string_view type = takeWord(text);
+  return parseInteger(count) && std::find(kTypes.begin(), kTypes.end(), type) != kTypes.end() &&
+         parseInteger(takeWord(text));
+}
+
+/// A medit file may begin with comments.
+bool looksLikeMedit(std::string_view text) {
+  while (text.starts_with('#')) {
+    text.remove_prefix(std::min(text.find('\n'), text.size()));
+    text = trimmed(text);
+  }
+  return lowered(text.substr(0, 20)) == "meshversionformatted";
+}
+
 bool isOffWord(std::string_view word) {
   return word == "OFF" || word == "COFF" || word == "NOFF" || word == "CNOFF" || word == "STOFF" ||
          word == "NCOFF" || word == "4OFF" || word == "nOFF" || word == "4nOFF";
@@ -242,6 +292,16 @@ Signature textSignature(const FileBytes& file, std::string_view begin) {
     return Signature::legacyVtk;
   if (text.starts_with("# Markups fiducial") || text.starts_with("# Fiducial List file"))
     return Signature::fcsv;
+  if (text.starts_with("#TriangulatedMesh"))
+    return Signature::carto;
+  if (text.starts_with("#!ascii"))
+    return Signature::freeSurfer;
+  if (text.starts_with("$MeshFormat") || word == "$NOD")
+    return Signature::gmsh;
+  if (looksLikeMedit(text))
+    return Signature::medit;
+  if (looksLikeOpenCarp(text))
+    return Signature::openCarp;
   if (word == "ply")
     return Signature::ply;
   if (isOffWord(word))
@@ -279,7 +339,7 @@ Signature signatureUnpacked(const FileBytes& file) {
 }
 
 Signature signatureOfEnding(const std::filesystem::path& file) {
-  const Format* format = rowOf(kRead, Signature::unknown, extensionOf(file));
+  const Format* format = rowOf(kRead, Signature::unknown, extensionWithin(file));
   return format == nullptr ? Signature::unknown : format->signature;
 }
 
@@ -306,7 +366,9 @@ const std::vector<std::string>& endingsOf(FileKind kind) {
   static const std::map<FileKind, std::vector<std::string>> kEndings = [] {
     std::map<FileKind, std::vector<std::string>> all;
     for (const FileFormat& format : fileFormats())
-      all[format.kind].insert(all[format.kind].end(), format.endings.begin(), format.endings.end());
+      for (const std::string& ending : format.endings) // Two formats may share one.
+        if (auto& list = all[format.kind]; std::find(list.begin(), list.end(), ending) == list.end())
+          list.push_back(ending);
     return all;
   }();
   static const std::vector<std::string> kNone;
@@ -322,9 +384,11 @@ Signature signatureFor(const FileBytes& file, FileKind wanted) {
   if (found == Signature::unknown && unreadImage(file))
     refuse(file, wanted);
   const Signature own = found == Signature::unknown || packed ? promised : found;
-  if (promised != Signature::unknown && own != promised) {
+  const Format* format = own == Signature::unknown ? nullptr : rowOf(kRead, own, {});
+  const bool fits = format != nullptr && listsEnding(format->endings, extensionWithin(file.file));
+  if (promised != Signature::unknown && own != promised && !fits) {
     const Known known = knownAs(own, {});
-    file.fail(phrase("It is named %1 but looks like %2", extensionOf(file.file), known.description),
+    file.fail(phrase("It is named %1 but looks like %2", extensionWithin(file.file), known.description),
               known.wayOut.empty() ? phrase("rename it to end in %1", std::string(known.ending))
                                    : known.wayOut);
   }

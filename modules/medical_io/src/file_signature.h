@@ -18,9 +18,16 @@ enum class Signature {
   legacyVtk,
   vtp,
   vtm,
+  vtu,
   otherVtkXml,
   glb,
   gltf,
+  gifti,
+  freeSurfer,
+  gmsh,
+  medit,
+  carto,
+  openCarp,
   markups,
   fcsv,
   sequence,
@@ -39,13 +46,14 @@ enum class Signature {
 };
 
 /// Checks the first bytes, and for binary STL the length of the file, of which `file` may hold the beginning.
-/// Cheap.
+/// Cheap. A compressed file is `gzip`, whatever is in it.
 Signature signatureOf(const FileBytes& file);
 
 /// The same of what is packed, for a file that gzip packed as a whole; `gzip` when it cannot be unpacked.
 Signature signatureUnpacked(const FileBytes& file);
 
-/// The signature that a name promises: `unknown` for an ending of no format, or of several.
+/// The signature that a name promises, the first one of those that share the ending; `unknown` for an ending
+/// of no format. Without the ".gz" of a compressed file.
 Signature signatureOfEnding(const std::filesystem::path& file);
 
 /// The signature of the reader that a file of this kind goes to: the one of its bytes. A file whose bytes

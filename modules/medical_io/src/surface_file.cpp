@@ -9,6 +9,8 @@
 #include "dicom/encapsulated_surface.h"
 #include "file_bytes.h"
 #include "file_signature.h"
+#include "image_formats/unpack.h"
+#include "mesh_formats/cell_mesh.h"
 #include "raw_surface.h"
 #include "surface_formats.h"
 #include "surface_parts.h"
@@ -25,19 +27,27 @@ struct SurfaceFormat {
   Signature signature;
   RawSurface (*read)(const FileBytes&);
   void (*write)(std::ostream&, const geometry::TriangleMesh&, const WriteSurface&);
+  std::vector<RawOrgan> (*readOrgans)(const FileBytes&) = nullptr; ///< Of a mesh that may have cavities.
 };
 
-constexpr std::array<SurfaceFormat, 10> kSurfaceFormats = {{
+constexpr std::array<SurfaceFormat, 17> kSurfaceFormats = {{
     {Signature::stl, readStl, writeStl},
     {Signature::obj, readObj, writeObj},
     {Signature::ply, readPly, writePly},
     {Signature::off, readOff, writeOff},
-    {Signature::legacyVtk, readLegacyVtk, writeLegacyVtk},
+    {Signature::legacyVtk, readLegacyVtk, writeLegacyVtk, readLegacyVtkOrgans},
     {Signature::vtp, readVtp, writeVtp},
     {Signature::vtm, readVtm, nullptr},
     {Signature::glb, readGltf, writeGlb},
     {Signature::gltf, readGltf, nullptr},
     {Signature::threeMf, readThreeMf, writeThreeMf},
+    {Signature::gifti, readGifti, nullptr},
+    {Signature::freeSurfer, readFreeSurfer, nullptr},
+    {Signature::carto, readCarto, nullptr},
+    {Signature::vtu, readBoundary<readVtuCells>, nullptr, readBoundaryOrgans<readVtuCells>},
+    {Signature::gmsh, readBoundary<readGmshCells>, nullptr, readBoundaryOrgans<readGmshCells>},
+    {Signature::medit, readBoundary<readMeditCells>, nullptr, readBoundaryOrgans<readMeditCells>},
+    {Signature::openCarp, readBoundary<readOpenCarpCells>, nullptr, readBoundaryOrgans<readOpenCarpCells>},
 }};
 
 /// Null for a signature of no surface.
@@ -50,6 +60,28 @@ const SurfaceFormat* formatOf(Signature signature) {
 
 const SurfaceFormat& surfaceFormatOf(const FileBytes& file) {
   return *formatOf(signatureFor(file, FileKind::surface));
+}
+
+/// Larger surfaces do not come compressed, but a small file may unpack to any size.
+constexpr std::uint64_t kMostUnpacked = std::uint64_t{1} << 32U;
+
+/// The file, unpacked if it is compressed.
+FileBytes readUnpacked(const std::filesystem::path& file) {
+  FileBytes bytes = readWholeFile(file);
+  if (signatureOf(bytes) != Signature::gzip)
+    return bytes;
+  try {
+    std::string inside = unpacked(bytes, bytes.view(), Packing::zlib, kMostUnpacked);
+    if (inside.size() == kMostUnpacked)
+      bytes.fail("it does not fit into memory", "reduce the surface first");
+    bytes.bytes = std::move(inside);
+    bytes.length = bytes.bytes.size();
+  } catch (const std::bad_alloc&) {
+    bytes.fail("it does not fit into memory", "reduce the surface first");
+  }
+  if (bytes.bytes.empty())
+    bytes.fail("the file is empty");
+  return bytes;
 }
 
 std::string writtenEndings() {
@@ -77,14 +109,20 @@ geometry::TriangleMesh inSpace(const geometry::TriangleMesh& mesh, Space space) 
   return result;
 }
 
+RawSurface rawSurfaceOf(const FileBytes& file) {
+  return signatureOf(file) == Signature::dicom ? readDicomSurface(file) : surfaceFormatOf(file).read(file);
+}
+
+std::vector<RawOrgan> rawOrgansOf(const FileBytes& file) {
+  if (signatureOf(file) != Signature::dicom && surfaceFormatOf(file).readOrgans != nullptr)
+    return surfaceFormatOf(file).readOrgans(file);
+  return organsOf(rawSurfaceOf(file), file.file);
+}
+
 } // namespace
 
 RawSurface readRawSurface(const std::filesystem::path& file) {
-  const FileBytes bytes = readWholeFile(file);
-  if (signatureOf(bytes) == Signature::dicom)
-    return inMemory(file, [&] { return readDicomSurface(bytes); });
-  const SurfaceFormat& format = surfaceFormatOf(bytes);
-  return inMemory(file, [&] { return format.read(bytes); });
+  return inMemory(file, [&] { return rawSurfaceOf(readUnpacked(file)); });
 }
 
 SurfaceFile readSurface(const std::filesystem::path& file, SeveralOrgans several) {
@@ -102,8 +140,9 @@ SurfaceFile readSurface(const std::filesystem::path& file, SeveralOrgans several
 
 std::vector<SurfacePart> readSurfaces(const std::filesystem::path& file) {
   return inMemory(file, [&] {
+    const FileBytes bytes = readUnpacked(file);
     std::vector<SurfacePart> parts;
-    for (RawOrgan& organ : organsOf(readRawSurface(file), file)) {
+    for (RawOrgan& organ : rawOrgansOf(bytes)) {
       parts.push_back(
           {assembleSurface(std::move(organ.surface), file), organ.color, organ.opacity, organ.cavityOf});
       organ.surface = {};
@@ -133,7 +172,8 @@ SurfacePart readSurfacePart(const std::filesystem::path& file, const std::string
 
 void writeSurface(const std::filesystem::path& file, const geometry::TriangleMesh& mesh,
                   const WriteSurface& options) {
-  const SurfaceFormat* format = formatOf(signatureOfEnding(file));
+  const bool packed = extensionWithin(file) != extensionOf(file);
+  const SurfaceFormat* format = packed ? nullptr : formatOf(signatureOfEnding(file));
   if (format == nullptr || format->write == nullptr)
     throw CannotCreateError(phrase("surfaces cannot be written as \"%1\"", extensionOf(file)), file.string(),
                             phrase("use one of: %1", writtenEndings()));

@@ -19,10 +19,16 @@ RawSurface readStl(const FileBytes& file);
 RawSurface readObj(const FileBytes& file);
 RawSurface readPly(const FileBytes& file);
 RawSurface readOff(const FileBytes& file);
+/// Polygons, or the surface around the cells of an unstructured grid.
 RawSurface readLegacyVtk(const FileBytes& file);
 RawSurface readVtp(const FileBytes& file);
 /// GLB, or the JSON of a GLTF, whose buffers are beside it.
 RawSurface readGltf(const FileBytes& file);
+RawSurface readGifti(const FileBytes& file);
+/// Binary or text.
+RawSurface readFreeSurfer(const FileBytes& file);
+/// A map of Biosense Webster's CARTO.
+RawSurface readCarto(const FileBytes& file);
 
 /// A 3MF package: every object that is placed is a part.
 RawSurface readThreeMf(const FileBytes& file);

@@ -12,6 +12,7 @@
 #include "bzipped.h"
 #include "dicom_files.h"
 #include "label_files.h"
+#include "mesh_files.h"
 #include "packed_bytes.h"
 #include "shapes.h"
 #include "temporary_folder.h"
@@ -177,6 +178,27 @@ GoodFile oldFcsv() {
           FileUse::handles, true};
 }
 
+void addMeshes(std::vector<GoodFile>& list) {
+  const CellsOfTest cells = hollowBox(Split::tetrahedra);
+  const CellsOfTest boxes = hollowBox(Split::hexahedra);
+  const geometry::TriangleMesh mesh = box(30, 40, 50);
+  list.push_back({"grid.vtk", gridText(boxes)});
+  list.push_back({"grid.vtu", gridXml(boxes)});
+  list.push_back({"text.msh", GmshFile(cells, 2.2, false).text()});
+  list.push_back({"binary.msh", GmshFile(cells, 2.2, true).text()});
+  list.push_back({"version4.msh", GmshFile(boxes, 4.0, true).text()});
+  list.push_back({"version41.msh", GmshFile(boxes, 4.1, false).text()});
+  list.push_back({"medit.mesh", meditText(boxes), FileUse::surface, true});
+  list.push_back({"medit.meshb", meditBinary(boxes, 3, std::endian::little)});
+  list.push_back({"carto.mesh", cartoText(mesh)});
+  list.push_back(
+      {"heart.elem", carpElements(boxes, true), FileUse::surface, true, "heart.pts", carpPoints(boxes)});
+  list.push_back({"organ.gii", giftiFile(mesh, GiftiForm(), zlibPacked)});
+  list.push_back({"text.gii", giftiFile(mesh, GiftiForm{.encoding = "ASCII"}, zlibPacked)});
+  list.push_back({"lh.white", freeSurferFile(mesh)});
+  list.push_back({"lh.asc", freeSurferText(mesh)});
+}
+
 LabelImage labels() {
   LabelImage image = emptyLabels({11, 9, 8});
   image.indexToLps.linear() = Vec3(-1.5, 2, 3).asDiagonal();
@@ -249,6 +271,7 @@ std::vector<GoodFile> goodFiles() {
   list.push_back(vtp("inline.vtp", vtkXMLWriter::Binary, true, true));
   list.push_back(vtp("raw.vtp", vtkXMLWriter::Appended, false, false));
   list.push_back(vtp("raw_packed.vtp", vtkXMLWriter::Appended, false, true));
+  addMeshes(list);
   list.push_back(markups());
   list.push_back(fcsv());
   list.push_back(unplacedFcsv());

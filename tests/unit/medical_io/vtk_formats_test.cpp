@@ -161,8 +161,8 @@ TEST(LegacyVtkText, LiesOfTheHeaderAreRefused) {
 }
 
 TEST(LegacyVtkText, OtherDatasetsAreRefusedByName) {
-  EXPECT_THAT(problemOfFile("a.vtk", "# vtk DataFile Version 2.0\nx\nASCII\nDATASET UNSTRUCTURED_GRID\n"),
-              HasSubstr("UNSTRUCTURED_GRID"));
+  EXPECT_THAT(problemOfFile("a.vtk", "# vtk DataFile Version 2.0\nx\nASCII\nDATASET STRUCTURED_GRID\n"),
+              HasSubstr("STRUCTURED_GRID"));
 }
 
 enum class Compression { none, zlib, lz4, lzma };
@@ -270,8 +270,10 @@ TEST(VtpFile, DeepXmlIsRefused) {
 }
 
 TEST(VtpFile, OtherVtkXmlIsNamed) {
-  EXPECT_THAT(problemOfFile("a.vtp", R"(<VTKFile type="UnstructuredGrid"><UnstructuredGrid/></VTKFile>)"),
+  EXPECT_THAT(problemOfFile("a.vtp", R"(<VTKFile type="ImageData"><ImageData/></VTKFile>)"),
               HasSubstr("no surface"));
+  EXPECT_THAT(problemOfFile("a.vtp", R"(<VTKFile type="UnstructuredGrid"><UnstructuredGrid/></VTKFile>)"),
+              HasSubstr("mesh of cells"));
 }
 
 /// A tetrahedron of 100 mm in text, with these values behind it.

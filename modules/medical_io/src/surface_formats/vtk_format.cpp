@@ -12,6 +12,8 @@
 #include <vtkPolyData.h>
 #include <vtkPolyDataWriter.h>
 
+#include "mesh_formats/cell_mesh.h"
+#include "mesh_formats/vtk_cells.h"
 #include "quiet_vtk.h"
 #include "scalar.h"
 #include "space_tag.h"
@@ -76,12 +78,29 @@ class LegacyVtkReader {
 public:
   explicit LegacyVtkReader(const FileBytes& file) : file_(file), scanner_(file, file.view()) {}
 
-  RawSurface run() {
+  void run() {
     readHeader();
     while (!scanner_.atEnd() && readSection()) {
     }
     scanner_.finishCommas(raw_.warnings);
-    return std::move(raw_);
+  }
+
+  bool isGrid() const { return isGrid_; }
+  RawSurface takeSurface() { return std::move(raw_); }
+
+  CellMesh takeCells() {
+    if (cellTypes_.size() != cellEnds_.size())
+      file_.fail(diagnostic("it has %1 cells, but %2 types of cells", cellEnds_.size(), cellTypes_.size()));
+    const bool numbered = regions_.size() == cellEnds_.size();
+    CellMesh mesh;
+    mesh.surface = std::move(raw_);
+    std::size_t begin = 0;
+    for (std::size_t cell = 0; cell < cellEnds_.size(); ++cell) {
+      addVtkCell(mesh, cellTypes_[cell], std::span(cellPoints_).subspan(begin, cellEnds_[cell] - begin),
+                 numbered ? regions_[cell] : 0, file_);
+      begin = cellEnds_[cell];
+    }
+    return mesh;
   }
 
 private:
@@ -111,8 +130,10 @@ private:
     else if (keyword == "points")
       readPoints();
     else if (keyword == "polygons" || keyword == "triangle_strips" || keyword == "lines" ||
-             keyword == "vertices")
+             keyword == "vertices" || (isGrid_ && keyword == "cells"))
       readCells(keyword);
+    else if (isGrid_ && keyword == "cell_types")
+      cellTypes_ = readIntegers(scanner_.count("the number of cells", 1), Scalar::int32);
     else if (keyword == "metadata")
       skipMetadata();
     else if (keyword == "field")
@@ -136,7 +157,8 @@ private:
 
   void readDatasetType() {
     const std::string_view type = scanner_.word();
-    if (lowered(type) != "polydata")
+    isGrid_ = lowered(type) == "unstructured_grid";
+    if (lowered(type) != "polydata" && !isGrid_)
       file_.fail(phrase("It holds a VTK dataset of type %1, not a surface (POLYDATA)", inQuotes(type)),
                  "extract its surface first");
   }
@@ -280,6 +302,9 @@ private:
       raw_.addPolygon(cell);
     } else if (keyword == "triangle_strips") {
       raw_.addStrip(cell);
+    } else if (keyword == "cells") {
+      cellPoints_.insert(cellPoints_.end(), cell.begin(), cell.end());
+      cellEnds_.push_back(cellPoints_.size());
     } else {
       ++raw_.ignoredCells;
     }
@@ -329,7 +354,7 @@ private:
   }
 
   void readScalars() {
-    scanner_.word();
+    const std::string_view name = scanner_.word();
     const Type type = readType();
     const std::size_t behindType = scanner_.position();
     const std::optional<std::int64_t> components = parseInteger(scanner_.word());
@@ -342,7 +367,16 @@ private:
       scanner_.moveTo(behindComponents);
     if (components.value_or(1) < 1)
       scanner_.fail(diagnostic("the number of components is not positive"));
-    readColors(elements_, static_cast<std::uint64_t>(components.value_or(1)), type, 1.0);
+    readArray(name, elements_, static_cast<std::uint64_t>(components.value_or(1)), type);
+  }
+
+  /// Keeps what can be colours of points or numbers of regions.
+  void readArray(std::string_view name, std::uint64_t tuples, std::uint64_t components, const Type& type) {
+    const bool numbers = isGrid_ && !ofPoints_ && components == 1 && type && numbersRegions(name);
+    if (numbers && regions_.empty())
+      regions_ = wholeNumbers(readNumbers(tuples, type));
+    else
+      readColors(tuples, components, type, 1.0);
   }
 
   /// Keeps values that can be colours of points: three or four bytes each.
@@ -379,7 +413,7 @@ private:
       if (!type && !bits_)
         readTexts(name, saturatedProduct(components, tuples));
       else if (attributes_)
-        readColors(tuples, components, type, 1.0);
+        readArray(name, tuples, components, type);
       else
         skipValues(saturatedProduct(components, tuples), type);
     }
@@ -432,12 +466,30 @@ private:
   bool ofPoints_ = false;
   bool bits_ = false; ///< The type last read is one of single bits, eight in a byte.
   std::uint64_t elements_ = 0;
+  // Of an unstructured grid.
+  bool isGrid_ = false;
+  std::vector<std::int64_t> cellPoints_;
+  std::vector<std::size_t> cellEnds_;
+  std::vector<std::int64_t> cellTypes_;
+  std::vector<std::int64_t> regions_;
 };
 
 } // namespace
 
 RawSurface readLegacyVtk(const FileBytes& file) {
-  return LegacyVtkReader(file).run();
+  LegacyVtkReader reader(file);
+  reader.run();
+  return reader.isGrid() ? boundaryOf(reader.takeCells(), file) : reader.takeSurface();
+}
+
+std::vector<RawOrgan> readLegacyVtkOrgans(const FileBytes& file) {
+  LegacyVtkReader reader(file);
+  reader.run();
+  if (reader.isGrid())
+    return boundaryOrgansOf(reader.takeCells(), file);
+  std::vector<RawOrgan> one(1);
+  one.front().surface = reader.takeSurface();
+  return one;
 }
 
 void writeLegacyVtk(std::ostream& out, const geometry::TriangleMesh& mesh, const WriteSurface& options) {

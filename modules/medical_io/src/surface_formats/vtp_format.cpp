@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cstdint>
-#include <optional>
 #include <ostream>
 #include <span>
 #include <string>
@@ -15,6 +14,7 @@
 #include "quiet_vtk.h"
 #include "space_tag.h"
 #include "surface_formats.h"
+#include "surface_formats/vtk_xml_document.h"
 #include "surface_formats/vtp_data_array.h"
 #include "text_scanner.h"
 #include "viscera/core/error.h"
@@ -22,24 +22,21 @@
 #include "vtk_poly_data.h"
 #include "xml_tree.h"
 
-// VTK's expat, base64 and decompressors do the work, but not its reader: that one allocates what damaged
-// headers promise and gives the part that it could read of a file that was cut off.
 namespace viscera::medical_io {
 namespace {
 
-constexpr std::string_view kAppendedTag = "<AppendedData";
-
 class VtpReader {
 public:
-  explicit VtpReader(const FileBytes& file) : file_(file) { storage_.file = &file; }
+  explicit VtpReader(const FileBytes& file) : file_(file), document_(file), storage_(document_.storage()) {}
 
   RawSurface run() {
-    tree_ = parse();
-    checkRoot();
-    const XmlElement* data = tree_.root.child("PolyData");
+    if (document_.type() != "PolyData")
+      file_.fail(phrase("It holds %1, not a VTK surface (PolyData)", inQuotes(document_.type())),
+                 "extract its surface first");
+    const XmlElement* data = document_.data();
     if (data == nullptr)
       file_.fail("It holds no PolyData", "export it as a surface of triangles");
-    readFields(*data);
+    document_.readFields(raw_);
     for (const XmlElement& child : data->children)
       if (child.name == "Piece")
         readPiece(child);
@@ -49,85 +46,19 @@ public:
   }
 
 private:
-  /// Raw appended data are no XML: the document is parsed up to them.
-  XmlTree parse() {
-    std::string_view document = file_.view();
-    const std::size_t tag = document.find(kAppendedTag);
-    if (tag == document.npos)
-      return parseXml(document);
-    const std::size_t tagEnd = document.find('>', tag);
-    const std::size_t begin = tagEnd == document.npos ? tagEnd : document.find('_', tagEnd);
-    if (begin == document.npos)
-      file_.fail(diagnostic("the file is cut off before its data"));
-    const std::string_view opening = document.substr(tag, tagEnd - tag);
-    storage_.appendedIsBase64 = opening.find("raw") == opening.npos;
-    storage_.appended = document.substr(begin + 1);
-    if (file_.view().rfind("</VTKFile>") == file_.view().npos)
-      file_.fail(diagnostic("the file is cut off: its end is missing"));
-    return parseXml(std::string(document.substr(0, tagEnd + 1)) + "</AppendedData></VTKFile>");
-  }
-
-  void checkRoot() {
-    if (!tree_.error.empty())
-      file_.fail(diagnostic("It is not complete XML: %1", tree_.error));
-    const XmlElement& root = tree_.root;
-    if (root.name != "VTKFile" || root.attribute("type") != "PolyData")
-      file_.fail(phrase("It holds %1, not a VTK surface (PolyData)", inQuotes(root.attribute("type"))),
-                 "extract its surface first");
-    storage_.order = root.attribute("byte_order") == "BigEndian" ? std::endian::big : std::endian::little;
-    storage_.headerBytes = root.attribute("header_type") == "UInt64" ? 8 : 4;
-    storage_.compressor = root.attribute("compressor");
-  }
-
-  void readFields(const XmlElement& data) {
-    const XmlElement* fields = data.child("FieldData");
-    if (fields == nullptr)
-      return;
-    for (const XmlElement& array : fields->children) {
-      if (array.attribute("type") != "String")
-        continue;
-      if (array.attribute("Name") == "SPACE")
-        raw_.space = findSpace("SPACE=" + readVtpText(storage_, array), raw_.warnings);
-      else if (array.attribute("Name") == "Name")
-        raw_.name = readVtpText(storage_, array);
-    }
-  }
-
   std::uint64_t count(const XmlElement& piece, std::string_view key) const {
-    const std::string_view text = piece.attribute(key);
-    const std::optional<std::int64_t> value = text.empty() ? 0 : parseInteger(text);
-    if (!value || *value < 0)
-      file_.fail(diagnostic("%1 is %2, which is no whole number from 0 on", key, inQuotes(text)));
-    return static_cast<std::uint64_t>(*value);
+    return document_.count(piece, key);
   }
 
   void readPiece(const XmlElement& piece) {
     const std::uint64_t points = count(piece, "NumberOfPoints");
     const std::uint64_t before = raw_.pointCount();
     if (points > 0)
-      readPoints(piece, points);
+      document_.readPoints(piece, points, raw_);
     readCells(piece, "Polys", count(piece, "NumberOfPolys"), before, points);
     readCells(piece, "Strips", count(piece, "NumberOfStrips"), before, points);
     raw_.ignoredCells += count(piece, "NumberOfLines") + count(piece, "NumberOfVerts");
     readColors(piece, points);
-  }
-
-  void readPoints(const XmlElement& piece, std::uint64_t points) {
-    const XmlElement* element = piece.child("Points");
-    const XmlElement* array = element == nullptr ? nullptr : element->child("DataArray");
-    if (array == nullptr)
-      file_.fail(diagnostic("It holds a piece without points"));
-    const std::vector<double> values = readVtpNumbers(storage_, *array);
-    if (values.size() != saturatedProduct(points, 3))
-      file_.fail(diagnostic("It announces %1 points, but holds %2 coordinates", points, values.size()));
-    raw_.coordinates.insert(raw_.coordinates.end(), values.begin(), values.end());
-  }
-
-  const XmlElement& cellArray(const XmlElement& cells, std::string_view name) const {
-    for (const XmlElement& array : cells.children)
-      if (array.attribute("Name") == name)
-        return array;
-    file_.fail(diagnostic("It has cells without the array %1", inQuotes(name)));
   }
 
   void readCells(const XmlElement& piece, std::string_view kind, std::uint64_t cells, std::uint64_t before,
@@ -137,8 +68,9 @@ private:
     const XmlElement* element = piece.child(kind);
     if (element == nullptr)
       file_.fail(diagnostic("It announces cells of the kind %1, but has none", kind));
-    std::vector<std::int64_t> list = readVtpIntegers(storage_, cellArray(*element, "connectivity"));
-    const std::vector<std::int64_t> ends = readVtpIntegers(storage_, cellArray(*element, "offsets"));
+    std::vector<std::int64_t> list = readVtpIntegers(storage_, document_.cellArray(*element, "connectivity"));
+    const std::vector<std::int64_t> ends =
+        readVtpIntegers(storage_, document_.cellArray(*element, "offsets"));
     if (ends.size() != cells || ends.front() < 0 || !std::is_sorted(ends.begin(), ends.end()) ||
         ends.back() != static_cast<std::int64_t>(list.size()))
       file_.fail(diagnostic("the offsets of its cells (%1) do not fit their points", kind));
@@ -186,8 +118,8 @@ private:
   }
 
   const FileBytes& file_;
-  VtpStorage storage_;
-  XmlTree tree_;
+  VtkXmlDocument document_;
+  const VtpStorage& storage_;
   RawSurface raw_;
   bool everyPieceHasColors_ = true;
 };
