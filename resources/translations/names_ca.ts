@@ -5986,5 +5986,1039 @@
         <source>%1 x %2 x %3 mm</source>
         <translation>%1 x %2 x %3 mm</translation>
     </message>
+    <message>
+        <source>It is not a surface</source>
+        <translation>No és una superfície</translation>
+    </message>
+    <message>
+        <source>It is not a label map</source>
+        <translation>No és un mapa d’etiquetes</translation>
+    </message>
+    <message>
+        <source>an archive</source>
+        <translation>un arxiu comprimit</translation>
+    </message>
+    <message>
+        <source>a CAD model</source>
+        <translation>un model de CAD</translation>
+    </message>
+    <message>
+        <source>a scene of a 3D program</source>
+        <translation>una escena d’un programa 3D</translation>
+    </message>
+    <message>
+        <source>a scene of 3D Slicer</source>
+        <translation>una escena de 3D Slicer</translation>
+    </message>
+    <message>
+        <source>a document</source>
+        <translation>un document</translation>
+    </message>
+    <message>
+        <source>a table</source>
+        <translation>una taula</translation>
+    </message>
+    <message>
+        <source>a Viscera sequence</source>
+        <translation>una seqüència de Viscera</translation>
+    </message>
+    <message>
+        <source>a Viscera session</source>
+        <translation>una sessió de Viscera</translation>
+    </message>
+    <message>
+        <source>export it as STL, OBJ, PLY or GLB</source>
+        <translation>exporteu-lo com a STL, OBJ, PLY o GLB</translation>
+    </message>
+    <message>
+        <source>unpack it first</source>
+        <translation>descomprimiu-lo primer</translation>
+    </message>
+    <message>
+        <source>unpack it first, and open what is inside</source>
+        <translation>descomprimiu-lo primer i obriu-ne el contingut</translation>
+    </message>
+    <message>
+        <source>open the images that it was made from: a DICOM series, NIfTI, NRRD or MetaImage</source>
+        <translation>obriu les imatges de què procedeix: una sèrie DICOM, NIfTI, NRRD o MetaImage</translation>
+    </message>
+    <message>
+        <source>save its surface as .vtp, or its image as .mha, in ParaView or 3D Slicer</source>
+        <translation>deseu-ne la superfície com a .vtp o la imatge com a .mha, al ParaView o al 3D Slicer</translation>
+    </message>
+    <message>
+        <source>open a file of organs, handles or a sequence</source>
+        <translation>obriu un fitxer d’òrgans, de tiradors o d’una seqüència</translation>
+    </message>
+    <message>
+        <source>save its segmentation and its models in 3D Slicer, and open these</source>
+        <translation>deseu-ne la segmentació i els models al 3D Slicer i obriu-los</translation>
+    </message>
+    <message>
+        <source>open the files of the organs</source>
+        <translation>obriu els fitxers dels òrgans</translation>
+    </message>
+    <message>
+        <source>divide its polygons into triangles in the program that made it, and export it again</source>
+        <translation>dividiu els seus polígons en triangles en el programa que el va crear i exporteu-lo de nou</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {polygon that is not flat was|polygons that are not flat were} cut into triangles that overlap</source>
+        <translation>
+            <numerusform>%n polígon que no és pla s’ha dividit en triangles que se superposen</numerusform>
+            <numerusform>%n polígons que no són plans s’han dividit en triangles que se superposen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {face|faces} of fewer than three corners left out</source>
+        <translation>
+            <numerusform>%n cara de menys de tres vèrtexs omesa</numerusform>
+            <numerusform>%n cares de menys de tres vèrtexs omeses</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>the colours in %1 are missing: %2</source>
+        <translation>falten els colors de %1: %2</translation>
+    </message>
+    <message>
+        <source>Its geometry is compressed (%1), which Viscera does not read</source>
+        <translation>La seva geometria està comprimida (%1), cosa que Viscera no llegeix</translation>
+    </message>
+    <message>
+        <source>export it without compression (in Blender: leave out Data &gt; Compression), or as STL or PLY</source>
+        <translation>exporteu-lo sense compressió (a Blender: sense Data &gt; Compression), o com a STL o PLY</translation>
+    </message>
+    <message>
+        <source>export it without this extension, or as STL or PLY</source>
+        <translation>exporteu-lo sense aquesta extensió, o com a STL o PLY</translation>
+    </message>
+    <message>
+        <source>It holds %1, not VTK blocks (vtkMultiBlockDataSet)</source>
+        <translation>Conté %1 i no blocs de VTK (vtkMultiBlockDataSet)</translation>
+    </message>
+    <message>
+        <source>save the surfaces as .vtp</source>
+        <translation>deseu les superfícies com a .vtp</translation>
+    </message>
+    <message>
+        <source>It names no surface files</source>
+        <translation>No anomena cap fitxer de superfície</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {block|blocks} without a surface ignored</source>
+        <translation>
+            <numerusform>%n bloc sense superfície ignorat</numerusform>
+            <numerusform>%n blocs sense superfície ignorats</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>a block is at %1, but only files beside it are read</source>
+        <translation>un bloc és a %1, però només es llegeixen fitxers al costat</translation>
+    </message>
+    <message>
+        <source>the block %1 is no surface and was left out</source>
+        <translation>el bloc %1 no és una superfície i s’ha omès</translation>
+    </message>
+    <message>
+        <source>its block %1 holds blocks of its own in another file</source>
+        <translation>el seu bloc %1 conté alhora blocs en un altre fitxer</translation>
+    </message>
+    <message>
+        <source>its block %1 cannot be read: %2</source>
+        <translation>el seu bloc %1 no es pot llegir: %2</translation>
+    </message>
+    <message>
+        <source>and %1 more</source>
+        <translation>i %1 més</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {open part|open parts} that share points were joined to one organ: %2</source>
+        <translation>
+            <numerusform>%n part oberta amb punts comuns s’han unit en un òrgan: %2</numerusform>
+            <numerusform>%n parts obertes amb punts comuns s’han unit en un òrgan: %2</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>It holds %n {organ|organs}: %2</source>
+        <translation>
+            <numerusform>Conté %n òrgan: %2</numerusform>
+            <numerusform>Conté %n òrgans: %2</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>name one of them behind a slash: %1</source>
+        <translation>anomeneu-ne un darrere d’una barra: %1</translation>
+    </message>
+    <message>
+        <source>%1 lies inside %2, whose volume contains its volume</source>
+        <translation>%1 és dins de %2, el volum del qual conté el seu</translation>
+    </message>
+    <message>
+        <source>the commas in its numbers may be decimal marks or separate thousands or numbers</source>
+        <translation>les comes dels seus nombres poden ser decimals o separar milers o nombres</translation>
+    </message>
+    <message>
+        <source>export it with decimal points</source>
+        <translation>exporteu-lo amb punts decimals</translation>
+    </message>
+    <message>
+        <source>the commas in its numbers were read as decimal marks</source>
+        <translation>les comes dels seus nombres s’han llegit com a decimals</translation>
+    </message>
+    <message>
+        <source>It holds several organs</source>
+        <translation>Conté diversos òrgans</translation>
+    </message>
+    <message>
+        <source>VTK XML multiblock data</source>
+        <translation>dades multibloc VTK XML</translation>
+    </message>
+    <message>
+        <source>its voxels are in another folder (%1)</source>
+        <translation>els seus vòxels són en una altra carpeta (%1)</translation>
+    </message>
+    <message>
+        <source>put both files into one folder, and name the other without a folder</source>
+        <translation>poseu els dos fitxers en una carpeta i anomeneu l’altre sense carpeta</translation>
+    </message>
+    <message>
+        <source>it is an Analyze 7.5 image, which does not say where it lies: its axes are taken as %1, and left and right may be exchanged</source>
+        <translation>és una imatge Analyze 7.5, que no diu on és: els seus eixos es prenen com a %1, i l’esquerra i la dreta poden estar intercanviades</translation>
+    </message>
+    <message>
+        <source>it does not say where it lies; coronal slices of 1 mm are assumed, as FreeSurfer does</source>
+        <translation>no diu on és; se suposen talls coronals d’1 mm, com fa FreeSurfer</translation>
+    </message>
+    <message>
+        <source>one of its labels in group %1 has no valid number or image</source>
+        <translation>una de les seves etiquetes del grup %1 no té número o imatge vàlids</translation>
+    </message>
+    <message>
+        <source>its values are not exactly whole numbers; they were rounded to labels, by at most %1</source>
+        <translation>els seus valors no són exactament nombres enters; s’han arrodonit a etiquetes, en %1 com a màxim</translation>
+    </message>
+    <message>
+        <source>It has %1 label maps over time, of which one is needed here</source>
+        <translation>Conté %1 mapes d’etiquetes al llarg del temps, dels quals aquí en cal un</translation>
+    </message>
+    <message>
+        <source>It has %1 label maps over time (at %2 ms), of which one is needed here</source>
+        <translation>Conté %1 mapes d’etiquetes al llarg del temps (als %2 ms), dels quals aquí en cal un</translation>
+    </message>
+    <message>
+        <source>follow the motion over all of them with viscera track %1, or choose one with --phase, from 0 to %2</source>
+        <translation>seguiu el moviment per tots amb viscera track %1, o trieu-ne un amb --phase, de 0 a %2</translation>
+    </message>
+    <message>
+        <source>its segments %1 have the same voxels (label %2 in one layer); they are one organ, %3</source>
+        <translation>els seus segments %1 tenen els mateixos vòxels (etiqueta %2 en una capa); són un sol òrgan, %3</translation>
+    </message>
+    <message>
+        <source>the names of its labels are those of FreeSurfer's colour table</source>
+        <translation>els noms de les seves etiquetes són els de la taula de colors de FreeSurfer</translation>
+    </message>
+    <message>
+        <source>It has several layers of one label map, not several phases</source>
+        <translation>Conté diverses capes d’un mapa d’etiquetes, no diverses fases</translation>
+    </message>
+    <message>
+        <source>a FreeSurfer volume</source>
+        <translation>un volum de FreeSurfer</translation>
+    </message>
+    <message>
+        <source>a GIPL image</source>
+        <translation>una imatge GIPL</translation>
+    </message>
+    <message>
+        <source>a MINC image</source>
+        <translation>una imatge MINC</translation>
+    </message>
+    <message>
+        <source>a MATLAB file</source>
+        <translation>un fitxer de MATLAB</translation>
+    </message>
+    <message>
+        <source>an Imaris image</source>
+        <translation>una imatge d’Imaris</translation>
+    </message>
+    <message>
+        <source>an HDF5 file</source>
+        <translation>un fitxer HDF5</translation>
+    </message>
+    <message>
+        <source>a NetCDF file</source>
+        <translation>un fitxer NetCDF</translation>
+    </message>
+    <message>
+        <source>a NumPy array</source>
+        <translation>una matriu de NumPy</translation>
+    </message>
+    <message>
+        <source>a NumPy archive</source>
+        <translation>un arxiu de NumPy</translation>
+    </message>
+    <message>
+        <source>a TIFF image</source>
+        <translation>una imatge TIFF</translation>
+    </message>
+    <message>
+        <source>an AmiraMesh file</source>
+        <translation>un fitxer AmiraMesh</translation>
+    </message>
+    <message>
+        <source>an Amira surface</source>
+        <translation>una superfície d’Amira</translation>
+    </message>
+    <message>
+        <source>an Interfile image</source>
+        <translation>una imatge Interfile</translation>
+    </message>
+    <message>
+        <source>an ECAT image</source>
+        <translation>una imatge ECAT</translation>
+    </message>
+    <message>
+        <source>an MRtrix image</source>
+        <translation>una imatge de MRtrix</translation>
+    </message>
+    <message>
+        <source>a Scanco image</source>
+        <translation>una imatge de Scanco</translation>
+    </message>
+    <message>
+        <source>a Zeiss image</source>
+        <translation>una imatge de Zeiss</translation>
+    </message>
+    <message>
+        <source>an MRC image</source>
+        <translation>una imatge MRC</translation>
+    </message>
+    <message>
+        <source>an AFNI image</source>
+        <translation>una imatge d’AFNI</translation>
+    </message>
+    <message>
+        <source>a Philips PAR/REC image</source>
+        <translation>una imatge PAR/REC de Philips</translation>
+    </message>
+    <message>
+        <source>a BrainVoyager image</source>
+        <translation>una imatge de BrainVoyager</translation>
+    </message>
+    <message>
+        <source>a file of plain numbers</source>
+        <translation>un fitxer de nombres sense més</translation>
+    </message>
+    <message>
+        <source>convert it to .nrrd or .nii.gz with 3D Slicer</source>
+        <translation>convertiu-lo a .nrrd o .nii.gz amb 3D Slicer</translation>
+    </message>
+    <message>
+        <source>save the array as .nii.gz with nibabel, together with its position</source>
+        <translation>deseu la matriu amb la seva posició com a .nii.gz amb nibabel</translation>
+    </message>
+    <message>
+        <source>convert it with mnc2nii, and open the .nii</source>
+        <translation>convertiu-lo amb mnc2nii i obriu el .nii</translation>
+    </message>
+    <message>
+        <source>write its volume with niftiwrite, and open the .nii</source>
+        <translation>escriviu-ne el volum amb niftiwrite i obriu el .nii</translation>
+    </message>
+    <message>
+        <source>export it from Imaris or Fiji, as .nrrd</source>
+        <translation>exporteu-lo des d’Imaris o Fiji com a .nrrd</translation>
+    </message>
+    <message>
+        <source>convert it to .nrrd with 3D Slicer or Fiji, with the size of its voxels</source>
+        <translation>convertiu-lo a .nrrd amb 3D Slicer o Fiji, amb la mida dels seus vòxels</translation>
+    </message>
+    <message>
+        <source>export it from Amira as .nrrd, or as DICOM</source>
+        <translation>exporteu-lo des d’Amira com a .nrrd o com a DICOM</translation>
+    </message>
+    <message>
+        <source>export it from Amira as .stl or .ply</source>
+        <translation>exporteu-lo des d’Amira com a .stl o .ply</translation>
+    </message>
+    <message>
+        <source>convert it to .nii.gz with nibabel or dcm2niix</source>
+        <translation>convertiu-lo a .nii.gz amb nibabel o dcm2niix</translation>
+    </message>
+    <message>
+        <source>convert it with mrconvert, and open the .nii.gz</source>
+        <translation>convertiu-lo amb mrconvert i obriu el .nii.gz</translation>
+    </message>
+    <message>
+        <source>export it from Fiji, as .nrrd</source>
+        <translation>exporteu-lo des de Fiji com a .nrrd</translation>
+    </message>
+    <message>
+        <source>convert it with 3dAFNItoNIFTI, and open the .nii</source>
+        <translation>convertiu-lo amb 3dAFNItoNIFTI i obriu el .nii</translation>
+    </message>
+    <message>
+        <source>convert it with dcm2niix, and open the .nii.gz</source>
+        <translation>convertiu-lo amb dcm2niix i obriu el .nii.gz</translation>
+    </message>
+    <message>
+        <source>export it from BrainVoyager as .nii</source>
+        <translation>exporteu-lo des de BrainVoyager com a .nii</translation>
+    </message>
+    <message>
+        <source>write a .nhdr or .mhd header for it, which says its size</source>
+        <translation>escriviu-li una capçalera .nhdr o .mhd, que digui la mida</translation>
+    </message>
+    <message>
+        <source>a segmentation</source>
+        <translation>una segmentació</translation>
+    </message>
+    <message>
+        <source>a label map segmentation</source>
+        <translation>una segmentació com a mapa d’etiquetes</translation>
+    </message>
+    <message>
+        <source>an STL surface in a DICOM file</source>
+        <translation>una superfície STL en un fitxer DICOM</translation>
+    </message>
+    <message>
+        <source>an OBJ surface in a DICOM file</source>
+        <translation>una superfície OBJ en un fitxer DICOM</translation>
+    </message>
+    <message>
+        <source>a PDF document in a DICOM file</source>
+        <translation>un document PDF en un fitxer DICOM</translation>
+    </message>
+    <message>
+        <source>a text document (CDA) in a DICOM file</source>
+        <translation>un document de text (CDA) en un fitxer DICOM</translation>
+    </message>
+    <message>
+        <source>the materials of an OBJ surface in a DICOM file</source>
+        <translation>els materials d’una superfície OBJ en un fitxer DICOM</translation>
+    </message>
+    <message>
+        <source>open the DICOM file with the OBJ surface itself</source>
+        <translation>obriu el fitxer DICOM que conté la superfície OBJ</translation>
+    </message>
+    <message>
+        <source>a document in a DICOM file</source>
+        <translation>un document en un fitxer DICOM</translation>
+    </message>
+    <message>
+        <source>a structure set of radiotherapy (RTSTRUCT): contours, without voxels or surfaces</source>
+        <translation>un conjunt d’estructures de radioteràpia (RTSTRUCT): contorns, sense vòxels ni superfícies</translation>
+    </message>
+    <message>
+        <source>load it in 3D Slicer with its CT, convert it to a segmentation there, and save that as .seg.nrrd</source>
+        <translation>carregueu-lo a 3D Slicer amb la seva TC, convertiu-lo en una segmentació i deseu-la com a .seg.nrrd</translation>
+    </message>
+    <message>
+        <source>a projection image of radiotherapy</source>
+        <translation>una imatge de projecció de radioteràpia</translation>
+    </message>
+    <message>
+        <source>a dose of radiotherapy</source>
+        <translation>una dosi de radioteràpia</translation>
+    </message>
+    <message>
+        <source>a plan of radiotherapy (RTPLAN)</source>
+        <translation>un pla de radioteràpia (RTPLAN)</translation>
+    </message>
+    <message>
+        <source>a plan of radiotherapy with ions</source>
+        <translation>un pla de radioteràpia amb ions</translation>
+    </message>
+    <message>
+        <source>a record of radiotherapy</source>
+        <translation>un registre de radioteràpia</translation>
+    </message>
+    <message>
+        <source>a list of selected images (Key Object Selection)</source>
+        <translation>una llista d’imatges seleccionades (Key Object Selection)</translation>
+    </message>
+    <message>
+        <source>a report of the radiation dose</source>
+        <translation>un informe de la dosi de radiació</translation>
+    </message>
+    <message>
+        <source>a structured report (SR)</source>
+        <translation>un informe estructurat (SR)</translation>
+    </message>
+    <message>
+        <source>a presentation state, which says how to display images</source>
+        <translation>un estat de presentació, que només diu com mostrar imatges</translation>
+    </message>
+    <message>
+        <source>an electrocardiogram (waveform)</source>
+        <translation>un electrocardiograma (senyal)</translation>
+    </message>
+    <message>
+        <source>a sound recording (waveform)</source>
+        <translation>un enregistrament de so (senyal)</translation>
+    </message>
+    <message>
+        <source>a recorded signal (waveform)</source>
+        <translation>un senyal enregistrat</translation>
+    </message>
+    <message>
+        <source>a spatial registration, which only says how images lie to each other</source>
+        <translation>un registre espacial, que només diu com se situen unes imatges respecte a unes altres</translation>
+    </message>
+    <message>
+        <source>a list of reference points of images (spatial fiducials)</source>
+        <translation>una llista de punts de referència d’imatges (spatial fiducials)</translation>
+    </message>
+    <message>
+        <source>load it in 3D Slicer, and save its points as .mrk.json</source>
+        <translation>carregueu-la a 3D Slicer i deseu-ne els punts com a .mrk.json</translation>
+    </message>
+    <message>
+        <source>a deformable registration, which only says how images lie to each other</source>
+        <translation>un registre deformable, que només diu com se situen unes imatges respecte a unes altres</translation>
+    </message>
+    <message>
+        <source>a surface segmentation</source>
+        <translation>una segmentació per superfícies</translation>
+    </message>
+    <message>
+        <source>open it in 3D Slicer, convert it to a segmentation there, and save that as .seg.nrrd</source>
+        <translation>obriu-la a 3D Slicer, convertiu-la en una segmentació i deseu-la com a .seg.nrrd</translation>
+    </message>
+    <message>
+        <source>tracts of nerve fibres (tractography)</source>
+        <translation>tractes de fibres nervioses (tractografia)</translation>
+    </message>
+    <message>
+        <source>load it in 3D Slicer, and save its fibre bundles as .vtk</source>
+        <translation>carregueu-la a 3D Slicer i deseu-ne els feixos de fibres com a .vtk</translation>
+    </message>
+    <message>
+        <source>raw data of a scanner</source>
+        <translation>dades en brut d’un equip</translation>
+    </message>
+    <message>
+        <source>a mapping of image values to units</source>
+        <translation>una correspondència de valors d’imatge amb unitats</translation>
+    </message>
+    <message>
+        <source>a mesh of a surface scanner</source>
+        <translation>una malla d’un escàner de superfícies</translation>
+    </message>
+    <message>
+        <source>export the surface as STL, OBJ or PLY</source>
+        <translation>exporteu la superfície com a STL, OBJ o PLY</translation>
+    </message>
+    <message>
+        <source>a point cloud of a surface scanner</source>
+        <translation>un núvol de punts d’un escàner de superfícies</translation>
+    </message>
+    <message>
+        <source>a tomogram of the eye</source>
+        <translation>un tomograma de l’ull</translation>
+    </message>
+    <message>
+        <source>a whole-slide image of microscopy</source>
+        <translation>una imatge de portaobjectes complet de microscòpia</translation>
+    </message>
+    <message>
+        <source>open it in a viewer for microscopy, such as QuPath</source>
+        <translation>obriu-la en un visor de microscòpia com ara QuPath</translation>
+    </message>
+    <message>
+        <source>a picture of endoscopy</source>
+        <translation>una imatge d’endoscòpia</translation>
+    </message>
+    <message>
+        <source>a photograph</source>
+        <translation>una fotografia</translation>
+    </message>
+    <message>
+        <source>a secondary capture (a picture of a screen or a page)</source>
+        <translation>una captura secundària (imatge d’una pantalla o d’una pàgina)</translation>
+    </message>
+    <message>
+        <source>an ultrasound image</source>
+        <translation>una imatge d’ecografia</translation>
+    </message>
+    <message>
+        <source>an ultrasound film</source>
+        <translation>una pel·lícula d’ecografia</translation>
+    </message>
+    <message>
+        <source>an ultrasound volume</source>
+        <translation>un volum d’ecografia</translation>
+    </message>
+    <message>
+        <source>a projection image of X-rays</source>
+        <translation>una imatge de projecció de raigs X</translation>
+    </message>
+    <message>
+        <source>a mammogram</source>
+        <translation>una mamografia</translation>
+    </message>
+    <message>
+        <source>a dental X-ray image</source>
+        <translation>una radiografia dental</translation>
+    </message>
+    <message>
+        <source>a tomogram of X-rays</source>
+        <translation>un tomograma de raigs X</translation>
+    </message>
+    <message>
+        <source>an image of nuclear medicine</source>
+        <translation>una imatge de medicina nuclear</translation>
+    </message>
+    <message>
+        <source>a protocol of a scanner</source>
+        <translation>un protocol d’un equip</translation>
+    </message>
+    <message>
+        <source>settings of a device or a protocol of storage</source>
+        <translation>paràmetres d’un dispositiu o un protocol d’emmagatzematge</translation>
+    </message>
+    <message>
+        <source>open the images or the segmentation of the same patient, which are other files</source>
+        <translation>obriu les imatges o la segmentació del mateix pacient, que són altres fitxers</translation>
+    </message>
+    <message>
+        <source>It is the table of contents of a DICOM medium (DICOMDIR)</source>
+        <translation>És l’índex d’un suport DICOM (DICOMDIR)</translation>
+    </message>
+    <message>
+        <source>open the folder that it lists, %1</source>
+        <translation>obriu la carpeta que descriu, %1</translation>
+    </message>
+    <message>
+        <source>It is %1, not a scan</source>
+        <translation>És %1, no una exploració</translation>
+    </message>
+    <message>
+        <source>open it as a label map</source>
+        <translation>obriu-la com a mapa d’etiquetes</translation>
+    </message>
+    <message>
+        <source>open it as a surface</source>
+        <translation>obriu-la com a superfície</translation>
+    </message>
+    <message>
+        <source>It is a DICOM file that holds no scan, label map or surface: %1</source>
+        <translation>És un fitxer DICOM sense exploració, mapa d’etiquetes ni superfície: %1</translation>
+    </message>
+    <message>
+        <source>an object of an unknown kind</source>
+        <translation>un objecte d’un tipus desconegut</translation>
+    </message>
+    <message>
+        <source>is %1, which does not say where in the patient it lies</source>
+        <translation>és %1, que no indica on és en el pacient</translation>
+    </message>
+    <message>
+        <source>measurements of the eye</source>
+        <translation>mesures de l’ull</translation>
+    </message>
+    <message>
+        <source>a spectrum of magnetic resonance</source>
+        <translation>un espectre de ressonància magnètica</translation>
+    </message>
+    <message>
+        <source>its pixels are packed in a way that is not supported</source>
+        <translation>els seus píxels estan comprimits d’una manera no admesa</translation>
+    </message>
+    <message>
+        <source>save it without compression</source>
+        <translation>deseu-lo sense compressió</translation>
+    </message>
+    <message>
+        <source>is %1 in colour</source>
+        <translation>és %1 en color</translation>
+    </message>
+    <message>
+        <source>It is a segmentation that %1</source>
+        <translation>És una segmentació que %1</translation>
+    </message>
+    <message>
+        <source>its segment 0 (%1) has got the label %2</source>
+        <translation>el seu segment 0 (%1) ha rebut l’etiqueta %2</translation>
+    </message>
+    <message>
+        <source>its fractions are all 0 or 1 of a larger whole; 1 was read as inside</source>
+        <translation>les seves fraccions són totes 0 o 1 d’un total més gran; 1 s’ha llegit com a interior</translation>
+    </message>
+    <message>
+        <source>its pixels of one bit are packed in a way that is not supported (%1)</source>
+        <translation>els seus píxels d’un bit estan comprimits d’una manera no admesa (%1)</translation>
+    </message>
+    <message>
+        <source>save it without compression, or as RLE</source>
+        <translation>deseu-lo sense compressió o com a RLE</translation>
+    </message>
+    <message>
+        <source>its unit &quot;%1&quot; is not known; its numbers were read as millimetres</source>
+        <translation>la seva unitat «%1» és desconeguda; els seus nombres s’han llegit com a mil·límetres</translation>
+    </message>
+    <message>
+        <source>It is a DICOM image, not a surface</source>
+        <translation>És una imatge DICOM, no una superfície</translation>
+    </message>
+    <message>
+        <source>make a label map of it first, or open it as one</source>
+        <translation>feu-ne primer un mapa d’etiquetes, o obriu-la com a tal</translation>
+    </message>
+    <message>
+        <source>the file does not state its axes: RAS is assumed, as 3D Slicer does</source>
+        <translation>el fitxer no indica els seus eixos: se suposa RAS, com fa 3D Slicer</translation>
+    </message>
+    <message numerus="yes">
+        <source>%2 and %n more</source>
+        <translation>
+            <numerusform>%2 i %n més</numerusform>
+            <numerusform>%2 i %n més</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {point was|points were} never placed (%2), and there is no other</source>
+        <translation>
+            <numerusform>%n punt no s’ha col·locat mai (%2), i no n’hi ha cap altre</numerusform>
+            <numerusform>%n punts no s’han col·locat mai (%2), i no n’hi ha cap altre</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {point that was never placed is|points that were never placed are} left out: %2</source>
+        <translation>
+            <numerusform>%n punt que no s’ha col·locat mai s’omet: %2</numerusform>
+            <numerusform>%n punts que no s’han col·locat mai s’ometen: %2</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>It holds no points, but %1</source>
+        <translation>El fitxer no conté punts, sinó %1</translation>
+    </message>
+    <message>
+        <source>copy its control points into a point list in Slicer's module Markups, and save the list</source>
+        <translation>copieu els seus punts de control en una llista de punts del mòdul Markups de Slicer i deseu la llista</translation>
+    </message>
+    <message>
+        <source>a line</source>
+        <translation>una línia</translation>
+    </message>
+    <message>
+        <source>an angle</source>
+        <translation>un angle</translation>
+    </message>
+    <message>
+        <source>a curve</source>
+        <translation>una corba</translation>
+    </message>
+    <message>
+        <source>a closed curve</source>
+        <translation>una corba tancada</translation>
+    </message>
+    <message>
+        <source>a plane</source>
+        <translation>un pla</translation>
+    </message>
+    <message>
+        <source>a box (ROI)</source>
+        <translation>una caixa (ROI)</translation>
+    </message>
+    <message>
+        <source>a markup of another kind</source>
+        <translation>una marca d’un altre tipus</translation>
+    </message>
+    <message>
+        <source>the file has the unit %1, which Viscera does not know; mm are assumed</source>
+        <translation>el fitxer té la unitat %1, que Viscera no coneix; se suposen mm</translation>
+    </message>
+    <message>
+        <source>the file was converted from %1 to mm</source>
+        <translation>el fitxer s’ha convertit de %1 a mm</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {object that the file does not place is|objects that the file does not place are} left out</source>
+        <translation>
+            <numerusform>%n objecte que el fitxer no col·loca s’omet</numerusform>
+            <numerusform>%n objectes que el fitxer no col·loca s’ometen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {object that only supports a print is|objects that only support a print are} left out</source>
+        <translation>
+            <numerusform>%n objecte que només sosté una impressió s’omet</numerusform>
+            <numerusform>%n objectes que només sostenen una impressió s’ometen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>colours that come from pictures or mixtures are left out</source>
+        <translation>els colors que vénen d’imatges o mescles s’ometen</translation>
+    </message>
+    <message>
+        <source>beams and other shapes that are no triangles are left out</source>
+        <translation>les bigues i altres formes que no són triangles s’ometen</translation>
+    </message>
+    <message>
+        <source>export it without a password</source>
+        <translation>exporteu-lo sense contrasenya</translation>
+    </message>
+    <message>
+        <source>It is a ZIP archive without a 3D model</source>
+        <translation>És un arxiu ZIP sense model 3D</translation>
+    </message>
+    <message>
+        <source>unpack it and open the files in it</source>
+        <translation>descomprimiu-lo i obriu els fitxers que conté</translation>
+    </message>
+    <message>
+        <source>a 3MF model</source>
+        <translation>un model 3MF</translation>
+    </message>
+    <message>
+        <source>several surfaces are written as .glb or .3mf only</source>
+        <translation>diverses superfícies només s’escriuen com a .glb o .3mf</translation>
+    </message>
+    <message>
+        <source>choose a name that ends in .glb or .3mf</source>
+        <translation>trieu un nom que acabi en .glb o .3mf</translation>
+    </message>
+    <message>
+        <source>the surface is too large for 3MF, whose parts end at 4 GB</source>
+        <translation>la superfície és massa gran per a 3MF, les parts del qual acaben a 4 GB</translation>
+    </message>
+    <message>
+        <source>zlib cannot pack it</source>
+        <translation>zlib no la pot comprimir</translation>
+    </message>
+    <message>
+        <source>tetrahedra are written as .inp or .vtu only</source>
+        <translation>els tetraedres només s’escriuen com a .inp o .vtu</translation>
+    </message>
+    <message>
+        <source>choose a name that ends in .inp or .vtu</source>
+        <translation>trieu un nom que acabi en .inp o .vtu</translation>
+    </message>
+    <message>
+        <source>the surface %1 is open (%2 boundary edges)</source>
+        <translation>la superfície %1 és oberta (%2 arestes de vora)</translation>
+    </message>
+    <message>
+        <source>the surfaces %1 and %2 share points</source>
+        <translation>les superfícies %1 i %2 comparteixen punts</translation>
+    </message>
+    <message>
+        <source>move them apart: there is no tissue between them</source>
+        <translation>separeu-les: no hi ha teixit entre elles</translation>
+    </message>
+    <message>
+        <source>a cavity is not wholly inside the organ, or inside another cavity</source>
+        <translation>una cavitat no és del tot dins de l’òrgan, o és dins d’una altra</translation>
+    </message>
+    <message>
+        <source>leave it out, or make it smaller</source>
+        <translation>ometeu-la o feu-la més petita</translation>
+    </message>
+    <message>
+        <source>It has cells of VTK's type %1, which Viscera does not read</source>
+        <translation>Té cel·les del tipus %1 de VTK, que Viscera no llegeix</translation>
+    </message>
+    <message>
+        <source>divide them into tetrahedra first (ParaView: Tetrahedralize)</source>
+        <translation>dividiu-les primer en tetraedres (ParaView: Tetrahedralize)</translation>
+    </message>
+    <message>
+        <source>It is of gmsh's format 1, which Viscera does not read</source>
+        <translation>És del format 1 de gmsh, que Viscera no llegeix</translation>
+    </message>
+    <message>
+        <source>It is of gmsh's format %1, which Viscera does not read</source>
+        <translation>És del format %1 de gmsh, que Viscera no llegeix</translation>
+    </message>
+    <message>
+        <source>open it with gmsh and save it as version 2 or 4</source>
+        <translation>obriu-lo amb gmsh i deseu-lo com a versió 2 o 4</translation>
+    </message>
+    <message>
+        <source>It has elements of gmsh's type %1, which Viscera does not read</source>
+        <translation>Té elements del tipus %1 de gmsh, que Viscera no llegeix</translation>
+    </message>
+    <message>
+        <source>save the mesh with straight elements (gmsh -order 1)</source>
+        <translation>deseu la malla amb elements rectes (gmsh -order 1)</translation>
+    </message>
+    <message>
+        <source>It is a plane mesh, of two dimensions</source>
+        <translation>És una malla plana, de dues dimensions</translation>
+    </message>
+    <message>
+        <source>export a mesh of three dimensions</source>
+        <translation>exporteu una malla de tres dimensions</translation>
+    </message>
+    <message>
+        <source>openCARP states points in micrometres: its numbers were divided by 1,000</source>
+        <translation>openCARP indica els punts en micròmetres: els seus nombres s’han dividit per 1000</translation>
+    </message>
+    <message>
+        <source>The other half of the mesh, %1, is not beside it</source>
+        <translation>L’altra meitat de la malla, %1, no és al seu costat</translation>
+    </message>
+    <message>
+        <source>copy %1 into its folder</source>
+        <translation>copieu %1 a la seva carpeta</translation>
+    </message>
+    <message>
+        <source>%1 has more lines than the %2 points that it states; they were left out</source>
+        <translation>%1 té més línies que els %2 punts que indica; s’han omès</translation>
+    </message>
+    <message>
+        <source>It has elements of the type %1, which Viscera does not read</source>
+        <translation>Té elements del tipus %1, que Viscera no llegeix</translation>
+    </message>
+    <message>
+        <source>save the mesh as tetrahedra</source>
+        <translation>deseu la malla com a tetraedres</translation>
+    </message>
+    <message>
+        <source>It holds %1, not a mesh of cells (UnstructuredGrid)</source>
+        <translation>Conté %1, no una malla de cel·les (UnstructuredGrid)</translation>
+    </message>
+    <message>
+        <source>reduce the mesh first</source>
+        <translation>reduïu primer la malla</translation>
+    </message>
+    <message>
+        <source>its %1 regions (%2) were joined to one surface around all of them</source>
+        <translation>les seves %1 regions (%2) s’han unit en una superfície al voltant de totes</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {cell that repeats|cells that repeat} another left out</source>
+        <translation>
+            <numerusform>%n cel·la que en repeteix una altra omesa</numerusform>
+            <numerusform>%n cel·les que en repeteixen d’altres omeses</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {face belongs|faces belong} to more than two cells, which overlap</source>
+        <translation>
+            <numerusform>%n cara pertany a més de dues cel·les, que se superposen</numerusform>
+            <numerusform>%n cares pertanyen a més de dues cel·les, que se superposen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {flat cell that bounds|flat cells that bound} no cell with a volume left out</source>
+        <translation>
+            <numerusform>%n cel·la plana que no limita cap cel·la amb volum omesa</numerusform>
+            <numerusform>%n cel·les planes que no limiten cap cel·la amb volum omeses</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n curved {cell was|cells were} read as straight between {its|their} corners</source>
+        <translation>
+            <numerusform>%n cel·la corba s’ha llegit com a recta entre els seus vèrtexs</numerusform>
+            <numerusform>%n cel·les corbes s’han llegit com a rectes entre els seus vèrtexs</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>it has %n {cavity|cavities}: its volume is that of the wall around {it|them}</source>
+        <translation>
+            <numerusform>té %n cavitat: el seu volum és el de la paret que l’envolta</numerusform>
+            <numerusform>té %n cavitats: el seu volum és el de la paret que les envolta</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n small {gap|gaps} between its cells filled</source>
+        <translation>
+            <numerusform>%n petit buit omplert entre les seves cel·les</numerusform>
+            <numerusform>%n petits buits omplerts entre les seves cel·les</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Cavity</source>
+        <translation>Cavitat</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {triangle|triangles} that CARTO's user has cut away left out</source>
+        <translation>
+            <numerusform>%n triangle retallat a CARTO omès</numerusform>
+            <numerusform>%n triangles retallats a CARTO omesos</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>it does not say where its scan is: its points stay in FreeSurfer's own coordinates, which may be some millimetres beside the scan</source>
+        <translation>no diu on és la seva exploració: els seus punts queden en les coordenades pròpies de FreeSurfer, que poden ser a uns mil·límetres de l’exploració</translation>
+    </message>
+    <message>
+        <source>It holds values at the points of a surface, such as curvature or thickness, not a surface</source>
+        <translation>Conté valors als punts d’una superfície, com ara curvatura o gruix, no una superfície</translation>
+    </message>
+    <message>
+        <source>open the surface to which they belong, such as lh.white or lh.pial</source>
+        <translation>obriu la superfície a la qual pertanyen, com ara lh.white o lh.pial</translation>
+    </message>
+    <message>
+        <source>its points were moved from FreeSurfer's own coordinates to those of its scan</source>
+        <translation>els seus punts s’han mogut de les coordenades pròpies de FreeSurfer a les de la seva exploració</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n further {surface|surfaces} of the file left out</source>
+        <translation>
+            <numerusform>%n superfície més del fitxer omesa</numerusform>
+            <numerusform>%n superfícies més del fitxer omeses</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>It holds values at the points of a surface (%1), not a surface</source>
+        <translation>Conté valors als punts d’una superfície (%1), no una superfície</translation>
+    </message>
+    <message>
+        <source>open the surface to which they belong, which usually ends in .surf.gii</source>
+        <translation>obriu la superfície a la qual pertanyen, que sol acabar en .surf.gii</translation>
+    </message>
+    <message>
+        <source>It holds no surface of triangles</source>
+        <translation>No conté cap superfície de triangles</translation>
+    </message>
+    <message>
+        <source>Its values are in another file, %1, which Viscera does not read</source>
+        <translation>Els seus valors són en un altre fitxer, %1, que Viscera no llegeix</translation>
+    </message>
+    <message>
+        <source>save it with its values inside (GZipBase64Binary)</source>
+        <translation>deseu-lo amb els seus valors a dins (GZipBase64Binary)</translation>
+    </message>
+    <message>
+        <source>its points were moved to the scan by the matrix that the file states</source>
+        <translation>els seus punts s’han mogut a l’exploració amb la matriu que indica el fitxer</translation>
+    </message>
+    <message>
+        <source>its matrix from %1 to %2 was not applied</source>
+        <translation>la seva matriu de %1 a %2 no s’ha aplicat</translation>
+    </message>
+    <message>
+        <source>a VTK XML mesh of cells</source>
+        <translation>una malla de cel·les VTK XML</translation>
+    </message>
+    <message>
+        <source>a GIFTI surface</source>
+        <translation>una superfície GIFTI</translation>
+    </message>
+    <message>
+        <source>a FreeSurfer surface</source>
+        <translation>una superfície FreeSurfer</translation>
+    </message>
+    <message>
+        <source>a gmsh mesh</source>
+        <translation>una malla gmsh</translation>
+    </message>
+    <message>
+        <source>a medit mesh</source>
+        <translation>una malla medit</translation>
+    </message>
+    <message>
+        <source>a CARTO map</source>
+        <translation>un mapa CARTO</translation>
+    </message>
+    <message>
+        <source>an openCARP mesh</source>
+        <translation>una malla openCARP</translation>
+    </message>
 </context>
 </TS>

@@ -5986,5 +5986,1039 @@
         <source>%1 x %2 x %3 mm</source>
         <translation>%1 x %2 x %3 mm</translation>
     </message>
+    <message>
+        <source>It is not a surface</source>
+        <translation>Es ist keine Oberfläche</translation>
+    </message>
+    <message>
+        <source>It is not a label map</source>
+        <translation>Es ist keine Labelmap</translation>
+    </message>
+    <message>
+        <source>an archive</source>
+        <translation>ein Archiv</translation>
+    </message>
+    <message>
+        <source>a CAD model</source>
+        <translation>ein CAD-Modell</translation>
+    </message>
+    <message>
+        <source>a scene of a 3D program</source>
+        <translation>eine Szene eines 3D-Programms</translation>
+    </message>
+    <message>
+        <source>a scene of 3D Slicer</source>
+        <translation>eine Szene von 3D Slicer</translation>
+    </message>
+    <message>
+        <source>a document</source>
+        <translation>ein Dokument</translation>
+    </message>
+    <message>
+        <source>a table</source>
+        <translation>eine Tabelle</translation>
+    </message>
+    <message>
+        <source>a Viscera sequence</source>
+        <translation>eine Sequenz von Viscera</translation>
+    </message>
+    <message>
+        <source>a Viscera session</source>
+        <translation>eine Sitzung von Viscera</translation>
+    </message>
+    <message>
+        <source>export it as STL, OBJ, PLY or GLB</source>
+        <translation>exportieren Sie es als STL, OBJ, PLY oder GLB</translation>
+    </message>
+    <message>
+        <source>unpack it first</source>
+        <translation>entpacken Sie es zuerst</translation>
+    </message>
+    <message>
+        <source>unpack it first, and open what is inside</source>
+        <translation>entpacken Sie es zuerst und öffnen Sie den Inhalt</translation>
+    </message>
+    <message>
+        <source>open the images that it was made from: a DICOM series, NIfTI, NRRD or MetaImage</source>
+        <translation>öffnen Sie die Bilder, aus denen es entstand: eine DICOM-Serie, NIfTI, NRRD oder MetaImage</translation>
+    </message>
+    <message>
+        <source>save its surface as .vtp, or its image as .mha, in ParaView or 3D Slicer</source>
+        <translation>speichern Sie seine Oberfläche als .vtp oder sein Bild als .mha, in ParaView oder 3D Slicer</translation>
+    </message>
+    <message>
+        <source>open a file of organs, handles or a sequence</source>
+        <translation>öffnen Sie eine Datei mit Organen, Griffen oder einer Sequenz</translation>
+    </message>
+    <message>
+        <source>save its segmentation and its models in 3D Slicer, and open these</source>
+        <translation>speichern Sie seine Segmentierung und seine Modelle in 3D Slicer und öffnen Sie diese</translation>
+    </message>
+    <message>
+        <source>open the files of the organs</source>
+        <translation>öffnen Sie die Dateien der Organe</translation>
+    </message>
+    <message>
+        <source>divide its polygons into triangles in the program that made it, and export it again</source>
+        <translation>teilen Sie ihre Vielecke in dem Programm, das sie erzeugt hat, in Dreiecke, und exportieren Sie sie erneut</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {polygon that is not flat was|polygons that are not flat were} cut into triangles that overlap</source>
+        <translation>
+            <numerusform>%n Vieleck, das nicht eben ist, wurde in Dreiecke geteilt, die sich überlappen</numerusform>
+            <numerusform>%n Vielecke, die nicht eben sind, wurden in Dreiecke geteilt, die sich überlappen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {face|faces} of fewer than three corners left out</source>
+        <translation>
+            <numerusform>%n Fläche mit weniger als drei Ecken weggelassen</numerusform>
+            <numerusform>%n Flächen mit weniger als drei Ecken weggelassen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>the colours in %1 are missing: %2</source>
+        <translation>die Farben in %1 fehlen: %2</translation>
+    </message>
+    <message>
+        <source>Its geometry is compressed (%1), which Viscera does not read</source>
+        <translation>Ihre Geometrie ist komprimiert (%1), was Viscera nicht liest</translation>
+    </message>
+    <message>
+        <source>export it without compression (in Blender: leave out Data &gt; Compression), or as STL or PLY</source>
+        <translation>exportieren Sie sie ohne Kompression (in Blender: ohne Data &gt; Compression) oder als STL oder PLY</translation>
+    </message>
+    <message>
+        <source>export it without this extension, or as STL or PLY</source>
+        <translation>exportieren Sie sie ohne diese Erweiterung oder als STL oder PLY</translation>
+    </message>
+    <message>
+        <source>It holds %1, not VTK blocks (vtkMultiBlockDataSet)</source>
+        <translation>Sie enthält %1 und keine VTK-Blöcke (vtkMultiBlockDataSet)</translation>
+    </message>
+    <message>
+        <source>save the surfaces as .vtp</source>
+        <translation>speichern Sie die Oberflächen als .vtp</translation>
+    </message>
+    <message>
+        <source>It names no surface files</source>
+        <translation>Sie nennt keine Oberflächendateien</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {block|blocks} without a surface ignored</source>
+        <translation>
+            <numerusform>%n Block ohne Oberfläche ignoriert</numerusform>
+            <numerusform>%n Blöcke ohne Oberfläche ignoriert</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>a block is at %1, but only files beside it are read</source>
+        <translation>ein Block liegt bei %1, aber nur Dateien neben ihr werden gelesen</translation>
+    </message>
+    <message>
+        <source>the block %1 is no surface and was left out</source>
+        <translation>der Block %1 ist keine Oberfläche und wurde weggelassen</translation>
+    </message>
+    <message>
+        <source>its block %1 holds blocks of its own in another file</source>
+        <translation>ihr Block %1 enthält selbst Blöcke in einer anderen Datei</translation>
+    </message>
+    <message>
+        <source>its block %1 cannot be read: %2</source>
+        <translation>ihr Block %1 kann nicht gelesen werden: %2</translation>
+    </message>
+    <message>
+        <source>and %1 more</source>
+        <translation>und %1 weitere</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {open part|open parts} that share points were joined to one organ: %2</source>
+        <translation>
+            <numerusform>%n offener Teil mit gemeinsamen Punkten wurden zu einem Organ verbunden: %2</numerusform>
+            <numerusform>%n offene Teile mit gemeinsamen Punkten wurden zu einem Organ verbunden: %2</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>It holds %n {organ|organs}: %2</source>
+        <translation>
+            <numerusform>Sie enthält %n Organ: %2</numerusform>
+            <numerusform>Sie enthält %n Organe: %2</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>name one of them behind a slash: %1</source>
+        <translation>nennen Sie eines davon hinter einem Schrägstrich: %1</translation>
+    </message>
+    <message>
+        <source>%1 lies inside %2, whose volume contains its volume</source>
+        <translation>%1 liegt in %2, dessen Volumen das seine enthält</translation>
+    </message>
+    <message>
+        <source>the commas in its numbers may be decimal marks or separate thousands or numbers</source>
+        <translation>die Kommas in ihren Zahlen können Dezimalzeichen sein oder Tausender oder Zahlen trennen</translation>
+    </message>
+    <message>
+        <source>export it with decimal points</source>
+        <translation>exportieren Sie sie mit Dezimalpunkten</translation>
+    </message>
+    <message>
+        <source>the commas in its numbers were read as decimal marks</source>
+        <translation>die Kommas in ihren Zahlen wurden als Dezimalzeichen gelesen</translation>
+    </message>
+    <message>
+        <source>It holds several organs</source>
+        <translation>Sie enthält mehrere Organe</translation>
+    </message>
+    <message>
+        <source>VTK XML multiblock data</source>
+        <translation>VTK-XML-Daten aus mehreren Blöcken</translation>
+    </message>
+    <message>
+        <source>its voxels are in another folder (%1)</source>
+        <translation>ihre Voxel liegen in einem anderen Ordner (%1)</translation>
+    </message>
+    <message>
+        <source>put both files into one folder, and name the other without a folder</source>
+        <translation>Legen Sie beide Dateien in einen Ordner und nennen Sie die andere ohne Ordner</translation>
+    </message>
+    <message>
+        <source>it is an Analyze 7.5 image, which does not say where it lies: its axes are taken as %1, and left and right may be exchanged</source>
+        <translation>es ist ein Bild im Format Analyze 7.5, das seine Lage nicht angibt: Seine Achsen gelten als %1, und links und rechts können vertauscht sein</translation>
+    </message>
+    <message>
+        <source>it does not say where it lies; coronal slices of 1 mm are assumed, as FreeSurfer does</source>
+        <translation>sie gibt ihre Lage nicht an; angenommen werden koronale Schichten von 1 mm, wie FreeSurfer es tut</translation>
+    </message>
+    <message>
+        <source>one of its labels in group %1 has no valid number or image</source>
+        <translation>eines ihrer Labels in Gruppe %1 hat keine gültige Nummer oder kein Bild</translation>
+    </message>
+    <message>
+        <source>its values are not exactly whole numbers; they were rounded to labels, by at most %1</source>
+        <translation>ihre Werte sind keine genauen ganzen Zahlen; sie wurden zu Labels gerundet, um höchstens %1</translation>
+    </message>
+    <message>
+        <source>It has %1 label maps over time, of which one is needed here</source>
+        <translation>Sie hat %1 Labelmaps im zeitlichen Verlauf, von denen hier eine gebraucht wird</translation>
+    </message>
+    <message>
+        <source>It has %1 label maps over time (at %2 ms), of which one is needed here</source>
+        <translation>Sie hat %1 Labelmaps im zeitlichen Verlauf (bei %2 ms), von denen hier eine gebraucht wird</translation>
+    </message>
+    <message>
+        <source>follow the motion over all of them with viscera track %1, or choose one with --phase, from 0 to %2</source>
+        <translation>Verfolgen Sie die Bewegung über alle mit viscera track %1, oder wählen Sie eine mit --phase von 0 bis %2</translation>
+    </message>
+    <message>
+        <source>its segments %1 have the same voxels (label %2 in one layer); they are one organ, %3</source>
+        <translation>ihre Segmente %1 haben dieselben Voxel (Label %2 in einer Ebene); sie sind ein Organ, %3</translation>
+    </message>
+    <message>
+        <source>the names of its labels are those of FreeSurfer's colour table</source>
+        <translation>die Namen ihrer Labels sind die der Farbtabelle von FreeSurfer</translation>
+    </message>
+    <message>
+        <source>It has several layers of one label map, not several phases</source>
+        <translation>Sie hat mehrere Ebenen einer Labelmap, nicht mehrere Phasen</translation>
+    </message>
+    <message>
+        <source>a FreeSurfer volume</source>
+        <translation>ein FreeSurfer-Volumen</translation>
+    </message>
+    <message>
+        <source>a GIPL image</source>
+        <translation>ein GIPL-Bild</translation>
+    </message>
+    <message>
+        <source>a MINC image</source>
+        <translation>ein MINC-Bild</translation>
+    </message>
+    <message>
+        <source>a MATLAB file</source>
+        <translation>eine MATLAB-Datei</translation>
+    </message>
+    <message>
+        <source>an Imaris image</source>
+        <translation>ein Imaris-Bild</translation>
+    </message>
+    <message>
+        <source>an HDF5 file</source>
+        <translation>eine HDF5-Datei</translation>
+    </message>
+    <message>
+        <source>a NetCDF file</source>
+        <translation>eine NetCDF-Datei</translation>
+    </message>
+    <message>
+        <source>a NumPy array</source>
+        <translation>ein NumPy-Array</translation>
+    </message>
+    <message>
+        <source>a NumPy archive</source>
+        <translation>ein NumPy-Archiv</translation>
+    </message>
+    <message>
+        <source>a TIFF image</source>
+        <translation>ein TIFF-Bild</translation>
+    </message>
+    <message>
+        <source>an AmiraMesh file</source>
+        <translation>eine AmiraMesh-Datei</translation>
+    </message>
+    <message>
+        <source>an Amira surface</source>
+        <translation>eine Amira-Oberfläche</translation>
+    </message>
+    <message>
+        <source>an Interfile image</source>
+        <translation>ein Interfile-Bild</translation>
+    </message>
+    <message>
+        <source>an ECAT image</source>
+        <translation>ein ECAT-Bild</translation>
+    </message>
+    <message>
+        <source>an MRtrix image</source>
+        <translation>ein MRtrix-Bild</translation>
+    </message>
+    <message>
+        <source>a Scanco image</source>
+        <translation>ein Scanco-Bild</translation>
+    </message>
+    <message>
+        <source>a Zeiss image</source>
+        <translation>ein Zeiss-Bild</translation>
+    </message>
+    <message>
+        <source>an MRC image</source>
+        <translation>ein MRC-Bild</translation>
+    </message>
+    <message>
+        <source>an AFNI image</source>
+        <translation>ein AFNI-Bild</translation>
+    </message>
+    <message>
+        <source>a Philips PAR/REC image</source>
+        <translation>ein PAR/REC-Bild von Philips</translation>
+    </message>
+    <message>
+        <source>a BrainVoyager image</source>
+        <translation>ein BrainVoyager-Bild</translation>
+    </message>
+    <message>
+        <source>a file of plain numbers</source>
+        <translation>eine Datei aus bloßen Zahlen</translation>
+    </message>
+    <message>
+        <source>convert it to .nrrd or .nii.gz with 3D Slicer</source>
+        <translation>Wandeln Sie sie mit 3D Slicer in .nrrd oder .nii.gz um</translation>
+    </message>
+    <message>
+        <source>save the array as .nii.gz with nibabel, together with its position</source>
+        <translation>Speichern Sie das Array samt seiner Lage mit nibabel als .nii.gz</translation>
+    </message>
+    <message>
+        <source>convert it with mnc2nii, and open the .nii</source>
+        <translation>Wandeln Sie sie mit mnc2nii um, und öffnen Sie die .nii</translation>
+    </message>
+    <message>
+        <source>write its volume with niftiwrite, and open the .nii</source>
+        <translation>Schreiben Sie ihr Volumen mit niftiwrite, und öffnen Sie die .nii</translation>
+    </message>
+    <message>
+        <source>export it from Imaris or Fiji, as .nrrd</source>
+        <translation>Exportieren Sie sie aus Imaris oder Fiji als .nrrd</translation>
+    </message>
+    <message>
+        <source>convert it to .nrrd with 3D Slicer or Fiji, with the size of its voxels</source>
+        <translation>Wandeln Sie sie mit 3D Slicer oder Fiji in .nrrd um, mit der Größe ihrer Voxel</translation>
+    </message>
+    <message>
+        <source>export it from Amira as .nrrd, or as DICOM</source>
+        <translation>Exportieren Sie sie aus Amira als .nrrd oder als DICOM</translation>
+    </message>
+    <message>
+        <source>export it from Amira as .stl or .ply</source>
+        <translation>Exportieren Sie sie aus Amira als .stl oder .ply</translation>
+    </message>
+    <message>
+        <source>convert it to .nii.gz with nibabel or dcm2niix</source>
+        <translation>Wandeln Sie sie mit nibabel oder dcm2niix in .nii.gz um</translation>
+    </message>
+    <message>
+        <source>convert it with mrconvert, and open the .nii.gz</source>
+        <translation>Wandeln Sie sie mit mrconvert um, und öffnen Sie die .nii.gz</translation>
+    </message>
+    <message>
+        <source>export it from Fiji, as .nrrd</source>
+        <translation>Exportieren Sie sie aus Fiji als .nrrd</translation>
+    </message>
+    <message>
+        <source>convert it with 3dAFNItoNIFTI, and open the .nii</source>
+        <translation>Wandeln Sie sie mit 3dAFNItoNIFTI um, und öffnen Sie die .nii</translation>
+    </message>
+    <message>
+        <source>convert it with dcm2niix, and open the .nii.gz</source>
+        <translation>Wandeln Sie sie mit dcm2niix um, und öffnen Sie die .nii.gz</translation>
+    </message>
+    <message>
+        <source>export it from BrainVoyager as .nii</source>
+        <translation>Exportieren Sie sie aus BrainVoyager als .nii</translation>
+    </message>
+    <message>
+        <source>write a .nhdr or .mhd header for it, which says its size</source>
+        <translation>Schreiben Sie dazu einen Kopf als .nhdr oder .mhd, der die Größe angibt</translation>
+    </message>
+    <message>
+        <source>a segmentation</source>
+        <translation>eine Segmentierung</translation>
+    </message>
+    <message>
+        <source>a label map segmentation</source>
+        <translation>eine Segmentierung als Labelmap</translation>
+    </message>
+    <message>
+        <source>an STL surface in a DICOM file</source>
+        <translation>eine STL-Oberfläche in einer DICOM-Datei</translation>
+    </message>
+    <message>
+        <source>an OBJ surface in a DICOM file</source>
+        <translation>eine OBJ-Oberfläche in einer DICOM-Datei</translation>
+    </message>
+    <message>
+        <source>a PDF document in a DICOM file</source>
+        <translation>ein PDF-Dokument in einer DICOM-Datei</translation>
+    </message>
+    <message>
+        <source>a text document (CDA) in a DICOM file</source>
+        <translation>ein Textdokument (CDA) in einer DICOM-Datei</translation>
+    </message>
+    <message>
+        <source>the materials of an OBJ surface in a DICOM file</source>
+        <translation>die Materialien einer OBJ-Oberfläche in einer DICOM-Datei</translation>
+    </message>
+    <message>
+        <source>open the DICOM file with the OBJ surface itself</source>
+        <translation>öffnen Sie die DICOM-Datei mit der OBJ-Oberfläche selbst</translation>
+    </message>
+    <message>
+        <source>a document in a DICOM file</source>
+        <translation>ein Dokument in einer DICOM-Datei</translation>
+    </message>
+    <message>
+        <source>a structure set of radiotherapy (RTSTRUCT): contours, without voxels or surfaces</source>
+        <translation>ein Struktursatz der Strahlentherapie (RTSTRUCT): Konturen, ohne Voxel und Oberflächen</translation>
+    </message>
+    <message>
+        <source>load it in 3D Slicer with its CT, convert it to a segmentation there, and save that as .seg.nrrd</source>
+        <translation>laden Sie ihn in 3D Slicer mit seinem CT, wandeln Sie ihn dort in eine Segmentierung um und speichern Sie diese als .seg.nrrd</translation>
+    </message>
+    <message>
+        <source>a projection image of radiotherapy</source>
+        <translation>eine Projektionsaufnahme der Strahlentherapie</translation>
+    </message>
+    <message>
+        <source>a dose of radiotherapy</source>
+        <translation>eine Dosis der Strahlentherapie</translation>
+    </message>
+    <message>
+        <source>a plan of radiotherapy (RTPLAN)</source>
+        <translation>ein Plan der Strahlentherapie (RTPLAN)</translation>
+    </message>
+    <message>
+        <source>a plan of radiotherapy with ions</source>
+        <translation>ein Plan der Strahlentherapie mit Ionen</translation>
+    </message>
+    <message>
+        <source>a record of radiotherapy</source>
+        <translation>eine Aufzeichnung der Strahlentherapie</translation>
+    </message>
+    <message>
+        <source>a list of selected images (Key Object Selection)</source>
+        <translation>eine Liste ausgewählter Bilder (Key Object Selection)</translation>
+    </message>
+    <message>
+        <source>a report of the radiation dose</source>
+        <translation>ein Bericht über die Strahlendosis</translation>
+    </message>
+    <message>
+        <source>a structured report (SR)</source>
+        <translation>ein strukturierter Bericht (SR)</translation>
+    </message>
+    <message>
+        <source>a presentation state, which says how to display images</source>
+        <translation>ein Anzeigezustand, der nur sagt, wie Bilder darzustellen sind</translation>
+    </message>
+    <message>
+        <source>an electrocardiogram (waveform)</source>
+        <translation>ein Elektrokardiogramm (Signalkurve)</translation>
+    </message>
+    <message>
+        <source>a sound recording (waveform)</source>
+        <translation>eine Tonaufnahme (Signalkurve)</translation>
+    </message>
+    <message>
+        <source>a recorded signal (waveform)</source>
+        <translation>ein aufgezeichnetes Signal (Signalkurve)</translation>
+    </message>
+    <message>
+        <source>a spatial registration, which only says how images lie to each other</source>
+        <translation>eine räumliche Registrierung, die nur sagt, wie Bilder zueinander liegen</translation>
+    </message>
+    <message>
+        <source>a list of reference points of images (spatial fiducials)</source>
+        <translation>eine Liste von Bezugspunkten in Bildern (Spatial Fiducials)</translation>
+    </message>
+    <message>
+        <source>load it in 3D Slicer, and save its points as .mrk.json</source>
+        <translation>laden Sie sie in 3D Slicer und speichern Sie ihre Punkte als .mrk.json</translation>
+    </message>
+    <message>
+        <source>a deformable registration, which only says how images lie to each other</source>
+        <translation>eine verformende Registrierung, die nur sagt, wie Bilder zueinander liegen</translation>
+    </message>
+    <message>
+        <source>a surface segmentation</source>
+        <translation>eine Oberflächensegmentierung</translation>
+    </message>
+    <message>
+        <source>open it in 3D Slicer, convert it to a segmentation there, and save that as .seg.nrrd</source>
+        <translation>öffnen Sie sie in 3D Slicer, wandeln Sie sie dort in eine Segmentierung um und speichern Sie diese als .seg.nrrd</translation>
+    </message>
+    <message>
+        <source>tracts of nerve fibres (tractography)</source>
+        <translation>Bahnen von Nervenfasern (Traktografie)</translation>
+    </message>
+    <message>
+        <source>load it in 3D Slicer, and save its fibre bundles as .vtk</source>
+        <translation>laden Sie sie in 3D Slicer und speichern Sie ihre Faserbündel als .vtk</translation>
+    </message>
+    <message>
+        <source>raw data of a scanner</source>
+        <translation>Rohdaten eines Geräts</translation>
+    </message>
+    <message>
+        <source>a mapping of image values to units</source>
+        <translation>eine Zuordnung von Bildwerten zu Einheiten</translation>
+    </message>
+    <message>
+        <source>a mesh of a surface scanner</source>
+        <translation>ein Netz eines Oberflächenscanners</translation>
+    </message>
+    <message>
+        <source>export the surface as STL, OBJ or PLY</source>
+        <translation>exportieren Sie die Oberfläche als STL, OBJ oder PLY</translation>
+    </message>
+    <message>
+        <source>a point cloud of a surface scanner</source>
+        <translation>eine Punktwolke eines Oberflächenscanners</translation>
+    </message>
+    <message>
+        <source>a tomogram of the eye</source>
+        <translation>ein Tomogramm des Auges</translation>
+    </message>
+    <message>
+        <source>a whole-slide image of microscopy</source>
+        <translation>ein Bild eines ganzen Objektträgers der Mikroskopie</translation>
+    </message>
+    <message>
+        <source>open it in a viewer for microscopy, such as QuPath</source>
+        <translation>öffnen Sie es in einem Programm für Mikroskopie wie QuPath</translation>
+    </message>
+    <message>
+        <source>a picture of endoscopy</source>
+        <translation>ein Bild der Endoskopie</translation>
+    </message>
+    <message>
+        <source>a photograph</source>
+        <translation>eine Fotografie</translation>
+    </message>
+    <message>
+        <source>a secondary capture (a picture of a screen or a page)</source>
+        <translation>eine Sekundäraufnahme (Bild eines Bildschirms oder einer Seite)</translation>
+    </message>
+    <message>
+        <source>an ultrasound image</source>
+        <translation>ein Ultraschallbild</translation>
+    </message>
+    <message>
+        <source>an ultrasound film</source>
+        <translation>ein Ultraschallfilm</translation>
+    </message>
+    <message>
+        <source>an ultrasound volume</source>
+        <translation>ein Ultraschallvolumen</translation>
+    </message>
+    <message>
+        <source>a projection image of X-rays</source>
+        <translation>eine Röntgen-Projektionsaufnahme</translation>
+    </message>
+    <message>
+        <source>a mammogram</source>
+        <translation>eine Mammografie</translation>
+    </message>
+    <message>
+        <source>a dental X-ray image</source>
+        <translation>eine Röntgenaufnahme der Zähne</translation>
+    </message>
+    <message>
+        <source>a tomogram of X-rays</source>
+        <translation>ein Röntgen-Tomogramm</translation>
+    </message>
+    <message>
+        <source>an image of nuclear medicine</source>
+        <translation>ein Bild der Nuklearmedizin</translation>
+    </message>
+    <message>
+        <source>a protocol of a scanner</source>
+        <translation>ein Protokoll eines Geräts</translation>
+    </message>
+    <message>
+        <source>settings of a device or a protocol of storage</source>
+        <translation>Einstellungen eines Geräts oder ein Protokoll der Speicherung</translation>
+    </message>
+    <message>
+        <source>open the images or the segmentation of the same patient, which are other files</source>
+        <translation>öffnen Sie die Bilder oder die Segmentierung desselben Patienten, die andere Dateien sind</translation>
+    </message>
+    <message>
+        <source>It is the table of contents of a DICOM medium (DICOMDIR)</source>
+        <translation>Es ist das Inhaltsverzeichnis eines DICOM-Mediums (DICOMDIR)</translation>
+    </message>
+    <message>
+        <source>open the folder that it lists, %1</source>
+        <translation>öffnen Sie den Ordner, den sie auflistet, %1</translation>
+    </message>
+    <message>
+        <source>It is %1, not a scan</source>
+        <translation>Es ist %1, kein Scan</translation>
+    </message>
+    <message>
+        <source>open it as a label map</source>
+        <translation>öffnen Sie sie als Labelmap</translation>
+    </message>
+    <message>
+        <source>open it as a surface</source>
+        <translation>öffnen Sie sie als Oberfläche</translation>
+    </message>
+    <message>
+        <source>It is a DICOM file that holds no scan, label map or surface: %1</source>
+        <translation>Es ist eine DICOM-Datei ohne Scan, Labelmap und Oberfläche: %1</translation>
+    </message>
+    <message>
+        <source>an object of an unknown kind</source>
+        <translation>ein Objekt unbekannter Art</translation>
+    </message>
+    <message>
+        <source>is %1, which does not say where in the patient it lies</source>
+        <translation>ist %1, ohne Angabe der Lage im Patienten</translation>
+    </message>
+    <message>
+        <source>measurements of the eye</source>
+        <translation>Messungen des Auges</translation>
+    </message>
+    <message>
+        <source>a spectrum of magnetic resonance</source>
+        <translation>ein Spektrum der Magnetresonanz</translation>
+    </message>
+    <message>
+        <source>its pixels are packed in a way that is not supported</source>
+        <translation>ihre Pixel sind auf eine Weise gepackt, die nicht unterstützt wird</translation>
+    </message>
+    <message>
+        <source>save it without compression</source>
+        <translation>speichern Sie sie ohne Kompression</translation>
+    </message>
+    <message>
+        <source>is %1 in colour</source>
+        <translation>ist %1 in Farbe</translation>
+    </message>
+    <message>
+        <source>It is a segmentation that %1</source>
+        <translation>Es ist eine Segmentierung und %1</translation>
+    </message>
+    <message>
+        <source>its segment 0 (%1) has got the label %2</source>
+        <translation>ihr Segment 0 (%1) hat das Label %2 bekommen</translation>
+    </message>
+    <message>
+        <source>its fractions are all 0 or 1 of a larger whole; 1 was read as inside</source>
+        <translation>ihre Anteile sind alle 0 oder 1 eines größeren Ganzen; 1 wurde als innen gelesen</translation>
+    </message>
+    <message>
+        <source>its pixels of one bit are packed in a way that is not supported (%1)</source>
+        <translation>ihre Pixel von einem Bit sind auf eine Weise gepackt, die nicht unterstützt wird (%1)</translation>
+    </message>
+    <message>
+        <source>save it without compression, or as RLE</source>
+        <translation>speichern Sie sie ohne Kompression oder als RLE</translation>
+    </message>
+    <message>
+        <source>its unit &quot;%1&quot; is not known; its numbers were read as millimetres</source>
+        <translation>ihre Einheit „%1“ ist unbekannt; ihre Zahlen wurden als Millimeter gelesen</translation>
+    </message>
+    <message>
+        <source>It is a DICOM image, not a surface</source>
+        <translation>Es ist ein DICOM-Bild, keine Oberfläche</translation>
+    </message>
+    <message>
+        <source>make a label map of it first, or open it as one</source>
+        <translation>machen Sie zuerst eine Labelmap daraus, oder öffnen Sie sie als solche</translation>
+    </message>
+    <message>
+        <source>the file does not state its axes: RAS is assumed, as 3D Slicer does</source>
+        <translation>die Datei nennt ihre Achsen nicht: RAS ist angenommen, wie es 3D Slicer tut</translation>
+    </message>
+    <message numerus="yes">
+        <source>%2 and %n more</source>
+        <translation>
+            <numerusform>%2 und %n weitere</numerusform>
+            <numerusform>%2 und %n weitere</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {point was|points were} never placed (%2), and there is no other</source>
+        <translation>
+            <numerusform>%n Punkt wurde nie gesetzt (%2), und einen anderen gibt es nicht</numerusform>
+            <numerusform>%n Punkte wurden nie gesetzt (%2), und einen anderen gibt es nicht</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {point that was never placed is|points that were never placed are} left out: %2</source>
+        <translation>
+            <numerusform>%n Punkt, der nie gesetzt wurde, ist weggelassen: %2</numerusform>
+            <numerusform>%n Punkte, die nie gesetzt wurden, sind weggelassen: %2</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>It holds no points, but %1</source>
+        <translation>Die Datei enthält keine Punkte, sondern %1</translation>
+    </message>
+    <message>
+        <source>copy its control points into a point list in Slicer's module Markups, and save the list</source>
+        <translation>kopieren Sie die Kontrollpunkte in Slicers Modul Markups in eine Punktliste, und speichern Sie diese</translation>
+    </message>
+    <message>
+        <source>a line</source>
+        <translation>eine Linie</translation>
+    </message>
+    <message>
+        <source>an angle</source>
+        <translation>einen Winkel</translation>
+    </message>
+    <message>
+        <source>a curve</source>
+        <translation>eine Kurve</translation>
+    </message>
+    <message>
+        <source>a closed curve</source>
+        <translation>eine geschlossene Kurve</translation>
+    </message>
+    <message>
+        <source>a plane</source>
+        <translation>eine Ebene</translation>
+    </message>
+    <message>
+        <source>a box (ROI)</source>
+        <translation>einen Quader (ROI)</translation>
+    </message>
+    <message>
+        <source>a markup of another kind</source>
+        <translation>eine Markierung anderer Art</translation>
+    </message>
+    <message>
+        <source>the file has the unit %1, which Viscera does not know; mm are assumed</source>
+        <translation>die Datei hat die Einheit %1, die Viscera nicht kennt; mm sind angenommen</translation>
+    </message>
+    <message>
+        <source>the file was converted from %1 to mm</source>
+        <translation>die Datei wurde von %1 in mm umgerechnet</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {object that the file does not place is|objects that the file does not place are} left out</source>
+        <translation>
+            <numerusform>%n Objekt, das die Datei nicht platziert, ist weggelassen</numerusform>
+            <numerusform>%n Objekte, die die Datei nicht platziert, sind weggelassen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {object that only supports a print is|objects that only support a print are} left out</source>
+        <translation>
+            <numerusform>%n Objekt, das nur einen Druck stützt, ist weggelassen</numerusform>
+            <numerusform>%n Objekte, die nur einen Druck stützen, sind weggelassen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>colours that come from pictures or mixtures are left out</source>
+        <translation>Farben aus Bildern oder Mischungen sind weggelassen</translation>
+    </message>
+    <message>
+        <source>beams and other shapes that are no triangles are left out</source>
+        <translation>Balken und andere Formen, die keine Dreiecke sind, sind weggelassen</translation>
+    </message>
+    <message>
+        <source>export it without a password</source>
+        <translation>exportieren Sie sie ohne Kennwort</translation>
+    </message>
+    <message>
+        <source>It is a ZIP archive without a 3D model</source>
+        <translation>Die Datei ist ein ZIP-Archiv ohne 3D-Modell</translation>
+    </message>
+    <message>
+        <source>unpack it and open the files in it</source>
+        <translation>entpacken Sie sie, und öffnen Sie die Dateien darin</translation>
+    </message>
+    <message>
+        <source>a 3MF model</source>
+        <translation>ein 3MF-Modell</translation>
+    </message>
+    <message>
+        <source>several surfaces are written as .glb or .3mf only</source>
+        <translation>mehrere Oberflächen werden nur als .glb oder .3mf geschrieben</translation>
+    </message>
+    <message>
+        <source>choose a name that ends in .glb or .3mf</source>
+        <translation>wählen Sie einen Namen, der auf .glb oder .3mf endet</translation>
+    </message>
+    <message>
+        <source>the surface is too large for 3MF, whose parts end at 4 GB</source>
+        <translation>die Oberfläche ist zu groß für 3MF, dessen Teile bei 4 GB enden</translation>
+    </message>
+    <message>
+        <source>zlib cannot pack it</source>
+        <translation>zlib kann sie nicht packen</translation>
+    </message>
+    <message>
+        <source>tetrahedra are written as .inp or .vtu only</source>
+        <translation>Tetraeder werden nur als .inp oder .vtu geschrieben</translation>
+    </message>
+    <message>
+        <source>choose a name that ends in .inp or .vtu</source>
+        <translation>wählen Sie einen Namen, der auf .inp oder .vtu endet</translation>
+    </message>
+    <message>
+        <source>the surface %1 is open (%2 boundary edges)</source>
+        <translation>die Oberfläche %1 ist offen (%2 Randkanten)</translation>
+    </message>
+    <message>
+        <source>the surfaces %1 and %2 share points</source>
+        <translation>die Oberflächen %1 und %2 haben gemeinsame Punkte</translation>
+    </message>
+    <message>
+        <source>move them apart: there is no tissue between them</source>
+        <translation>rücken Sie sie auseinander: zwischen ihnen ist kein Gewebe</translation>
+    </message>
+    <message>
+        <source>a cavity is not wholly inside the organ, or inside another cavity</source>
+        <translation>ein Hohlraum liegt nicht ganz im Organ, oder in einem anderen Hohlraum</translation>
+    </message>
+    <message>
+        <source>leave it out, or make it smaller</source>
+        <translation>lassen Sie ihn weg, oder machen Sie ihn kleiner</translation>
+    </message>
+    <message>
+        <source>It has cells of VTK's type %1, which Viscera does not read</source>
+        <translation>Es hat Zellen von VTKs Typ %1, den Viscera nicht liest</translation>
+    </message>
+    <message>
+        <source>divide them into tetrahedra first (ParaView: Tetrahedralize)</source>
+        <translation>teilen Sie sie zuerst in Tetraeder (ParaView: Tetrahedralize)</translation>
+    </message>
+    <message>
+        <source>It is of gmsh's format 1, which Viscera does not read</source>
+        <translation>Sie ist im Format 1 von gmsh, das Viscera nicht liest</translation>
+    </message>
+    <message>
+        <source>It is of gmsh's format %1, which Viscera does not read</source>
+        <translation>Sie ist im Format %1 von gmsh, das Viscera nicht liest</translation>
+    </message>
+    <message>
+        <source>open it with gmsh and save it as version 2 or 4</source>
+        <translation>öffnen Sie sie mit gmsh und speichern Sie sie als Version 2 oder 4</translation>
+    </message>
+    <message>
+        <source>It has elements of gmsh's type %1, which Viscera does not read</source>
+        <translation>Sie hat Elemente von gmshs Typ %1, den Viscera nicht liest</translation>
+    </message>
+    <message>
+        <source>save the mesh with straight elements (gmsh -order 1)</source>
+        <translation>speichern Sie das Netz mit geraden Elementen (gmsh -order 1)</translation>
+    </message>
+    <message>
+        <source>It is a plane mesh, of two dimensions</source>
+        <translation>Es ist ein ebenes Netz mit zwei Dimensionen</translation>
+    </message>
+    <message>
+        <source>export a mesh of three dimensions</source>
+        <translation>exportieren Sie ein Netz mit drei Dimensionen</translation>
+    </message>
+    <message>
+        <source>openCARP states points in micrometres: its numbers were divided by 1,000</source>
+        <translation>openCARP gibt Punkte in Mikrometern an: die Zahlen wurden durch 1000 geteilt</translation>
+    </message>
+    <message>
+        <source>The other half of the mesh, %1, is not beside it</source>
+        <translation>Die andere Hälfte des Netzes, %1, liegt nicht daneben</translation>
+    </message>
+    <message>
+        <source>copy %1 into its folder</source>
+        <translation>kopieren Sie %1 in den Ordner der Datei</translation>
+    </message>
+    <message>
+        <source>%1 has more lines than the %2 points that it states; they were left out</source>
+        <translation>%1 hat mehr Zeilen als die %2 Punkte, die angegeben sind; sie wurden weggelassen</translation>
+    </message>
+    <message>
+        <source>It has elements of the type %1, which Viscera does not read</source>
+        <translation>Sie hat Elemente vom Typ %1, den Viscera nicht liest</translation>
+    </message>
+    <message>
+        <source>save the mesh as tetrahedra</source>
+        <translation>speichern Sie das Netz als Tetraeder</translation>
+    </message>
+    <message>
+        <source>It holds %1, not a mesh of cells (UnstructuredGrid)</source>
+        <translation>Sie enthält %1, kein Netz aus Zellen (UnstructuredGrid)</translation>
+    </message>
+    <message>
+        <source>reduce the mesh first</source>
+        <translation>vereinfachen Sie zuerst das Netz</translation>
+    </message>
+    <message>
+        <source>its %1 regions (%2) were joined to one surface around all of them</source>
+        <translation>seine %1 Regionen (%2) wurden zu einer Oberfläche um alle verbunden</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {cell that repeats|cells that repeat} another left out</source>
+        <translation>
+            <numerusform>%n Zelle, die eine andere wiederholt, weggelassen</numerusform>
+            <numerusform>%n Zellen, die andere wiederholen, weggelassen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {face belongs|faces belong} to more than two cells, which overlap</source>
+        <translation>
+            <numerusform>%n Fläche gehört zu mehr als zwei Zellen, die sich überlappen</numerusform>
+            <numerusform>%n Flächen gehören zu mehr als zwei Zellen, die sich überlappen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {flat cell that bounds|flat cells that bound} no cell with a volume left out</source>
+        <translation>
+            <numerusform>%n flache Zelle, die keine Zelle mit Volumen begrenzt, weggelassen</numerusform>
+            <numerusform>%n flache Zellen, die keine Zelle mit Volumen begrenzen, weggelassen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n curved {cell was|cells were} read as straight between {its|their} corners</source>
+        <translation>
+            <numerusform>%n gekrümmte Zelle wurde gerade zwischen ihren Ecken gelesen</numerusform>
+            <numerusform>%n gekrümmte Zellen wurden gerade zwischen ihren Ecken gelesen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>it has %n {cavity|cavities}: its volume is that of the wall around {it|them}</source>
+        <translation>
+            <numerusform>sie hat %n Hohlraum: ihr Volumen ist das der Wand um ihn</numerusform>
+            <numerusform>sie hat %n Hohlräume: ihr Volumen ist das der Wand um sie</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n small {gap|gaps} between its cells filled</source>
+        <translation>
+            <numerusform>%n kleine Lücke zwischen seinen Zellen gefüllt</numerusform>
+            <numerusform>%n kleine Lücken zwischen seinen Zellen gefüllt</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Cavity</source>
+        <translation>Hohlraum</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {triangle|triangles} that CARTO's user has cut away left out</source>
+        <translation>
+            <numerusform>%n Dreieck, die in CARTO weggeschnitten wurden, weggelassen</numerusform>
+            <numerusform>%n Dreiecke, die in CARTO weggeschnitten wurden, weggelassen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>it does not say where its scan is: its points stay in FreeSurfer's own coordinates, which may be some millimetres beside the scan</source>
+        <translation>sie sagt nicht, wo ihre Aufnahme liegt: die Punkte bleiben in FreeSurfers eigenen Koordinaten, die einige Millimeter neben der Aufnahme liegen können</translation>
+    </message>
+    <message>
+        <source>It holds values at the points of a surface, such as curvature or thickness, not a surface</source>
+        <translation>Sie enthält Werte an den Punkten einer Oberfläche, wie Krümmung oder Dicke, keine Oberfläche</translation>
+    </message>
+    <message>
+        <source>open the surface to which they belong, such as lh.white or lh.pial</source>
+        <translation>öffnen Sie die Oberfläche, zu der sie gehören, wie lh.white oder lh.pial</translation>
+    </message>
+    <message>
+        <source>its points were moved from FreeSurfer's own coordinates to those of its scan</source>
+        <translation>ihre Punkte wurden von FreeSurfers eigenen Koordinaten in die ihrer Aufnahme verschoben</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n further {surface|surfaces} of the file left out</source>
+        <translation>
+            <numerusform>%n weitere Oberfläche der Datei weggelassen</numerusform>
+            <numerusform>%n weitere Oberflächen der Datei weggelassen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>It holds values at the points of a surface (%1), not a surface</source>
+        <translation>Sie enthält Werte an den Punkten einer Oberfläche (%1), keine Oberfläche</translation>
+    </message>
+    <message>
+        <source>open the surface to which they belong, which usually ends in .surf.gii</source>
+        <translation>öffnen Sie die Oberfläche, zu der sie gehören; sie endet meist auf .surf.gii</translation>
+    </message>
+    <message>
+        <source>It holds no surface of triangles</source>
+        <translation>Sie enthält keine Oberfläche aus Dreiecken</translation>
+    </message>
+    <message>
+        <source>Its values are in another file, %1, which Viscera does not read</source>
+        <translation>Ihre Werte stehen in einer anderen Datei, %1, die Viscera nicht liest</translation>
+    </message>
+    <message>
+        <source>save it with its values inside (GZipBase64Binary)</source>
+        <translation>speichern Sie sie mit den Werten darin (GZipBase64Binary)</translation>
+    </message>
+    <message>
+        <source>its points were moved to the scan by the matrix that the file states</source>
+        <translation>ihre Punkte wurden mit der Matrix, die die Datei angibt, zur Aufnahme verschoben</translation>
+    </message>
+    <message>
+        <source>its matrix from %1 to %2 was not applied</source>
+        <translation>ihre Matrix von %1 nach %2 wurde nicht angewendet</translation>
+    </message>
+    <message>
+        <source>a VTK XML mesh of cells</source>
+        <translation>ein Netz aus Zellen in VTK-XML</translation>
+    </message>
+    <message>
+        <source>a GIFTI surface</source>
+        <translation>eine GIFTI-Oberfläche</translation>
+    </message>
+    <message>
+        <source>a FreeSurfer surface</source>
+        <translation>eine FreeSurfer-Oberfläche</translation>
+    </message>
+    <message>
+        <source>a gmsh mesh</source>
+        <translation>ein gmsh-Netz</translation>
+    </message>
+    <message>
+        <source>a medit mesh</source>
+        <translation>ein medit-Netz</translation>
+    </message>
+    <message>
+        <source>a CARTO map</source>
+        <translation>eine CARTO-Karte</translation>
+    </message>
+    <message>
+        <source>an openCARP mesh</source>
+        <translation>ein openCARP-Netz</translation>
+    </message>
 </context>
 </TS>

@@ -5986,5 +5986,1039 @@
         <source>%1 x %2 x %3 mm</source>
         <translation>%1 x %2 x %3 mm</translation>
     </message>
+    <message>
+        <source>It is not a surface</source>
+        <translation>No es una superficie</translation>
+    </message>
+    <message>
+        <source>It is not a label map</source>
+        <translation>No es un mapa de etiquetas</translation>
+    </message>
+    <message>
+        <source>an archive</source>
+        <translation>un archivo comprimido</translation>
+    </message>
+    <message>
+        <source>a CAD model</source>
+        <translation>un modelo de CAD</translation>
+    </message>
+    <message>
+        <source>a scene of a 3D program</source>
+        <translation>una escena de un programa 3D</translation>
+    </message>
+    <message>
+        <source>a scene of 3D Slicer</source>
+        <translation>una escena de 3D Slicer</translation>
+    </message>
+    <message>
+        <source>a document</source>
+        <translation>un documento</translation>
+    </message>
+    <message>
+        <source>a table</source>
+        <translation>una tabla</translation>
+    </message>
+    <message>
+        <source>a Viscera sequence</source>
+        <translation>una secuencia de Viscera</translation>
+    </message>
+    <message>
+        <source>a Viscera session</source>
+        <translation>una sesión de Viscera</translation>
+    </message>
+    <message>
+        <source>export it as STL, OBJ, PLY or GLB</source>
+        <translation>expórtelo como STL, OBJ, PLY o GLB</translation>
+    </message>
+    <message>
+        <source>unpack it first</source>
+        <translation>descomprímalo primero</translation>
+    </message>
+    <message>
+        <source>unpack it first, and open what is inside</source>
+        <translation>descomprímalo primero y abra su contenido</translation>
+    </message>
+    <message>
+        <source>open the images that it was made from: a DICOM series, NIfTI, NRRD or MetaImage</source>
+        <translation>abra las imágenes de las que procede: una serie DICOM, NIfTI, NRRD o MetaImage</translation>
+    </message>
+    <message>
+        <source>save its surface as .vtp, or its image as .mha, in ParaView or 3D Slicer</source>
+        <translation>guarde su superficie como .vtp o su imagen como .mha, en ParaView o 3D Slicer</translation>
+    </message>
+    <message>
+        <source>open a file of organs, handles or a sequence</source>
+        <translation>abra un archivo de órganos, de tiradores o de una secuencia</translation>
+    </message>
+    <message>
+        <source>save its segmentation and its models in 3D Slicer, and open these</source>
+        <translation>guarde su segmentación y sus modelos en 3D Slicer y ábralos</translation>
+    </message>
+    <message>
+        <source>open the files of the organs</source>
+        <translation>abra los archivos de los órganos</translation>
+    </message>
+    <message>
+        <source>divide its polygons into triangles in the program that made it, and export it again</source>
+        <translation>divida sus polígonos en triángulos en el programa que lo creó y expórtelo de nuevo</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {polygon that is not flat was|polygons that are not flat were} cut into triangles that overlap</source>
+        <translation>
+            <numerusform>%n polígono que no es plano se dividió en triángulos que se solapan</numerusform>
+            <numerusform>%n polígonos que no son planos se dividieron en triángulos que se solapan</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {face|faces} of fewer than three corners left out</source>
+        <translation>
+            <numerusform>%n cara de menos de tres vértices omitida</numerusform>
+            <numerusform>%n caras de menos de tres vértices omitidas</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>the colours in %1 are missing: %2</source>
+        <translation>faltan los colores de %1: %2</translation>
+    </message>
+    <message>
+        <source>Its geometry is compressed (%1), which Viscera does not read</source>
+        <translation>Su geometría está comprimida (%1), lo que Viscera no lee</translation>
+    </message>
+    <message>
+        <source>export it without compression (in Blender: leave out Data &gt; Compression), or as STL or PLY</source>
+        <translation>expórtelo sin compresión (en Blender: sin Data &gt; Compression), o como STL o PLY</translation>
+    </message>
+    <message>
+        <source>export it without this extension, or as STL or PLY</source>
+        <translation>expórtelo sin esta extensión, o como STL o PLY</translation>
+    </message>
+    <message>
+        <source>It holds %1, not VTK blocks (vtkMultiBlockDataSet)</source>
+        <translation>Contiene %1 y no bloques de VTK (vtkMultiBlockDataSet)</translation>
+    </message>
+    <message>
+        <source>save the surfaces as .vtp</source>
+        <translation>guarde las superficies como .vtp</translation>
+    </message>
+    <message>
+        <source>It names no surface files</source>
+        <translation>No nombra ningún archivo de superficie</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {block|blocks} without a surface ignored</source>
+        <translation>
+            <numerusform>%n bloque sin superficie ignorado</numerusform>
+            <numerusform>%n bloques sin superficie ignorados</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>a block is at %1, but only files beside it are read</source>
+        <translation>un bloque está en %1, pero solo se leen archivos junto a él</translation>
+    </message>
+    <message>
+        <source>the block %1 is no surface and was left out</source>
+        <translation>el bloque %1 no es una superficie y se omitió</translation>
+    </message>
+    <message>
+        <source>its block %1 holds blocks of its own in another file</source>
+        <translation>su bloque %1 contiene a su vez bloques en otro archivo</translation>
+    </message>
+    <message>
+        <source>its block %1 cannot be read: %2</source>
+        <translation>su bloque %1 no se puede leer: %2</translation>
+    </message>
+    <message>
+        <source>and %1 more</source>
+        <translation>y %1 más</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {open part|open parts} that share points were joined to one organ: %2</source>
+        <translation>
+            <numerusform>%n parte abierta con puntos comunes se unieron en un órgano: %2</numerusform>
+            <numerusform>%n partes abiertas con puntos comunes se unieron en un órgano: %2</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>It holds %n {organ|organs}: %2</source>
+        <translation>
+            <numerusform>Contiene %n órgano: %2</numerusform>
+            <numerusform>Contiene %n órganos: %2</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>name one of them behind a slash: %1</source>
+        <translation>nombre uno de ellos tras una barra: %1</translation>
+    </message>
+    <message>
+        <source>%1 lies inside %2, whose volume contains its volume</source>
+        <translation>%1 está dentro de %2, cuyo volumen contiene el suyo</translation>
+    </message>
+    <message>
+        <source>the commas in its numbers may be decimal marks or separate thousands or numbers</source>
+        <translation>las comas de sus números pueden ser decimales o separar millares o números</translation>
+    </message>
+    <message>
+        <source>export it with decimal points</source>
+        <translation>expórtelo con puntos decimales</translation>
+    </message>
+    <message>
+        <source>the commas in its numbers were read as decimal marks</source>
+        <translation>las comas de sus números se leyeron como decimales</translation>
+    </message>
+    <message>
+        <source>It holds several organs</source>
+        <translation>Contiene varios órganos</translation>
+    </message>
+    <message>
+        <source>VTK XML multiblock data</source>
+        <translation>datos multibloque VTK XML</translation>
+    </message>
+    <message>
+        <source>its voxels are in another folder (%1)</source>
+        <translation>sus vóxeles están en otra carpeta (%1)</translation>
+    </message>
+    <message>
+        <source>put both files into one folder, and name the other without a folder</source>
+        <translation>ponga los dos archivos en una carpeta y nombre el otro sin carpeta</translation>
+    </message>
+    <message>
+        <source>it is an Analyze 7.5 image, which does not say where it lies: its axes are taken as %1, and left and right may be exchanged</source>
+        <translation>es una imagen Analyze 7.5, que no dice dónde está: sus ejes se toman como %1, y la izquierda y la derecha pueden estar intercambiadas</translation>
+    </message>
+    <message>
+        <source>it does not say where it lies; coronal slices of 1 mm are assumed, as FreeSurfer does</source>
+        <translation>no dice dónde está; se suponen cortes coronales de 1 mm, como hace FreeSurfer</translation>
+    </message>
+    <message>
+        <source>one of its labels in group %1 has no valid number or image</source>
+        <translation>una de sus etiquetas del grupo %1 no tiene número o imagen válidos</translation>
+    </message>
+    <message>
+        <source>its values are not exactly whole numbers; they were rounded to labels, by at most %1</source>
+        <translation>sus valores no son exactamente números enteros; se redondearon a etiquetas, en %1 como máximo</translation>
+    </message>
+    <message>
+        <source>It has %1 label maps over time, of which one is needed here</source>
+        <translation>Contiene %1 mapas de etiquetas en el tiempo, de los que aquí se necesita uno</translation>
+    </message>
+    <message>
+        <source>It has %1 label maps over time (at %2 ms), of which one is needed here</source>
+        <translation>Contiene %1 mapas de etiquetas en el tiempo (a los %2 ms), de los que aquí se necesita uno</translation>
+    </message>
+    <message>
+        <source>follow the motion over all of them with viscera track %1, or choose one with --phase, from 0 to %2</source>
+        <translation>siga el movimiento por todos con viscera track %1, o elija uno con --phase, de 0 a %2</translation>
+    </message>
+    <message>
+        <source>its segments %1 have the same voxels (label %2 in one layer); they are one organ, %3</source>
+        <translation>sus segmentos %1 tienen los mismos vóxeles (etiqueta %2 en una capa); son un solo órgano, %3</translation>
+    </message>
+    <message>
+        <source>the names of its labels are those of FreeSurfer's colour table</source>
+        <translation>los nombres de sus etiquetas son los de la tabla de colores de FreeSurfer</translation>
+    </message>
+    <message>
+        <source>It has several layers of one label map, not several phases</source>
+        <translation>Contiene varias capas de un mapa de etiquetas, no varias fases</translation>
+    </message>
+    <message>
+        <source>a FreeSurfer volume</source>
+        <translation>un volumen de FreeSurfer</translation>
+    </message>
+    <message>
+        <source>a GIPL image</source>
+        <translation>una imagen GIPL</translation>
+    </message>
+    <message>
+        <source>a MINC image</source>
+        <translation>una imagen MINC</translation>
+    </message>
+    <message>
+        <source>a MATLAB file</source>
+        <translation>un archivo de MATLAB</translation>
+    </message>
+    <message>
+        <source>an Imaris image</source>
+        <translation>una imagen de Imaris</translation>
+    </message>
+    <message>
+        <source>an HDF5 file</source>
+        <translation>un archivo HDF5</translation>
+    </message>
+    <message>
+        <source>a NetCDF file</source>
+        <translation>un archivo NetCDF</translation>
+    </message>
+    <message>
+        <source>a NumPy array</source>
+        <translation>una matriz de NumPy</translation>
+    </message>
+    <message>
+        <source>a NumPy archive</source>
+        <translation>un archivo comprimido de NumPy</translation>
+    </message>
+    <message>
+        <source>a TIFF image</source>
+        <translation>una imagen TIFF</translation>
+    </message>
+    <message>
+        <source>an AmiraMesh file</source>
+        <translation>un archivo AmiraMesh</translation>
+    </message>
+    <message>
+        <source>an Amira surface</source>
+        <translation>una superficie de Amira</translation>
+    </message>
+    <message>
+        <source>an Interfile image</source>
+        <translation>una imagen Interfile</translation>
+    </message>
+    <message>
+        <source>an ECAT image</source>
+        <translation>una imagen ECAT</translation>
+    </message>
+    <message>
+        <source>an MRtrix image</source>
+        <translation>una imagen de MRtrix</translation>
+    </message>
+    <message>
+        <source>a Scanco image</source>
+        <translation>una imagen de Scanco</translation>
+    </message>
+    <message>
+        <source>a Zeiss image</source>
+        <translation>una imagen de Zeiss</translation>
+    </message>
+    <message>
+        <source>an MRC image</source>
+        <translation>una imagen MRC</translation>
+    </message>
+    <message>
+        <source>an AFNI image</source>
+        <translation>una imagen de AFNI</translation>
+    </message>
+    <message>
+        <source>a Philips PAR/REC image</source>
+        <translation>una imagen PAR/REC de Philips</translation>
+    </message>
+    <message>
+        <source>a BrainVoyager image</source>
+        <translation>una imagen de BrainVoyager</translation>
+    </message>
+    <message>
+        <source>a file of plain numbers</source>
+        <translation>un archivo de números sin más</translation>
+    </message>
+    <message>
+        <source>convert it to .nrrd or .nii.gz with 3D Slicer</source>
+        <translation>conviértalo a .nrrd o .nii.gz con 3D Slicer</translation>
+    </message>
+    <message>
+        <source>save the array as .nii.gz with nibabel, together with its position</source>
+        <translation>guarde la matriz con su posición como .nii.gz con nibabel</translation>
+    </message>
+    <message>
+        <source>convert it with mnc2nii, and open the .nii</source>
+        <translation>conviértalo con mnc2nii y abra el .nii</translation>
+    </message>
+    <message>
+        <source>write its volume with niftiwrite, and open the .nii</source>
+        <translation>escriba su volumen con niftiwrite y abra el .nii</translation>
+    </message>
+    <message>
+        <source>export it from Imaris or Fiji, as .nrrd</source>
+        <translation>expórtelo desde Imaris o Fiji como .nrrd</translation>
+    </message>
+    <message>
+        <source>convert it to .nrrd with 3D Slicer or Fiji, with the size of its voxels</source>
+        <translation>conviértalo a .nrrd con 3D Slicer o Fiji, con el tamaño de sus vóxeles</translation>
+    </message>
+    <message>
+        <source>export it from Amira as .nrrd, or as DICOM</source>
+        <translation>expórtelo desde Amira como .nrrd o como DICOM</translation>
+    </message>
+    <message>
+        <source>export it from Amira as .stl or .ply</source>
+        <translation>expórtelo desde Amira como .stl o .ply</translation>
+    </message>
+    <message>
+        <source>convert it to .nii.gz with nibabel or dcm2niix</source>
+        <translation>conviértalo a .nii.gz con nibabel o dcm2niix</translation>
+    </message>
+    <message>
+        <source>convert it with mrconvert, and open the .nii.gz</source>
+        <translation>conviértalo con mrconvert y abra el .nii.gz</translation>
+    </message>
+    <message>
+        <source>export it from Fiji, as .nrrd</source>
+        <translation>expórtelo desde Fiji como .nrrd</translation>
+    </message>
+    <message>
+        <source>convert it with 3dAFNItoNIFTI, and open the .nii</source>
+        <translation>conviértalo con 3dAFNItoNIFTI y abra el .nii</translation>
+    </message>
+    <message>
+        <source>convert it with dcm2niix, and open the .nii.gz</source>
+        <translation>conviértalo con dcm2niix y abra el .nii.gz</translation>
+    </message>
+    <message>
+        <source>export it from BrainVoyager as .nii</source>
+        <translation>expórtelo desde BrainVoyager como .nii</translation>
+    </message>
+    <message>
+        <source>write a .nhdr or .mhd header for it, which says its size</source>
+        <translation>escriba para él una cabecera .nhdr o .mhd, que diga su tamaño</translation>
+    </message>
+    <message>
+        <source>a segmentation</source>
+        <translation>una segmentación</translation>
+    </message>
+    <message>
+        <source>a label map segmentation</source>
+        <translation>una segmentación como mapa de etiquetas</translation>
+    </message>
+    <message>
+        <source>an STL surface in a DICOM file</source>
+        <translation>una superficie STL en un archivo DICOM</translation>
+    </message>
+    <message>
+        <source>an OBJ surface in a DICOM file</source>
+        <translation>una superficie OBJ en un archivo DICOM</translation>
+    </message>
+    <message>
+        <source>a PDF document in a DICOM file</source>
+        <translation>un documento PDF en un archivo DICOM</translation>
+    </message>
+    <message>
+        <source>a text document (CDA) in a DICOM file</source>
+        <translation>un documento de texto (CDA) en un archivo DICOM</translation>
+    </message>
+    <message>
+        <source>the materials of an OBJ surface in a DICOM file</source>
+        <translation>los materiales de una superficie OBJ en un archivo DICOM</translation>
+    </message>
+    <message>
+        <source>open the DICOM file with the OBJ surface itself</source>
+        <translation>abra el archivo DICOM que contiene la superficie OBJ</translation>
+    </message>
+    <message>
+        <source>a document in a DICOM file</source>
+        <translation>un documento en un archivo DICOM</translation>
+    </message>
+    <message>
+        <source>a structure set of radiotherapy (RTSTRUCT): contours, without voxels or surfaces</source>
+        <translation>un conjunto de estructuras de radioterapia (RTSTRUCT): contornos, sin vóxeles ni superficies</translation>
+    </message>
+    <message>
+        <source>load it in 3D Slicer with its CT, convert it to a segmentation there, and save that as .seg.nrrd</source>
+        <translation>cárguelo en 3D Slicer con su TC, conviértalo en una segmentación y guárdela como .seg.nrrd</translation>
+    </message>
+    <message>
+        <source>a projection image of radiotherapy</source>
+        <translation>una imagen de proyección de radioterapia</translation>
+    </message>
+    <message>
+        <source>a dose of radiotherapy</source>
+        <translation>una dosis de radioterapia</translation>
+    </message>
+    <message>
+        <source>a plan of radiotherapy (RTPLAN)</source>
+        <translation>un plan de radioterapia (RTPLAN)</translation>
+    </message>
+    <message>
+        <source>a plan of radiotherapy with ions</source>
+        <translation>un plan de radioterapia con iones</translation>
+    </message>
+    <message>
+        <source>a record of radiotherapy</source>
+        <translation>un registro de radioterapia</translation>
+    </message>
+    <message>
+        <source>a list of selected images (Key Object Selection)</source>
+        <translation>una lista de imágenes seleccionadas (Key Object Selection)</translation>
+    </message>
+    <message>
+        <source>a report of the radiation dose</source>
+        <translation>un informe de la dosis de radiación</translation>
+    </message>
+    <message>
+        <source>a structured report (SR)</source>
+        <translation>un informe estructurado (SR)</translation>
+    </message>
+    <message>
+        <source>a presentation state, which says how to display images</source>
+        <translation>un estado de presentación, que solo dice cómo mostrar imágenes</translation>
+    </message>
+    <message>
+        <source>an electrocardiogram (waveform)</source>
+        <translation>un electrocardiograma (señal)</translation>
+    </message>
+    <message>
+        <source>a sound recording (waveform)</source>
+        <translation>una grabación de sonido (señal)</translation>
+    </message>
+    <message>
+        <source>a recorded signal (waveform)</source>
+        <translation>una señal registrada</translation>
+    </message>
+    <message>
+        <source>a spatial registration, which only says how images lie to each other</source>
+        <translation>un registro espacial, que solo dice cómo se sitúan unas imágenes respecto a otras</translation>
+    </message>
+    <message>
+        <source>a list of reference points of images (spatial fiducials)</source>
+        <translation>una lista de puntos de referencia de imágenes (spatial fiducials)</translation>
+    </message>
+    <message>
+        <source>load it in 3D Slicer, and save its points as .mrk.json</source>
+        <translation>cárguela en 3D Slicer y guarde sus puntos como .mrk.json</translation>
+    </message>
+    <message>
+        <source>a deformable registration, which only says how images lie to each other</source>
+        <translation>un registro deformable, que solo dice cómo se sitúan unas imágenes respecto a otras</translation>
+    </message>
+    <message>
+        <source>a surface segmentation</source>
+        <translation>una segmentación por superficies</translation>
+    </message>
+    <message>
+        <source>open it in 3D Slicer, convert it to a segmentation there, and save that as .seg.nrrd</source>
+        <translation>ábrala en 3D Slicer, conviértala en una segmentación y guárdela como .seg.nrrd</translation>
+    </message>
+    <message>
+        <source>tracts of nerve fibres (tractography)</source>
+        <translation>tractos de fibras nerviosas (tractografía)</translation>
+    </message>
+    <message>
+        <source>load it in 3D Slicer, and save its fibre bundles as .vtk</source>
+        <translation>cárguela en 3D Slicer y guarde sus haces de fibras como .vtk</translation>
+    </message>
+    <message>
+        <source>raw data of a scanner</source>
+        <translation>datos en bruto de un equipo</translation>
+    </message>
+    <message>
+        <source>a mapping of image values to units</source>
+        <translation>una correspondencia de valores de imagen con unidades</translation>
+    </message>
+    <message>
+        <source>a mesh of a surface scanner</source>
+        <translation>una malla de un escáner de superficies</translation>
+    </message>
+    <message>
+        <source>export the surface as STL, OBJ or PLY</source>
+        <translation>exporte la superficie como STL, OBJ o PLY</translation>
+    </message>
+    <message>
+        <source>a point cloud of a surface scanner</source>
+        <translation>una nube de puntos de un escáner de superficies</translation>
+    </message>
+    <message>
+        <source>a tomogram of the eye</source>
+        <translation>un tomograma del ojo</translation>
+    </message>
+    <message>
+        <source>a whole-slide image of microscopy</source>
+        <translation>una imagen de portaobjetos completo de microscopía</translation>
+    </message>
+    <message>
+        <source>open it in a viewer for microscopy, such as QuPath</source>
+        <translation>ábrala en un visor de microscopía como QuPath</translation>
+    </message>
+    <message>
+        <source>a picture of endoscopy</source>
+        <translation>una imagen de endoscopia</translation>
+    </message>
+    <message>
+        <source>a photograph</source>
+        <translation>una fotografía</translation>
+    </message>
+    <message>
+        <source>a secondary capture (a picture of a screen or a page)</source>
+        <translation>una captura secundaria (imagen de una pantalla o de una página)</translation>
+    </message>
+    <message>
+        <source>an ultrasound image</source>
+        <translation>una imagen de ecografía</translation>
+    </message>
+    <message>
+        <source>an ultrasound film</source>
+        <translation>una película de ecografía</translation>
+    </message>
+    <message>
+        <source>an ultrasound volume</source>
+        <translation>un volumen de ecografía</translation>
+    </message>
+    <message>
+        <source>a projection image of X-rays</source>
+        <translation>una imagen de proyección de rayos X</translation>
+    </message>
+    <message>
+        <source>a mammogram</source>
+        <translation>una mamografía</translation>
+    </message>
+    <message>
+        <source>a dental X-ray image</source>
+        <translation>una radiografía dental</translation>
+    </message>
+    <message>
+        <source>a tomogram of X-rays</source>
+        <translation>un tomograma de rayos X</translation>
+    </message>
+    <message>
+        <source>an image of nuclear medicine</source>
+        <translation>una imagen de medicina nuclear</translation>
+    </message>
+    <message>
+        <source>a protocol of a scanner</source>
+        <translation>un protocolo de un equipo</translation>
+    </message>
+    <message>
+        <source>settings of a device or a protocol of storage</source>
+        <translation>ajustes de un dispositivo o un protocolo de almacenamiento</translation>
+    </message>
+    <message>
+        <source>open the images or the segmentation of the same patient, which are other files</source>
+        <translation>abra las imágenes o la segmentación del mismo paciente, que son otros archivos</translation>
+    </message>
+    <message>
+        <source>It is the table of contents of a DICOM medium (DICOMDIR)</source>
+        <translation>Es el índice de un soporte DICOM (DICOMDIR)</translation>
+    </message>
+    <message>
+        <source>open the folder that it lists, %1</source>
+        <translation>abra la carpeta que describe, %1</translation>
+    </message>
+    <message>
+        <source>It is %1, not a scan</source>
+        <translation>Es %1, no un estudio</translation>
+    </message>
+    <message>
+        <source>open it as a label map</source>
+        <translation>ábrala como mapa de etiquetas</translation>
+    </message>
+    <message>
+        <source>open it as a surface</source>
+        <translation>ábrala como superficie</translation>
+    </message>
+    <message>
+        <source>It is a DICOM file that holds no scan, label map or surface: %1</source>
+        <translation>Es un archivo DICOM sin estudio, mapa de etiquetas ni superficie: %1</translation>
+    </message>
+    <message>
+        <source>an object of an unknown kind</source>
+        <translation>un objeto de un tipo desconocido</translation>
+    </message>
+    <message>
+        <source>is %1, which does not say where in the patient it lies</source>
+        <translation>es %1, que no indica dónde está en el paciente</translation>
+    </message>
+    <message>
+        <source>measurements of the eye</source>
+        <translation>mediciones del ojo</translation>
+    </message>
+    <message>
+        <source>a spectrum of magnetic resonance</source>
+        <translation>un espectro de resonancia magnética</translation>
+    </message>
+    <message>
+        <source>its pixels are packed in a way that is not supported</source>
+        <translation>sus píxeles están comprimidos de una forma no admitida</translation>
+    </message>
+    <message>
+        <source>save it without compression</source>
+        <translation>guárdelo sin compresión</translation>
+    </message>
+    <message>
+        <source>is %1 in colour</source>
+        <translation>es %1 en color</translation>
+    </message>
+    <message>
+        <source>It is a segmentation that %1</source>
+        <translation>Es una segmentación que %1</translation>
+    </message>
+    <message>
+        <source>its segment 0 (%1) has got the label %2</source>
+        <translation>su segmento 0 (%1) ha recibido la etiqueta %2</translation>
+    </message>
+    <message>
+        <source>its fractions are all 0 or 1 of a larger whole; 1 was read as inside</source>
+        <translation>sus fracciones son todas 0 o 1 de un total mayor; 1 se ha leído como interior</translation>
+    </message>
+    <message>
+        <source>its pixels of one bit are packed in a way that is not supported (%1)</source>
+        <translation>sus píxeles de un bit están comprimidos de una forma no admitida (%1)</translation>
+    </message>
+    <message>
+        <source>save it without compression, or as RLE</source>
+        <translation>guárdelo sin compresión o como RLE</translation>
+    </message>
+    <message>
+        <source>its unit &quot;%1&quot; is not known; its numbers were read as millimetres</source>
+        <translation>su unidad «%1» es desconocida; sus números se han leído como milímetros</translation>
+    </message>
+    <message>
+        <source>It is a DICOM image, not a surface</source>
+        <translation>Es una imagen DICOM, no una superficie</translation>
+    </message>
+    <message>
+        <source>make a label map of it first, or open it as one</source>
+        <translation>haga primero un mapa de etiquetas con ella, o ábrala como tal</translation>
+    </message>
+    <message>
+        <source>the file does not state its axes: RAS is assumed, as 3D Slicer does</source>
+        <translation>el archivo no indica sus ejes: se supone RAS, como hace 3D Slicer</translation>
+    </message>
+    <message numerus="yes">
+        <source>%2 and %n more</source>
+        <translation>
+            <numerusform>%2 y %n más</numerusform>
+            <numerusform>%2 y %n más</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {point was|points were} never placed (%2), and there is no other</source>
+        <translation>
+            <numerusform>%n punto no se colocó nunca (%2), y no hay ningún otro</numerusform>
+            <numerusform>%n puntos no se colocaron nunca (%2), y no hay ningún otro</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {point that was never placed is|points that were never placed are} left out: %2</source>
+        <translation>
+            <numerusform>%n punto que no se colocó nunca se omite: %2</numerusform>
+            <numerusform>%n puntos que no se colocaron nunca se omiten: %2</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>It holds no points, but %1</source>
+        <translation>El archivo no contiene puntos, sino %1</translation>
+    </message>
+    <message>
+        <source>copy its control points into a point list in Slicer's module Markups, and save the list</source>
+        <translation>copie sus puntos de control en una lista de puntos del módulo Markups de Slicer y guarde la lista</translation>
+    </message>
+    <message>
+        <source>a line</source>
+        <translation>una línea</translation>
+    </message>
+    <message>
+        <source>an angle</source>
+        <translation>un ángulo</translation>
+    </message>
+    <message>
+        <source>a curve</source>
+        <translation>una curva</translation>
+    </message>
+    <message>
+        <source>a closed curve</source>
+        <translation>una curva cerrada</translation>
+    </message>
+    <message>
+        <source>a plane</source>
+        <translation>un plano</translation>
+    </message>
+    <message>
+        <source>a box (ROI)</source>
+        <translation>una caja (ROI)</translation>
+    </message>
+    <message>
+        <source>a markup of another kind</source>
+        <translation>una marca de otro tipo</translation>
+    </message>
+    <message>
+        <source>the file has the unit %1, which Viscera does not know; mm are assumed</source>
+        <translation>el archivo tiene la unidad %1, que Viscera no conoce; se suponen mm</translation>
+    </message>
+    <message>
+        <source>the file was converted from %1 to mm</source>
+        <translation>el archivo se convirtió de %1 a mm</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {object that the file does not place is|objects that the file does not place are} left out</source>
+        <translation>
+            <numerusform>%n objeto que el archivo no coloca se omite</numerusform>
+            <numerusform>%n objetos que el archivo no coloca se omiten</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {object that only supports a print is|objects that only support a print are} left out</source>
+        <translation>
+            <numerusform>%n objeto que solo sostiene una impresión se omite</numerusform>
+            <numerusform>%n objetos que solo sostienen una impresión se omiten</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>colours that come from pictures or mixtures are left out</source>
+        <translation>los colores que vienen de imágenes o mezclas se omiten</translation>
+    </message>
+    <message>
+        <source>beams and other shapes that are no triangles are left out</source>
+        <translation>las vigas y otras formas que no son triángulos se omiten</translation>
+    </message>
+    <message>
+        <source>export it without a password</source>
+        <translation>expórtelo sin contraseña</translation>
+    </message>
+    <message>
+        <source>It is a ZIP archive without a 3D model</source>
+        <translation>Es un archivo ZIP sin modelo 3D</translation>
+    </message>
+    <message>
+        <source>unpack it and open the files in it</source>
+        <translation>descomprímalo y abra los archivos que contiene</translation>
+    </message>
+    <message>
+        <source>a 3MF model</source>
+        <translation>un modelo 3MF</translation>
+    </message>
+    <message>
+        <source>several surfaces are written as .glb or .3mf only</source>
+        <translation>varias superficies solo se escriben como .glb o .3mf</translation>
+    </message>
+    <message>
+        <source>choose a name that ends in .glb or .3mf</source>
+        <translation>elija un nombre que termine en .glb o .3mf</translation>
+    </message>
+    <message>
+        <source>the surface is too large for 3MF, whose parts end at 4 GB</source>
+        <translation>la superficie es demasiado grande para 3MF, cuyas partes acaban en 4 GB</translation>
+    </message>
+    <message>
+        <source>zlib cannot pack it</source>
+        <translation>zlib no puede comprimirla</translation>
+    </message>
+    <message>
+        <source>tetrahedra are written as .inp or .vtu only</source>
+        <translation>los tetraedros solo se escriben como .inp o .vtu</translation>
+    </message>
+    <message>
+        <source>choose a name that ends in .inp or .vtu</source>
+        <translation>elija un nombre que termine en .inp o .vtu</translation>
+    </message>
+    <message>
+        <source>the surface %1 is open (%2 boundary edges)</source>
+        <translation>la superficie %1 está abierta (%2 aristas de borde)</translation>
+    </message>
+    <message>
+        <source>the surfaces %1 and %2 share points</source>
+        <translation>las superficies %1 y %2 comparten puntos</translation>
+    </message>
+    <message>
+        <source>move them apart: there is no tissue between them</source>
+        <translation>sepárelas: no hay tejido entre ellas</translation>
+    </message>
+    <message>
+        <source>a cavity is not wholly inside the organ, or inside another cavity</source>
+        <translation>una cavidad no está del todo dentro del órgano, o está dentro de otra</translation>
+    </message>
+    <message>
+        <source>leave it out, or make it smaller</source>
+        <translation>omítala o hágala más pequeña</translation>
+    </message>
+    <message>
+        <source>It has cells of VTK's type %1, which Viscera does not read</source>
+        <translation>Tiene celdas del tipo %1 de VTK, que Viscera no lee</translation>
+    </message>
+    <message>
+        <source>divide them into tetrahedra first (ParaView: Tetrahedralize)</source>
+        <translation>divídalas primero en tetraedros (ParaView: Tetrahedralize)</translation>
+    </message>
+    <message>
+        <source>It is of gmsh's format 1, which Viscera does not read</source>
+        <translation>Es del formato 1 de gmsh, que Viscera no lee</translation>
+    </message>
+    <message>
+        <source>It is of gmsh's format %1, which Viscera does not read</source>
+        <translation>Es del formato %1 de gmsh, que Viscera no lee</translation>
+    </message>
+    <message>
+        <source>open it with gmsh and save it as version 2 or 4</source>
+        <translation>ábralo con gmsh y guárdelo como versión 2 o 4</translation>
+    </message>
+    <message>
+        <source>It has elements of gmsh's type %1, which Viscera does not read</source>
+        <translation>Tiene elementos del tipo %1 de gmsh, que Viscera no lee</translation>
+    </message>
+    <message>
+        <source>save the mesh with straight elements (gmsh -order 1)</source>
+        <translation>guarde la malla con elementos rectos (gmsh -order 1)</translation>
+    </message>
+    <message>
+        <source>It is a plane mesh, of two dimensions</source>
+        <translation>Es una malla plana, de dos dimensiones</translation>
+    </message>
+    <message>
+        <source>export a mesh of three dimensions</source>
+        <translation>exporte una malla de tres dimensiones</translation>
+    </message>
+    <message>
+        <source>openCARP states points in micrometres: its numbers were divided by 1,000</source>
+        <translation>openCARP indica los puntos en micrómetros: sus números se han dividido por 1000</translation>
+    </message>
+    <message>
+        <source>The other half of the mesh, %1, is not beside it</source>
+        <translation>La otra mitad de la malla, %1, no está a su lado</translation>
+    </message>
+    <message>
+        <source>copy %1 into its folder</source>
+        <translation>copie %1 en su carpeta</translation>
+    </message>
+    <message>
+        <source>%1 has more lines than the %2 points that it states; they were left out</source>
+        <translation>%1 tiene más líneas que los %2 puntos que indica; se han omitido</translation>
+    </message>
+    <message>
+        <source>It has elements of the type %1, which Viscera does not read</source>
+        <translation>Tiene elementos del tipo %1, que Viscera no lee</translation>
+    </message>
+    <message>
+        <source>save the mesh as tetrahedra</source>
+        <translation>guarde la malla como tetraedros</translation>
+    </message>
+    <message>
+        <source>It holds %1, not a mesh of cells (UnstructuredGrid)</source>
+        <translation>Contiene %1, no una malla de celdas (UnstructuredGrid)</translation>
+    </message>
+    <message>
+        <source>reduce the mesh first</source>
+        <translation>reduzca primero la malla</translation>
+    </message>
+    <message>
+        <source>its %1 regions (%2) were joined to one surface around all of them</source>
+        <translation>sus %1 regiones (%2) se han unido en una superficie alrededor de todas</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {cell that repeats|cells that repeat} another left out</source>
+        <translation>
+            <numerusform>%n celda que repite otra omitida</numerusform>
+            <numerusform>%n celdas que repiten otras omitidas</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {face belongs|faces belong} to more than two cells, which overlap</source>
+        <translation>
+            <numerusform>%n cara pertenece a más de dos celdas, que se solapan</numerusform>
+            <numerusform>%n caras pertenecen a más de dos celdas, que se solapan</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {flat cell that bounds|flat cells that bound} no cell with a volume left out</source>
+        <translation>
+            <numerusform>%n celda plana que no limita ninguna celda con volumen omitida</numerusform>
+            <numerusform>%n celdas planas que no limitan ninguna celda con volumen omitidas</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n curved {cell was|cells were} read as straight between {its|their} corners</source>
+        <translation>
+            <numerusform>%n celda curva se ha leído como recta entre sus vértices</numerusform>
+            <numerusform>%n celdas curvas se han leído como rectas entre sus vértices</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>it has %n {cavity|cavities}: its volume is that of the wall around {it|them}</source>
+        <translation>
+            <numerusform>tiene %n cavidad: su volumen es el de la pared que la rodea</numerusform>
+            <numerusform>tiene %n cavidades: su volumen es el de la pared que las rodea</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n small {gap|gaps} between its cells filled</source>
+        <translation>
+            <numerusform>%n pequeño hueco rellenado entre sus celdas</numerusform>
+            <numerusform>%n pequeños huecos rellenados entre sus celdas</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Cavity</source>
+        <translation>Cavidad</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {triangle|triangles} that CARTO's user has cut away left out</source>
+        <translation>
+            <numerusform>%n triángulo recortado en CARTO omitido</numerusform>
+            <numerusform>%n triángulos recortados en CARTO omitidos</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>it does not say where its scan is: its points stay in FreeSurfer's own coordinates, which may be some millimetres beside the scan</source>
+        <translation>no dice dónde está su exploración: sus puntos quedan en las coordenadas propias de FreeSurfer, que pueden estar a unos milímetros de la exploración</translation>
+    </message>
+    <message>
+        <source>It holds values at the points of a surface, such as curvature or thickness, not a surface</source>
+        <translation>Contiene valores en los puntos de una superficie, como curvatura o grosor, no una superficie</translation>
+    </message>
+    <message>
+        <source>open the surface to which they belong, such as lh.white or lh.pial</source>
+        <translation>abra la superficie a la que pertenecen, como lh.white o lh.pial</translation>
+    </message>
+    <message>
+        <source>its points were moved from FreeSurfer's own coordinates to those of its scan</source>
+        <translation>sus puntos se han movido de las coordenadas propias de FreeSurfer a las de su exploración</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n further {surface|surfaces} of the file left out</source>
+        <translation>
+            <numerusform>%n superficie más del archivo omitida</numerusform>
+            <numerusform>%n superficies más del archivo omitidas</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>It holds values at the points of a surface (%1), not a surface</source>
+        <translation>Contiene valores en los puntos de una superficie (%1), no una superficie</translation>
+    </message>
+    <message>
+        <source>open the surface to which they belong, which usually ends in .surf.gii</source>
+        <translation>abra la superficie a la que pertenecen, que suele terminar en .surf.gii</translation>
+    </message>
+    <message>
+        <source>It holds no surface of triangles</source>
+        <translation>No contiene ninguna superficie de triángulos</translation>
+    </message>
+    <message>
+        <source>Its values are in another file, %1, which Viscera does not read</source>
+        <translation>Sus valores están en otro archivo, %1, que Viscera no lee</translation>
+    </message>
+    <message>
+        <source>save it with its values inside (GZipBase64Binary)</source>
+        <translation>guárdelo con sus valores dentro (GZipBase64Binary)</translation>
+    </message>
+    <message>
+        <source>its points were moved to the scan by the matrix that the file states</source>
+        <translation>sus puntos se han movido a la exploración con la matriz que indica el archivo</translation>
+    </message>
+    <message>
+        <source>its matrix from %1 to %2 was not applied</source>
+        <translation>su matriz de %1 a %2 no se ha aplicado</translation>
+    </message>
+    <message>
+        <source>a VTK XML mesh of cells</source>
+        <translation>una malla de celdas VTK XML</translation>
+    </message>
+    <message>
+        <source>a GIFTI surface</source>
+        <translation>una superficie GIFTI</translation>
+    </message>
+    <message>
+        <source>a FreeSurfer surface</source>
+        <translation>una superficie FreeSurfer</translation>
+    </message>
+    <message>
+        <source>a gmsh mesh</source>
+        <translation>una malla gmsh</translation>
+    </message>
+    <message>
+        <source>a medit mesh</source>
+        <translation>una malla medit</translation>
+    </message>
+    <message>
+        <source>a CARTO map</source>
+        <translation>un mapa CARTO</translation>
+    </message>
+    <message>
+        <source>an openCARP mesh</source>
+        <translation>una malla openCARP</translation>
+    </message>
 </context>
 </TS>

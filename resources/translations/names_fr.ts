@@ -5986,5 +5986,1039 @@
         <source>%1 x %2 x %3 mm</source>
         <translation>%1 x %2 x %3 mm</translation>
     </message>
+    <message>
+        <source>It is not a surface</source>
+        <translation>Ce n’est pas une surface</translation>
+    </message>
+    <message>
+        <source>It is not a label map</source>
+        <translation>Ce n’est pas une carte d’étiquettes</translation>
+    </message>
+    <message>
+        <source>an archive</source>
+        <translation>une archive</translation>
+    </message>
+    <message>
+        <source>a CAD model</source>
+        <translation>un modèle de CAO</translation>
+    </message>
+    <message>
+        <source>a scene of a 3D program</source>
+        <translation>une scène d’un logiciel 3D</translation>
+    </message>
+    <message>
+        <source>a scene of 3D Slicer</source>
+        <translation>une scène de 3D Slicer</translation>
+    </message>
+    <message>
+        <source>a document</source>
+        <translation>un document</translation>
+    </message>
+    <message>
+        <source>a table</source>
+        <translation>un tableau</translation>
+    </message>
+    <message>
+        <source>a Viscera sequence</source>
+        <translation>une séquence de Viscera</translation>
+    </message>
+    <message>
+        <source>a Viscera session</source>
+        <translation>une session de Viscera</translation>
+    </message>
+    <message>
+        <source>export it as STL, OBJ, PLY or GLB</source>
+        <translation>exportez-le en STL, OBJ, PLY ou GLB</translation>
+    </message>
+    <message>
+        <source>unpack it first</source>
+        <translation>décompressez-le d’abord</translation>
+    </message>
+    <message>
+        <source>unpack it first, and open what is inside</source>
+        <translation>décompressez-le d’abord, puis ouvrez son contenu</translation>
+    </message>
+    <message>
+        <source>open the images that it was made from: a DICOM series, NIfTI, NRRD or MetaImage</source>
+        <translation>ouvrez les images dont il provient : une série DICOM, NIfTI, NRRD ou MetaImage</translation>
+    </message>
+    <message>
+        <source>save its surface as .vtp, or its image as .mha, in ParaView or 3D Slicer</source>
+        <translation>enregistrez sa surface en .vtp ou son image en .mha, dans ParaView ou 3D Slicer</translation>
+    </message>
+    <message>
+        <source>open a file of organs, handles or a sequence</source>
+        <translation>ouvrez un fichier d’organes, de poignées ou de séquence</translation>
+    </message>
+    <message>
+        <source>save its segmentation and its models in 3D Slicer, and open these</source>
+        <translation>enregistrez sa segmentation et ses modèles dans 3D Slicer, puis ouvrez-les</translation>
+    </message>
+    <message>
+        <source>open the files of the organs</source>
+        <translation>ouvrez les fichiers des organes</translation>
+    </message>
+    <message>
+        <source>divide its polygons into triangles in the program that made it, and export it again</source>
+        <translation>divisez ses polygones en triangles dans le programme qui l’a créé, puis exportez-le à nouveau</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {polygon that is not flat was|polygons that are not flat were} cut into triangles that overlap</source>
+        <translation>
+            <numerusform>%n polygone qui n’est pas plan a été divisé en triangles qui se chevauchent</numerusform>
+            <numerusform>%n polygones qui ne sont pas plans ont été divisés en triangles qui se chevauchent</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {face|faces} of fewer than three corners left out</source>
+        <translation>
+            <numerusform>%n face de moins de trois sommets omise</numerusform>
+            <numerusform>%n faces de moins de trois sommets omises</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>the colours in %1 are missing: %2</source>
+        <translation>les couleurs de %1 manquent : %2</translation>
+    </message>
+    <message>
+        <source>Its geometry is compressed (%1), which Viscera does not read</source>
+        <translation>Sa géométrie est compressée (%1), ce que Viscera ne lit pas</translation>
+    </message>
+    <message>
+        <source>export it without compression (in Blender: leave out Data &gt; Compression), or as STL or PLY</source>
+        <translation>exportez-le sans compression (dans Blender : sans Data &gt; Compression), ou en STL ou PLY</translation>
+    </message>
+    <message>
+        <source>export it without this extension, or as STL or PLY</source>
+        <translation>exportez-le sans cette extension, ou en STL ou PLY</translation>
+    </message>
+    <message>
+        <source>It holds %1, not VTK blocks (vtkMultiBlockDataSet)</source>
+        <translation>Il contient %1 et non des blocs VTK (vtkMultiBlockDataSet)</translation>
+    </message>
+    <message>
+        <source>save the surfaces as .vtp</source>
+        <translation>enregistrez les surfaces en .vtp</translation>
+    </message>
+    <message>
+        <source>It names no surface files</source>
+        <translation>Il ne nomme aucun fichier de surface</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {block|blocks} without a surface ignored</source>
+        <translation>
+            <numerusform>%n bloc sans surface ignoré</numerusform>
+            <numerusform>%n blocs sans surface ignorés</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>a block is at %1, but only files beside it are read</source>
+        <translation>un bloc se trouve à %1, mais seuls les fichiers à côté sont lus</translation>
+    </message>
+    <message>
+        <source>the block %1 is no surface and was left out</source>
+        <translation>le bloc %1 n’est pas une surface et a été omis</translation>
+    </message>
+    <message>
+        <source>its block %1 holds blocks of its own in another file</source>
+        <translation>son bloc %1 contient lui-même des blocs dans un autre fichier</translation>
+    </message>
+    <message>
+        <source>its block %1 cannot be read: %2</source>
+        <translation>son bloc %1 ne peut pas être lu : %2</translation>
+    </message>
+    <message>
+        <source>and %1 more</source>
+        <translation>et %1 autres</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {open part|open parts} that share points were joined to one organ: %2</source>
+        <translation>
+            <numerusform>%n partie ouverte ayant des points communs ont été réunies en un organe : %2</numerusform>
+            <numerusform>%n parties ouvertes ayant des points communs ont été réunies en un organe : %2</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>It holds %n {organ|organs}: %2</source>
+        <translation>
+            <numerusform>Il contient %n organe : %2</numerusform>
+            <numerusform>Il contient %n organes : %2</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>name one of them behind a slash: %1</source>
+        <translation>nommez l’un d’eux derrière une barre oblique : %1</translation>
+    </message>
+    <message>
+        <source>%1 lies inside %2, whose volume contains its volume</source>
+        <translation>%1 se trouve dans %2, dont le volume contient le sien</translation>
+    </message>
+    <message>
+        <source>the commas in its numbers may be decimal marks or separate thousands or numbers</source>
+        <translation>les virgules de ses nombres peuvent être des marques décimales ou séparer des milliers ou des nombres</translation>
+    </message>
+    <message>
+        <source>export it with decimal points</source>
+        <translation>exportez-le avec des points décimaux</translation>
+    </message>
+    <message>
+        <source>the commas in its numbers were read as decimal marks</source>
+        <translation>les virgules de ses nombres ont été lues comme marques décimales</translation>
+    </message>
+    <message>
+        <source>It holds several organs</source>
+        <translation>Il contient plusieurs organes</translation>
+    </message>
+    <message>
+        <source>VTK XML multiblock data</source>
+        <translation>des données multiblocs VTK XML</translation>
+    </message>
+    <message>
+        <source>its voxels are in another folder (%1)</source>
+        <translation>ses voxels sont dans un autre dossier (%1)</translation>
+    </message>
+    <message>
+        <source>put both files into one folder, and name the other without a folder</source>
+        <translation>mettez les deux fichiers dans un même dossier et nommez l’autre sans dossier</translation>
+    </message>
+    <message>
+        <source>it is an Analyze 7.5 image, which does not say where it lies: its axes are taken as %1, and left and right may be exchanged</source>
+        <translation>c’est une image Analyze 7.5, qui ne dit pas où elle se trouve : ses axes sont pris pour %1, et la gauche et la droite peuvent être échangées</translation>
+    </message>
+    <message>
+        <source>it does not say where it lies; coronal slices of 1 mm are assumed, as FreeSurfer does</source>
+        <translation>il ne dit pas où il se trouve ; des coupes coronales de 1 mm sont supposées, comme le fait FreeSurfer</translation>
+    </message>
+    <message>
+        <source>one of its labels in group %1 has no valid number or image</source>
+        <translation>une de ses étiquettes du groupe %1 n’a pas de numéro ou d’image valables</translation>
+    </message>
+    <message>
+        <source>its values are not exactly whole numbers; they were rounded to labels, by at most %1</source>
+        <translation>ses valeurs ne sont pas exactement des nombres entiers ; elles ont été arrondies à des étiquettes, de %1 au plus</translation>
+    </message>
+    <message>
+        <source>It has %1 label maps over time, of which one is needed here</source>
+        <translation>Il contient %1 cartes d’étiquettes au cours du temps, dont une est nécessaire ici</translation>
+    </message>
+    <message>
+        <source>It has %1 label maps over time (at %2 ms), of which one is needed here</source>
+        <translation>Il contient %1 cartes d’étiquettes au cours du temps (à %2 ms), dont une est nécessaire ici</translation>
+    </message>
+    <message>
+        <source>follow the motion over all of them with viscera track %1, or choose one with --phase, from 0 to %2</source>
+        <translation>suivez le mouvement sur toutes avec viscera track %1, ou choisissez-en une avec --phase, de 0 à %2</translation>
+    </message>
+    <message>
+        <source>its segments %1 have the same voxels (label %2 in one layer); they are one organ, %3</source>
+        <translation>ses segments %1 ont les mêmes voxels (étiquette %2 dans une couche) ; ils sont un seul organe, %3</translation>
+    </message>
+    <message>
+        <source>the names of its labels are those of FreeSurfer's colour table</source>
+        <translation>les noms de ses étiquettes sont ceux de la table de couleurs de FreeSurfer</translation>
+    </message>
+    <message>
+        <source>It has several layers of one label map, not several phases</source>
+        <translation>Il contient plusieurs couches d’une carte d’étiquettes, et non plusieurs phases</translation>
+    </message>
+    <message>
+        <source>a FreeSurfer volume</source>
+        <translation>un volume FreeSurfer</translation>
+    </message>
+    <message>
+        <source>a GIPL image</source>
+        <translation>une image GIPL</translation>
+    </message>
+    <message>
+        <source>a MINC image</source>
+        <translation>une image MINC</translation>
+    </message>
+    <message>
+        <source>a MATLAB file</source>
+        <translation>un fichier MATLAB</translation>
+    </message>
+    <message>
+        <source>an Imaris image</source>
+        <translation>une image Imaris</translation>
+    </message>
+    <message>
+        <source>an HDF5 file</source>
+        <translation>un fichier HDF5</translation>
+    </message>
+    <message>
+        <source>a NetCDF file</source>
+        <translation>un fichier NetCDF</translation>
+    </message>
+    <message>
+        <source>a NumPy array</source>
+        <translation>un tableau NumPy</translation>
+    </message>
+    <message>
+        <source>a NumPy archive</source>
+        <translation>une archive NumPy</translation>
+    </message>
+    <message>
+        <source>a TIFF image</source>
+        <translation>une image TIFF</translation>
+    </message>
+    <message>
+        <source>an AmiraMesh file</source>
+        <translation>un fichier AmiraMesh</translation>
+    </message>
+    <message>
+        <source>an Amira surface</source>
+        <translation>une surface Amira</translation>
+    </message>
+    <message>
+        <source>an Interfile image</source>
+        <translation>une image Interfile</translation>
+    </message>
+    <message>
+        <source>an ECAT image</source>
+        <translation>une image ECAT</translation>
+    </message>
+    <message>
+        <source>an MRtrix image</source>
+        <translation>une image MRtrix</translation>
+    </message>
+    <message>
+        <source>a Scanco image</source>
+        <translation>une image Scanco</translation>
+    </message>
+    <message>
+        <source>a Zeiss image</source>
+        <translation>une image Zeiss</translation>
+    </message>
+    <message>
+        <source>an MRC image</source>
+        <translation>une image MRC</translation>
+    </message>
+    <message>
+        <source>an AFNI image</source>
+        <translation>une image AFNI</translation>
+    </message>
+    <message>
+        <source>a Philips PAR/REC image</source>
+        <translation>une image PAR/REC de Philips</translation>
+    </message>
+    <message>
+        <source>a BrainVoyager image</source>
+        <translation>une image BrainVoyager</translation>
+    </message>
+    <message>
+        <source>a file of plain numbers</source>
+        <translation>un fichier de nombres bruts</translation>
+    </message>
+    <message>
+        <source>convert it to .nrrd or .nii.gz with 3D Slicer</source>
+        <translation>convertissez-le en .nrrd ou .nii.gz avec 3D Slicer</translation>
+    </message>
+    <message>
+        <source>save the array as .nii.gz with nibabel, together with its position</source>
+        <translation>enregistrez le tableau avec sa position en .nii.gz avec nibabel</translation>
+    </message>
+    <message>
+        <source>convert it with mnc2nii, and open the .nii</source>
+        <translation>convertissez-le avec mnc2nii, et ouvrez le .nii</translation>
+    </message>
+    <message>
+        <source>write its volume with niftiwrite, and open the .nii</source>
+        <translation>écrivez son volume avec niftiwrite, et ouvrez le .nii</translation>
+    </message>
+    <message>
+        <source>export it from Imaris or Fiji, as .nrrd</source>
+        <translation>exportez-le d’Imaris ou de Fiji en .nrrd</translation>
+    </message>
+    <message>
+        <source>convert it to .nrrd with 3D Slicer or Fiji, with the size of its voxels</source>
+        <translation>convertissez-le en .nrrd avec 3D Slicer ou Fiji, avec la taille de ses voxels</translation>
+    </message>
+    <message>
+        <source>export it from Amira as .nrrd, or as DICOM</source>
+        <translation>exportez-le d’Amira en .nrrd, ou en DICOM</translation>
+    </message>
+    <message>
+        <source>export it from Amira as .stl or .ply</source>
+        <translation>exportez-le d’Amira en .stl ou .ply</translation>
+    </message>
+    <message>
+        <source>convert it to .nii.gz with nibabel or dcm2niix</source>
+        <translation>convertissez-le en .nii.gz avec nibabel ou dcm2niix</translation>
+    </message>
+    <message>
+        <source>convert it with mrconvert, and open the .nii.gz</source>
+        <translation>convertissez-le avec mrconvert, et ouvrez le .nii.gz</translation>
+    </message>
+    <message>
+        <source>export it from Fiji, as .nrrd</source>
+        <translation>exportez-le de Fiji en .nrrd</translation>
+    </message>
+    <message>
+        <source>convert it with 3dAFNItoNIFTI, and open the .nii</source>
+        <translation>convertissez-le avec 3dAFNItoNIFTI, et ouvrez le .nii</translation>
+    </message>
+    <message>
+        <source>convert it with dcm2niix, and open the .nii.gz</source>
+        <translation>convertissez-le avec dcm2niix, et ouvrez le .nii.gz</translation>
+    </message>
+    <message>
+        <source>export it from BrainVoyager as .nii</source>
+        <translation>exportez-le de BrainVoyager en .nii</translation>
+    </message>
+    <message>
+        <source>write a .nhdr or .mhd header for it, which says its size</source>
+        <translation>écrivez pour lui un en-tête .nhdr ou .mhd, qui dit sa taille</translation>
+    </message>
+    <message>
+        <source>a segmentation</source>
+        <translation>une segmentation</translation>
+    </message>
+    <message>
+        <source>a label map segmentation</source>
+        <translation>une segmentation en carte d’étiquettes</translation>
+    </message>
+    <message>
+        <source>an STL surface in a DICOM file</source>
+        <translation>une surface STL dans un fichier DICOM</translation>
+    </message>
+    <message>
+        <source>an OBJ surface in a DICOM file</source>
+        <translation>une surface OBJ dans un fichier DICOM</translation>
+    </message>
+    <message>
+        <source>a PDF document in a DICOM file</source>
+        <translation>un document PDF dans un fichier DICOM</translation>
+    </message>
+    <message>
+        <source>a text document (CDA) in a DICOM file</source>
+        <translation>un document texte (CDA) dans un fichier DICOM</translation>
+    </message>
+    <message>
+        <source>the materials of an OBJ surface in a DICOM file</source>
+        <translation>les matériaux d’une surface OBJ dans un fichier DICOM</translation>
+    </message>
+    <message>
+        <source>open the DICOM file with the OBJ surface itself</source>
+        <translation>ouvrez le fichier DICOM qui contient la surface OBJ elle-même</translation>
+    </message>
+    <message>
+        <source>a document in a DICOM file</source>
+        <translation>un document dans un fichier DICOM</translation>
+    </message>
+    <message>
+        <source>a structure set of radiotherapy (RTSTRUCT): contours, without voxels or surfaces</source>
+        <translation>un ensemble de structures de radiothérapie (RTSTRUCT) : des contours, sans voxels ni surfaces</translation>
+    </message>
+    <message>
+        <source>load it in 3D Slicer with its CT, convert it to a segmentation there, and save that as .seg.nrrd</source>
+        <translation>chargez-le dans 3D Slicer avec son scanner, convertissez-le en segmentation et enregistrez-la en .seg.nrrd</translation>
+    </message>
+    <message>
+        <source>a projection image of radiotherapy</source>
+        <translation>une image de projection de radiothérapie</translation>
+    </message>
+    <message>
+        <source>a dose of radiotherapy</source>
+        <translation>une dose de radiothérapie</translation>
+    </message>
+    <message>
+        <source>a plan of radiotherapy (RTPLAN)</source>
+        <translation>un plan de radiothérapie (RTPLAN)</translation>
+    </message>
+    <message>
+        <source>a plan of radiotherapy with ions</source>
+        <translation>un plan de radiothérapie par ions</translation>
+    </message>
+    <message>
+        <source>a record of radiotherapy</source>
+        <translation>un enregistrement de radiothérapie</translation>
+    </message>
+    <message>
+        <source>a list of selected images (Key Object Selection)</source>
+        <translation>une liste d’images choisies (Key Object Selection)</translation>
+    </message>
+    <message>
+        <source>a report of the radiation dose</source>
+        <translation>un rapport de dose de rayonnement</translation>
+    </message>
+    <message>
+        <source>a structured report (SR)</source>
+        <translation>un rapport structuré (SR)</translation>
+    </message>
+    <message>
+        <source>a presentation state, which says how to display images</source>
+        <translation>un état de présentation, qui dit seulement comment afficher des images</translation>
+    </message>
+    <message>
+        <source>an electrocardiogram (waveform)</source>
+        <translation>un électrocardiogramme (signal)</translation>
+    </message>
+    <message>
+        <source>a sound recording (waveform)</source>
+        <translation>un enregistrement sonore (signal)</translation>
+    </message>
+    <message>
+        <source>a recorded signal (waveform)</source>
+        <translation>un signal enregistré</translation>
+    </message>
+    <message>
+        <source>a spatial registration, which only says how images lie to each other</source>
+        <translation>un recalage spatial, qui dit seulement comment des images se situent entre elles</translation>
+    </message>
+    <message>
+        <source>a list of reference points of images (spatial fiducials)</source>
+        <translation>une liste de points de repère d’images (spatial fiducials)</translation>
+    </message>
+    <message>
+        <source>load it in 3D Slicer, and save its points as .mrk.json</source>
+        <translation>chargez-la dans 3D Slicer et enregistrez ses points en .mrk.json</translation>
+    </message>
+    <message>
+        <source>a deformable registration, which only says how images lie to each other</source>
+        <translation>un recalage déformable, qui dit seulement comment des images se situent entre elles</translation>
+    </message>
+    <message>
+        <source>a surface segmentation</source>
+        <translation>une segmentation par surfaces</translation>
+    </message>
+    <message>
+        <source>open it in 3D Slicer, convert it to a segmentation there, and save that as .seg.nrrd</source>
+        <translation>ouvrez-la dans 3D Slicer, convertissez-la en segmentation et enregistrez-la en .seg.nrrd</translation>
+    </message>
+    <message>
+        <source>tracts of nerve fibres (tractography)</source>
+        <translation>des faisceaux de fibres nerveuses (tractographie)</translation>
+    </message>
+    <message>
+        <source>load it in 3D Slicer, and save its fibre bundles as .vtk</source>
+        <translation>chargez-la dans 3D Slicer et enregistrez ses faisceaux en .vtk</translation>
+    </message>
+    <message>
+        <source>raw data of a scanner</source>
+        <translation>des données brutes d’un appareil</translation>
+    </message>
+    <message>
+        <source>a mapping of image values to units</source>
+        <translation>une correspondance de valeurs d’image à des unités</translation>
+    </message>
+    <message>
+        <source>a mesh of a surface scanner</source>
+        <translation>un maillage d’un scanner de surface</translation>
+    </message>
+    <message>
+        <source>export the surface as STL, OBJ or PLY</source>
+        <translation>exportez la surface en STL, OBJ ou PLY</translation>
+    </message>
+    <message>
+        <source>a point cloud of a surface scanner</source>
+        <translation>un nuage de points d’un scanner de surface</translation>
+    </message>
+    <message>
+        <source>a tomogram of the eye</source>
+        <translation>une tomographie de l’œil</translation>
+    </message>
+    <message>
+        <source>a whole-slide image of microscopy</source>
+        <translation>une image de lame entière de microscopie</translation>
+    </message>
+    <message>
+        <source>open it in a viewer for microscopy, such as QuPath</source>
+        <translation>ouvrez-la dans un logiciel de microscopie comme QuPath</translation>
+    </message>
+    <message>
+        <source>a picture of endoscopy</source>
+        <translation>une image d’endoscopie</translation>
+    </message>
+    <message>
+        <source>a photograph</source>
+        <translation>une photographie</translation>
+    </message>
+    <message>
+        <source>a secondary capture (a picture of a screen or a page)</source>
+        <translation>une capture secondaire (image d’un écran ou d’une page)</translation>
+    </message>
+    <message>
+        <source>an ultrasound image</source>
+        <translation>une image d’échographie</translation>
+    </message>
+    <message>
+        <source>an ultrasound film</source>
+        <translation>un film d’échographie</translation>
+    </message>
+    <message>
+        <source>an ultrasound volume</source>
+        <translation>un volume d’échographie</translation>
+    </message>
+    <message>
+        <source>a projection image of X-rays</source>
+        <translation>une image de projection de rayons X</translation>
+    </message>
+    <message>
+        <source>a mammogram</source>
+        <translation>une mammographie</translation>
+    </message>
+    <message>
+        <source>a dental X-ray image</source>
+        <translation>une radiographie dentaire</translation>
+    </message>
+    <message>
+        <source>a tomogram of X-rays</source>
+        <translation>une tomographie de rayons X</translation>
+    </message>
+    <message>
+        <source>an image of nuclear medicine</source>
+        <translation>une image de médecine nucléaire</translation>
+    </message>
+    <message>
+        <source>a protocol of a scanner</source>
+        <translation>un protocole d’un appareil</translation>
+    </message>
+    <message>
+        <source>settings of a device or a protocol of storage</source>
+        <translation>des réglages d’un appareil ou un protocole de stockage</translation>
+    </message>
+    <message>
+        <source>open the images or the segmentation of the same patient, which are other files</source>
+        <translation>ouvrez les images ou la segmentation du même patient, qui sont d’autres fichiers</translation>
+    </message>
+    <message>
+        <source>It is the table of contents of a DICOM medium (DICOMDIR)</source>
+        <translation>C’est la table des matières d’un support DICOM (DICOMDIR)</translation>
+    </message>
+    <message>
+        <source>open the folder that it lists, %1</source>
+        <translation>ouvrez le dossier qu’elle décrit, %1</translation>
+    </message>
+    <message>
+        <source>It is %1, not a scan</source>
+        <translation>C’est %1, pas un examen</translation>
+    </message>
+    <message>
+        <source>open it as a label map</source>
+        <translation>ouvrez-la comme carte d’étiquettes</translation>
+    </message>
+    <message>
+        <source>open it as a surface</source>
+        <translation>ouvrez-la comme surface</translation>
+    </message>
+    <message>
+        <source>It is a DICOM file that holds no scan, label map or surface: %1</source>
+        <translation>C’est un fichier DICOM sans examen, carte d’étiquettes ni surface : %1</translation>
+    </message>
+    <message>
+        <source>an object of an unknown kind</source>
+        <translation>un objet d’un type inconnu</translation>
+    </message>
+    <message>
+        <source>is %1, which does not say where in the patient it lies</source>
+        <translation>est %1, sans indication de sa position dans le patient</translation>
+    </message>
+    <message>
+        <source>measurements of the eye</source>
+        <translation>des mesures de l’œil</translation>
+    </message>
+    <message>
+        <source>a spectrum of magnetic resonance</source>
+        <translation>un spectre de résonance magnétique</translation>
+    </message>
+    <message>
+        <source>its pixels are packed in a way that is not supported</source>
+        <translation>ses pixels sont compressés d’une manière non prise en charge</translation>
+    </message>
+    <message>
+        <source>save it without compression</source>
+        <translation>enregistrez-le sans compression</translation>
+    </message>
+    <message>
+        <source>is %1 in colour</source>
+        <translation>est %1 en couleur</translation>
+    </message>
+    <message>
+        <source>It is a segmentation that %1</source>
+        <translation>C’est une segmentation qui %1</translation>
+    </message>
+    <message>
+        <source>its segment 0 (%1) has got the label %2</source>
+        <translation>son segment 0 (%1) a reçu l’étiquette %2</translation>
+    </message>
+    <message>
+        <source>its fractions are all 0 or 1 of a larger whole; 1 was read as inside</source>
+        <translation>ses fractions sont toutes 0 ou 1 d’un tout plus grand ; 1 a été lu comme intérieur</translation>
+    </message>
+    <message>
+        <source>its pixels of one bit are packed in a way that is not supported (%1)</source>
+        <translation>ses pixels d’un bit sont compressés d’une manière non prise en charge (%1)</translation>
+    </message>
+    <message>
+        <source>save it without compression, or as RLE</source>
+        <translation>enregistrez-le sans compression, ou en RLE</translation>
+    </message>
+    <message>
+        <source>its unit &quot;%1&quot; is not known; its numbers were read as millimetres</source>
+        <translation>son unité « %1 » est inconnue ; ses nombres ont été lus comme des millimètres</translation>
+    </message>
+    <message>
+        <source>It is a DICOM image, not a surface</source>
+        <translation>C’est une image DICOM, pas une surface</translation>
+    </message>
+    <message>
+        <source>make a label map of it first, or open it as one</source>
+        <translation>faites-en d’abord une carte d’étiquettes, ou ouvrez-la comme telle</translation>
+    </message>
+    <message>
+        <source>the file does not state its axes: RAS is assumed, as 3D Slicer does</source>
+        <translation>le fichier n’indique pas ses axes : RAS est supposé, comme le fait 3D Slicer</translation>
+    </message>
+    <message numerus="yes">
+        <source>%2 and %n more</source>
+        <translation>
+            <numerusform>%2 et %n autre</numerusform>
+            <numerusform>%2 et %n autres</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {point was|points were} never placed (%2), and there is no other</source>
+        <translation>
+            <numerusform>%n point n’a jamais été placé (%2), et il n’y en a pas d’autre</numerusform>
+            <numerusform>%n points n’ont jamais été placés (%2), et il n’y en a pas d’autre</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {point that was never placed is|points that were never placed are} left out: %2</source>
+        <translation>
+            <numerusform>%n point qui n’a jamais été placé est omis : %2</numerusform>
+            <numerusform>%n points qui n’ont jamais été placés sont omis : %2</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>It holds no points, but %1</source>
+        <translation>Le fichier ne contient pas de points, mais %1</translation>
+    </message>
+    <message>
+        <source>copy its control points into a point list in Slicer's module Markups, and save the list</source>
+        <translation>copiez ses points de contrôle dans une liste de points du module Markups de Slicer, et enregistrez la liste</translation>
+    </message>
+    <message>
+        <source>a line</source>
+        <translation>une ligne</translation>
+    </message>
+    <message>
+        <source>an angle</source>
+        <translation>un angle</translation>
+    </message>
+    <message>
+        <source>a curve</source>
+        <translation>une courbe</translation>
+    </message>
+    <message>
+        <source>a closed curve</source>
+        <translation>une courbe fermée</translation>
+    </message>
+    <message>
+        <source>a plane</source>
+        <translation>un plan</translation>
+    </message>
+    <message>
+        <source>a box (ROI)</source>
+        <translation>une boîte (ROI)</translation>
+    </message>
+    <message>
+        <source>a markup of another kind</source>
+        <translation>un marquage d’un autre type</translation>
+    </message>
+    <message>
+        <source>the file has the unit %1, which Viscera does not know; mm are assumed</source>
+        <translation>le fichier a l’unité %1, que Viscera ne connaît pas ; les mm sont supposés</translation>
+    </message>
+    <message>
+        <source>the file was converted from %1 to mm</source>
+        <translation>le fichier a été converti de %1 en mm</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {object that the file does not place is|objects that the file does not place are} left out</source>
+        <translation>
+            <numerusform>%n objet que le fichier ne place pas est omis</numerusform>
+            <numerusform>%n objets que le fichier ne place pas sont omis</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {object that only supports a print is|objects that only support a print are} left out</source>
+        <translation>
+            <numerusform>%n objet qui ne fait que soutenir une impression est omis</numerusform>
+            <numerusform>%n objets qui ne font que soutenir une impression sont omis</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>colours that come from pictures or mixtures are left out</source>
+        <translation>les couleurs issues d’images ou de mélanges sont omises</translation>
+    </message>
+    <message>
+        <source>beams and other shapes that are no triangles are left out</source>
+        <translation>les poutres et les autres formes qui ne sont pas des triangles sont omises</translation>
+    </message>
+    <message>
+        <source>export it without a password</source>
+        <translation>exportez-le sans mot de passe</translation>
+    </message>
+    <message>
+        <source>It is a ZIP archive without a 3D model</source>
+        <translation>C’est une archive ZIP sans modèle 3D</translation>
+    </message>
+    <message>
+        <source>unpack it and open the files in it</source>
+        <translation>décompressez-la et ouvrez les fichiers qu’elle contient</translation>
+    </message>
+    <message>
+        <source>a 3MF model</source>
+        <translation>un modèle 3MF</translation>
+    </message>
+    <message>
+        <source>several surfaces are written as .glb or .3mf only</source>
+        <translation>plusieurs surfaces ne s’écrivent qu’en .glb ou .3mf</translation>
+    </message>
+    <message>
+        <source>choose a name that ends in .glb or .3mf</source>
+        <translation>choisissez un nom qui se termine par .glb ou .3mf</translation>
+    </message>
+    <message>
+        <source>the surface is too large for 3MF, whose parts end at 4 GB</source>
+        <translation>la surface est trop grande pour 3MF, dont les parties s’arrêtent à 4 Go</translation>
+    </message>
+    <message>
+        <source>zlib cannot pack it</source>
+        <translation>zlib ne peut pas la compresser</translation>
+    </message>
+    <message>
+        <source>tetrahedra are written as .inp or .vtu only</source>
+        <translation>les tétraèdres ne s’écrivent qu’en .inp ou .vtu</translation>
+    </message>
+    <message>
+        <source>choose a name that ends in .inp or .vtu</source>
+        <translation>choisissez un nom qui se termine par .inp ou .vtu</translation>
+    </message>
+    <message>
+        <source>the surface %1 is open (%2 boundary edges)</source>
+        <translation>la surface %1 est ouverte (%2 arêtes de bord)</translation>
+    </message>
+    <message>
+        <source>the surfaces %1 and %2 share points</source>
+        <translation>les surfaces %1 et %2 ont des points communs</translation>
+    </message>
+    <message>
+        <source>move them apart: there is no tissue between them</source>
+        <translation>écartez-les : il n’y a pas de tissu entre elles</translation>
+    </message>
+    <message>
+        <source>a cavity is not wholly inside the organ, or inside another cavity</source>
+        <translation>une cavité n’est pas entièrement dans l’organe, ou est dans une autre cavité</translation>
+    </message>
+    <message>
+        <source>leave it out, or make it smaller</source>
+        <translation>omettez-la ou rendez-la plus petite</translation>
+    </message>
+    <message>
+        <source>It has cells of VTK's type %1, which Viscera does not read</source>
+        <translation>Il a des cellules du type %1 de VTK, que Viscera ne lit pas</translation>
+    </message>
+    <message>
+        <source>divide them into tetrahedra first (ParaView: Tetrahedralize)</source>
+        <translation>divisez-les d’abord en tétraèdres (ParaView : Tetrahedralize)</translation>
+    </message>
+    <message>
+        <source>It is of gmsh's format 1, which Viscera does not read</source>
+        <translation>Il est au format 1 de gmsh, que Viscera ne lit pas</translation>
+    </message>
+    <message>
+        <source>It is of gmsh's format %1, which Viscera does not read</source>
+        <translation>Il est au format %1 de gmsh, que Viscera ne lit pas</translation>
+    </message>
+    <message>
+        <source>open it with gmsh and save it as version 2 or 4</source>
+        <translation>ouvrez-le avec gmsh et enregistrez-le en version 2 ou 4</translation>
+    </message>
+    <message>
+        <source>It has elements of gmsh's type %1, which Viscera does not read</source>
+        <translation>Il a des éléments du type %1 de gmsh, que Viscera ne lit pas</translation>
+    </message>
+    <message>
+        <source>save the mesh with straight elements (gmsh -order 1)</source>
+        <translation>enregistrez le maillage avec des éléments droits (gmsh -order 1)</translation>
+    </message>
+    <message>
+        <source>It is a plane mesh, of two dimensions</source>
+        <translation>C’est un maillage plan, à deux dimensions</translation>
+    </message>
+    <message>
+        <source>export a mesh of three dimensions</source>
+        <translation>exportez un maillage à trois dimensions</translation>
+    </message>
+    <message>
+        <source>openCARP states points in micrometres: its numbers were divided by 1,000</source>
+        <translation>openCARP donne les points en micromètres : ses nombres ont été divisés par 1000</translation>
+    </message>
+    <message>
+        <source>The other half of the mesh, %1, is not beside it</source>
+        <translation>L’autre moitié du maillage, %1, n’est pas à côté</translation>
+    </message>
+    <message>
+        <source>copy %1 into its folder</source>
+        <translation>copiez %1 dans son dossier</translation>
+    </message>
+    <message>
+        <source>%1 has more lines than the %2 points that it states; they were left out</source>
+        <translation>%1 a plus de lignes que les %2 points annoncés ; elles ont été omises</translation>
+    </message>
+    <message>
+        <source>It has elements of the type %1, which Viscera does not read</source>
+        <translation>Il a des éléments du type %1, que Viscera ne lit pas</translation>
+    </message>
+    <message>
+        <source>save the mesh as tetrahedra</source>
+        <translation>enregistrez le maillage en tétraèdres</translation>
+    </message>
+    <message>
+        <source>It holds %1, not a mesh of cells (UnstructuredGrid)</source>
+        <translation>Il contient %1, pas un maillage de cellules (UnstructuredGrid)</translation>
+    </message>
+    <message>
+        <source>reduce the mesh first</source>
+        <translation>réduisez d’abord le maillage</translation>
+    </message>
+    <message>
+        <source>its %1 regions (%2) were joined to one surface around all of them</source>
+        <translation>ses %1 régions (%2) ont été réunies en une surface qui les entoure toutes</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {cell that repeats|cells that repeat} another left out</source>
+        <translation>
+            <numerusform>%n cellule qui en répète une autre omise</numerusform>
+            <numerusform>%n cellules qui en répètent d’autres omises</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {face belongs|faces belong} to more than two cells, which overlap</source>
+        <translation>
+            <numerusform>%n face appartient à plus de deux cellules, qui se chevauchent</numerusform>
+            <numerusform>%n faces appartiennent à plus de deux cellules, qui se chevauchent</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {flat cell that bounds|flat cells that bound} no cell with a volume left out</source>
+        <translation>
+            <numerusform>%n cellule plate qui ne borde aucune cellule à volume omise</numerusform>
+            <numerusform>%n cellules plates qui ne bordent aucune cellule à volume omises</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n curved {cell was|cells were} read as straight between {its|their} corners</source>
+        <translation>
+            <numerusform>%n cellule courbe a été lue comme droite entre ses sommets</numerusform>
+            <numerusform>%n cellules courbes ont été lues comme droites entre leurs sommets</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>it has %n {cavity|cavities}: its volume is that of the wall around {it|them}</source>
+        <translation>
+            <numerusform>elle a %n cavité : son volume est celui de la paroi qui l’entoure</numerusform>
+            <numerusform>elle a %n cavités : son volume est celui de la paroi qui les entoure</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n small {gap|gaps} between its cells filled</source>
+        <translation>
+            <numerusform>%n petit espace rempli entre ses cellules</numerusform>
+            <numerusform>%n petits espaces remplis entre ses cellules</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Cavity</source>
+        <translation>Cavité</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {triangle|triangles} that CARTO's user has cut away left out</source>
+        <translation>
+            <numerusform>%n triangle coupé dans CARTO omis</numerusform>
+            <numerusform>%n triangles coupés dans CARTO omis</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>it does not say where its scan is: its points stay in FreeSurfer's own coordinates, which may be some millimetres beside the scan</source>
+        <translation>elle ne dit pas où se trouve son examen : ses points restent dans les coordonnées propres de FreeSurfer, qui peuvent être décalées de quelques millimètres</translation>
+    </message>
+    <message>
+        <source>It holds values at the points of a surface, such as curvature or thickness, not a surface</source>
+        <translation>Il contient des valeurs aux points d’une surface, comme la courbure ou l’épaisseur, pas une surface</translation>
+    </message>
+    <message>
+        <source>open the surface to which they belong, such as lh.white or lh.pial</source>
+        <translation>ouvrez la surface à laquelle elles appartiennent, comme lh.white ou lh.pial</translation>
+    </message>
+    <message>
+        <source>its points were moved from FreeSurfer's own coordinates to those of its scan</source>
+        <translation>ses points ont été déplacés des coordonnées propres de FreeSurfer à celles de son examen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n further {surface|surfaces} of the file left out</source>
+        <translation>
+            <numerusform>%n autre surface du fichier omise</numerusform>
+            <numerusform>%n autres surfaces du fichier omises</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>It holds values at the points of a surface (%1), not a surface</source>
+        <translation>Il contient des valeurs aux points d’une surface (%1), pas une surface</translation>
+    </message>
+    <message>
+        <source>open the surface to which they belong, which usually ends in .surf.gii</source>
+        <translation>ouvrez la surface à laquelle elles appartiennent, qui se termine d’habitude par .surf.gii</translation>
+    </message>
+    <message>
+        <source>It holds no surface of triangles</source>
+        <translation>Il ne contient aucune surface de triangles</translation>
+    </message>
+    <message>
+        <source>Its values are in another file, %1, which Viscera does not read</source>
+        <translation>Ses valeurs sont dans un autre fichier, %1, que Viscera ne lit pas</translation>
+    </message>
+    <message>
+        <source>save it with its values inside (GZipBase64Binary)</source>
+        <translation>enregistrez-le avec ses valeurs à l’intérieur (GZipBase64Binary)</translation>
+    </message>
+    <message>
+        <source>its points were moved to the scan by the matrix that the file states</source>
+        <translation>ses points ont été déplacés vers l’examen par la matrice que donne le fichier</translation>
+    </message>
+    <message>
+        <source>its matrix from %1 to %2 was not applied</source>
+        <translation>sa matrice de %1 à %2 n’a pas été appliquée</translation>
+    </message>
+    <message>
+        <source>a VTK XML mesh of cells</source>
+        <translation>un maillage de cellules VTK XML</translation>
+    </message>
+    <message>
+        <source>a GIFTI surface</source>
+        <translation>une surface GIFTI</translation>
+    </message>
+    <message>
+        <source>a FreeSurfer surface</source>
+        <translation>une surface FreeSurfer</translation>
+    </message>
+    <message>
+        <source>a gmsh mesh</source>
+        <translation>un maillage gmsh</translation>
+    </message>
+    <message>
+        <source>a medit mesh</source>
+        <translation>un maillage medit</translation>
+    </message>
+    <message>
+        <source>a CARTO map</source>
+        <translation>une carte CARTO</translation>
+    </message>
+    <message>
+        <source>an openCARP mesh</source>
+        <translation>un maillage openCARP</translation>
+    </message>
 </context>
 </TS>

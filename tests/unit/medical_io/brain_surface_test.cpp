@@ -201,7 +201,8 @@ TEST(FreeSurfer, FilesOfCurvatureAreNamed) {
                       valueBytes(std::int32_t{12}, std::endian::big) +
                       valueBytes(std::int32_t{1}, std::endian::big) + std::string(32, '\0');
   EXPECT_THAT(problemOfBrain("lh.curv", bytes), AllOf(HasSubstr("curvature"), HasSubstr("lh.white")));
-  EXPECT_THAT(problemOfBrain("lh.white", freeSurferFile(brick()).substr(0, 200)), HasSubstr("cut off"));
+  EXPECT_THAT(problemOfBrain("lh.white", freeSurferFile(brick()).substr(0, 200)),
+              HasSubstr("more than the 64 bytes that are left"));
 }
 
 // ---- CARTO ------------------------------------------------------------------------------------------------

@@ -153,7 +153,10 @@ private:
     const auto type = lookUp(kGiftiTypes, array.attribute("DataType"));
     if (!type || (std::is_integral_v<Number> && !isWhole(*type)))
       failIn(array, diagnostic("it has the type %1", inQuotes(array.attribute("DataType"))));
-    const std::string bytes = decoded(array, encoding, saturatedProduct(count, sizeOf(*type)));
+    const std::uint64_t stated = saturatedProduct(count, sizeOf(*type));
+    const std::string bytes = decoded(array, encoding, stated);
+    if (bytes.size() != stated)
+      failIn(array, diagnostic("its data do not have the %1 values that it states", count));
     const std::string_view endian = array.attribute("Endian");
     const std::endian order =
         endian == "BigEndian" || endian == "GIFTI_ENDIAN_BIG" ? std::endian::big : std::endian::little;
