@@ -69,7 +69,9 @@ medical_io::FileKind kindToOpen(const std::filesystem::path& file, Sessions sess
   using medical_io::FileKind;
   std::error_code error;
   const bool folder = std::filesystem::is_directory(file, error);
-  const FileKind kind = folder ? FileKind::labelMap : medical_io::fileKind(file);
+  const FileKind kind = folder                ? FileKind::labelMap
+                        : isSessionFile(file) ? FileKind::session
+                                              : medical_io::fileKind(file);
   if (kind == FileKind::session && sessions == Sessions::nowhere)
     throw UsageError("A session cannot be opened beside another", file.string(), "open it with File > Open");
   if (kind == FileKind::session)

@@ -345,7 +345,8 @@ TEST_F(MeasurementsInSessions, GoToTheNearestPlacesOfASurfaceThatHasChangedAndIt
 
 TEST_F(MeasurementsInSessions, OfAMissingOrganStayAndComeBackWithIt) {
   saveBall();
-  std::filesystem::rename(folder_ / "ball.vtp", folder_ / "away");
+  std::filesystem::create_directory(folder_ / "away");
+  std::filesystem::rename(folder_ / "ball.vtp", folder_ / "away" / "ball.vtp");
   Document document;
   UndoStack undo(document);
   OpenedSession opened = tests::readBack(folder_ / "a.viscera");
@@ -360,7 +361,7 @@ TEST_F(MeasurementsInSessions, OfAMissingOrganStayAndComeBackWithIt) {
   EXPECT_NE(document.organs()[0]->id, document.measurements()[0].points[0].organ);
   opened.contents.state = document.state();
   tests::write(folder_ / "b.viscera", opened.contents);
-  std::filesystem::rename(folder_ / "away", folder_ / "ball.vtp");
+  std::filesystem::rename(folder_ / "away" / "ball.vtp", folder_ / "ball.vtp");
   EXPECT_EQ(*tests::readBack(folder_ / "b.viscera").contents.state.measurements,
             *contents_.state.measurements);
 }
