@@ -34,9 +34,16 @@ BoundInput BoundInputOptions::read(const CommandContext& context, std::vector<Te
 
 WitnessedOrgan interiorOf(const BoundInput& input, const live::WitnessOptions& witnesses,
                           std::vector<Text>& warnings, Progress& progress,
-                          const std::vector<std::shared_ptr<const geometry::TriangleMesh>>& cavities) {
+                          const std::vector<std::shared_ptr<const geometry::TriangleMesh>>& cavities,
+                          std::shared_ptr<const deformation::WitnessMesh> cells) {
   WitnessedOrgan interior;
-  interior.sample = live::sampleWitnesses(*input.organ.mesh, witnesses, progress);
+  interior.ownCells = cells != nullptr;
+  if (cells) {
+    deformation::requireUsable(*cells, input.organ.file.string());
+    interior.sample.mesh = std::move(cells);
+  } else {
+    interior.sample = live::sampleWitnesses(*input.organ.mesh, witnesses, progress);
+  }
   if (!cavities.empty())
     interior.sample.mesh = std::make_shared<const deformation::WitnessMesh>(
         deformation::withoutCavities(*interior.sample.mesh, cavities, witnesses.threads));

@@ -44,6 +44,7 @@ private:
 /// The witness points inside an organ with their coordinates, from which the stress of any pose is computed.
 struct WitnessedOrgan {
   live::WitnessSample sample;
+  bool ownCells = false; ///< Whether the points are corners of the organ's own cells.
   std::shared_ptr<const deformation::WitnessGradients> gradients; ///< At all points of the sample's mesh.
 
   const deformation::WitnessMesh& mesh() const { return *sample.mesh; }
@@ -53,9 +54,11 @@ struct WitnessedOrgan {
 /// about and which points of the skin have no coordinates. Throws what sampling and binding throw, and
 /// `DataError` when witness points have no coordinates: they would pass for points without stress.
 ///
-/// `cavities` are closed surfaces in the organ: what they hold is no tissue.
+/// `cavities` are closed surfaces in the organ: what they hold is no tissue. `cells` are the organ's own, whose
+/// corners are then the witness points.
 WitnessedOrgan interiorOf(const BoundInput& input, const live::WitnessOptions& witnesses,
                           std::vector<Text>& warnings, Progress& progress,
-                          const std::vector<std::shared_ptr<const geometry::TriangleMesh>>& cavities = {});
+                          const std::vector<std::shared_ptr<const geometry::TriangleMesh>>& cavities = {},
+                          std::shared_ptr<const deformation::WitnessMesh> cells = nullptr);
 
 } // namespace viscera::app::cli

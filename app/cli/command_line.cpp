@@ -219,13 +219,13 @@ void requireFiles(const WindowOptions& window, std::ostream& err) {
 /// The formats that are read, for the end of the help.
 std::string formatsText() {
   using medical_io::FileKind;
-  std::string text = "Files (* also written):\n";
-  for (const auto& [kind, title] : {std::pair(FileKind::surface, "organs"),
-                                    {FileKind::labelMap, "label maps, scans"},
-                                    {FileKind::handles, "handles"},
-                                    {FileKind::sequence, "sequences"},
-                                    {FileKind::session, "sessions"}}) {
-    text += std::string("  ") + title + ":";
+  std::string text = "Files that are read (* and written):\n";
+  for (const auto& [kind, title] : {std::pair(FileKind::surface, "Organs"),
+                                    {FileKind::labelMap, "Label maps and scans"},
+                                    {FileKind::handles, "Handles"},
+                                    {FileKind::sequence, "Sequences"},
+                                    {FileKind::session, "Sessions"}}) {
+    text += std::string(title) + ":";
     for (const medical_io::FileFormat& format : medical_io::fileFormats())
       if (format.kind == kind)
         for (const std::string& ending : format.endings)

@@ -30,7 +30,8 @@ void ExportActions::addTo(Actions& actions) {
                {},
                tr("Write all visible organs into one file, with names and colours")},
               [this] {
-                choose(tr("Export all organs"), tr("organs.glb"), tr("glTF scenes (*.glb)"),
+                choose(tr("Export all organs"), tr("organs.glb"),
+                       tr("glTF scenes (*.glb);;3MF models for printing (*.3mf)"),
                        &ExportActions::exportOrgans);
               });
   actions.add("export.displacements",

@@ -32,10 +32,6 @@
         <translation>%1 ha canviat des que es va desar la sessió</translation>
     </message>
     <message>
-        <source>%1 has no place (%2) and was left out</source>
-        <translation>%1 no té posició (%2) i s’omet</translation>
-    </message>
-    <message>
         <source>%1 has no volume in %2</source>
         <translation>%1 no té volum a la %2</translation>
     </message>
@@ -322,13 +318,6 @@
         <translation>
             <numerusform>%n punt sense triangle omès</numerusform>
             <numerusform>%n punts sense triangle omesos</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n {polygon|polygons} cut into fans, which is wrong where they are not convex</source>
-        <translation>
-            <numerusform>%n polígon dividit en ventall, cosa errònia on no és convex</numerusform>
-            <numerusform>%n polígons dividits en ventall, cosa errònia on no són convexos</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -2586,14 +2575,6 @@
         <translation>Viridis</translation>
     </message>
     <message>
-        <source>Viscera reads no label maps that end in &quot;%1&quot;</source>
-        <translation>Viscera no llegeix mapes d’etiquetes que acaben en «%1»</translation>
-    </message>
-    <message>
-        <source>Viscera reads no surface files that end in &quot;%1&quot;</source>
-        <translation>Viscera no llegeix fitxers de superfície que acaben en «%1»</translation>
-    </message>
-    <message>
         <source>Volume ratio</source>
         <translation>Raó de volums</translation>
     </message>
@@ -3326,10 +3307,6 @@
         <translation>els tiradors no es poden escriure com a «%1»</translation>
     </message>
     <message>
-        <source>handles come from .mrk.json or .fcsv files</source>
-        <translation>els tiradors venen de fitxers .mrk.json o .fcsv</translation>
-    </message>
-    <message>
         <source>harmonic coordinates</source>
         <translation>coordenades harmòniques</translation>
     </message>
@@ -3554,14 +3531,6 @@
         <translation>el seu volum ja no està bloquejat: ara la superfície és oberta</translation>
     </message>
     <message>
-        <source>its voxels are in several files</source>
-        <translation>els seus vòxels són en diversos fitxers</translation>
-    </message>
-    <message>
-        <source>its voxels are in several files or in another folder (%1)</source>
-        <translation>els seus vòxels són en diversos fitxers o en una altra carpeta (%1)</translation>
-    </message>
-    <message>
         <source>its voxels lie elsewhere than those of the other masks</source>
         <translation>els seus vòxels són en un altre lloc que els de les altres màscares</translation>
     </message>
@@ -3596,10 +3565,6 @@
     <message>
         <source>known endings: %1</source>
         <translation>extensions conegudes: %1</translation>
-    </message>
-    <message>
-        <source>known endings: .nii, .nii.gz, .hdr, .img, .nrrd, .seg.nrrd, .nhdr, .mha, .mhd, .dcm</source>
-        <translation>extensions conegudes: .nii, .nii.gz, .hdr, .img, .nrrd, .seg.nrrd, .nhdr, .mha, .mhd, .dcm</translation>
     </message>
     <message>
         <source>label it in every phase, or leave this phase out</source>
@@ -3834,10 +3799,6 @@
         <translation>el node %1 es mou per ossos, que s’ignoren</translation>
     </message>
     <message>
-        <source>a file of an unknown kind</source>
-        <translation>un fitxer d’un tipus desconegut</translation>
-    </message>
-    <message>
         <source>of an unknown kind</source>
         <translation>de tipus desconegut</translation>
     </message>
@@ -3847,10 +3808,6 @@
             <numerusform>només %n tirador</numerusform>
             <numerusform>només %n tiradors</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>open a NIfTI, NRRD or MetaImage file, or a DICOM series</source>
-        <translation>obriu un fitxer NIfTI, NRRD o MetaImage, o una sèrie DICOM</translation>
     </message>
     <message>
         <source>open it beside the organs (File &gt; Open a scan), or make a label map of it first, with 3D Slicer or TotalSegmentator</source>
@@ -4065,20 +4022,12 @@
         <translation>deseu-lo primer en un fitxer propi</translation>
     </message>
     <message>
-        <source>save it as a label map</source>
-        <translation>deseu-lo com a mapa d’etiquetes</translation>
-    </message>
-    <message>
         <source>save it as a segmentation</source>
         <translation>deseu-lo com a segmentació</translation>
     </message>
     <message>
         <source>save it as a 3D image</source>
         <translation>deseu-la com a imatge 3D</translation>
-    </message>
-    <message>
-        <source>save it as one file</source>
-        <translation>deseu-la com un sol fitxer</translation>
     </message>
     <message>
         <source>save it with gzip or raw encoding</source>
@@ -4091,10 +4040,6 @@
     <message>
         <source>save often, or make room there</source>
         <translation>deseu sovint, o feu-hi lloc</translation>
-    </message>
-    <message>
-        <source>save one of them, or follow the motion over all of them with viscera track</source>
-        <translation>deseu-ne un, o seguiu el moviment per tots amb viscera track</translation>
     </message>
     <message>
         <source>save the points from Slicer as .mrk.json</source>
@@ -4111,10 +4056,6 @@
     <message>
         <source>say which surfaces they make, as in --surface LV=1 --surface RV=2 --surface EPI=1,2,3 with all labels within the outer one</source>
         <translation>indiqueu quines superfícies formen, com a --surface LV=1 --surface RV=2 --surface EPI=1,2,3, amb totes les etiquetes dins de l’exterior</translation>
-    </message>
-    <message>
-        <source>several surfaces are written as .glb only</source>
-        <translation>diverses superfícies només s’escriuen com a .glb</translation>
     </message>
     <message>
         <source>smooth</source>
@@ -4235,18 +4176,6 @@
     <message>
         <source>the file with its voxels, %1, cannot be used: %2</source>
         <translation>el fitxer amb els seus vòxels, %1, no es pot fer servir: %2</translation>
-    </message>
-    <message>
-        <source>the file&apos;s %1 meshes were joined to one surface</source>
-        <translation>les %1 malles del fitxer s’han unit en una sola superfície</translation>
-    </message>
-    <message>
-        <source>the file&apos;s %1 objects were joined to one surface</source>
-        <translation>els %1 objectes del fitxer s’han unit en una sola superfície</translation>
-    </message>
-    <message>
-        <source>the file&apos;s %1 solids were joined to one surface</source>
-        <translation>els %1 sòlids del fitxer s’han unit en una sola superfície</translation>
     </message>
     <message>
         <source>the first one is 0</source>

@@ -32,10 +32,6 @@
         <translation>%1 hat sich seit dem Speichern der Sitzung geändert</translation>
     </message>
     <message>
-        <source>%1 has no place (%2) and was left out</source>
-        <translation>%1 hat keinen Ort (%2) und wurde weggelassen</translation>
-    </message>
-    <message>
         <source>%1 has no volume in %2</source>
         <translation>%1 hat in %2 kein Volumen</translation>
     </message>
@@ -322,13 +318,6 @@
         <translation>
             <numerusform>%n Punkt ohne Dreieck weggelassen</numerusform>
             <numerusform>%n Punkte ohne Dreieck weggelassen</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n {polygon|polygons} cut into fans, which is wrong where they are not convex</source>
-        <translation>
-            <numerusform>%n Vieleck fächerförmig zerlegt, was falsch ist, wo es nicht konvex ist</numerusform>
-            <numerusform>%n Vielecke fächerförmig zerlegt, was falsch ist, wo sie nicht konvex sind</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -2586,14 +2575,6 @@
         <translation>Viridis</translation>
     </message>
     <message>
-        <source>Viscera reads no label maps that end in &quot;%1&quot;</source>
-        <translation>Viscera liest keine Labelmaps, die auf „%1“ enden</translation>
-    </message>
-    <message>
-        <source>Viscera reads no surface files that end in &quot;%1&quot;</source>
-        <translation>Viscera liest keine Oberflächendateien, die auf „%1“ enden</translation>
-    </message>
-    <message>
         <source>Volume ratio</source>
         <translation>Volumenverhältnis</translation>
     </message>
@@ -3326,10 +3307,6 @@
         <translation>Griffe können nicht als „%1“ geschrieben werden</translation>
     </message>
     <message>
-        <source>handles come from .mrk.json or .fcsv files</source>
-        <translation>Griffe kommen aus Dateien .mrk.json oder .fcsv</translation>
-    </message>
-    <message>
         <source>harmonic coordinates</source>
         <translation>harmonische Koordinaten</translation>
     </message>
@@ -3554,14 +3531,6 @@
         <translation>sein Volumen ist nicht mehr gesperrt: die Oberfläche ist jetzt offen</translation>
     </message>
     <message>
-        <source>its voxels are in several files</source>
-        <translation>ihre Voxel liegen in mehreren Dateien</translation>
-    </message>
-    <message>
-        <source>its voxels are in several files or in another folder (%1)</source>
-        <translation>ihre Voxel liegen in mehreren Dateien oder in einem anderen Ordner (%1)</translation>
-    </message>
-    <message>
         <source>its voxels lie elsewhere than those of the other masks</source>
         <translation>ihre Voxel liegen woanders als die der anderen Masken</translation>
     </message>
@@ -3596,10 +3565,6 @@
     <message>
         <source>known endings: %1</source>
         <translation>bekannte Endungen: %1</translation>
-    </message>
-    <message>
-        <source>known endings: .nii, .nii.gz, .hdr, .img, .nrrd, .seg.nrrd, .nhdr, .mha, .mhd, .dcm</source>
-        <translation>bekannte Endungen: .nii, .nii.gz, .hdr, .img, .nrrd, .seg.nrrd, .nhdr, .mha, .mhd, .dcm</translation>
     </message>
     <message>
         <source>label it in every phase, or leave this phase out</source>
@@ -3834,10 +3799,6 @@
         <translation>Knoten %1 wird von Knochen bewegt, die ignoriert werden</translation>
     </message>
     <message>
-        <source>a file of an unknown kind</source>
-        <translation>eine Datei unbekannter Art</translation>
-    </message>
-    <message>
         <source>of an unknown kind</source>
         <translation>von unbekannter Art</translation>
     </message>
@@ -3847,10 +3808,6 @@
             <numerusform>nur %n Griff</numerusform>
             <numerusform>nur %n Griffe</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>open a NIfTI, NRRD or MetaImage file, or a DICOM series</source>
-        <translation>öffnen Sie eine NIfTI-, NRRD- oder MetaImage-Datei oder eine DICOM-Serie</translation>
     </message>
     <message>
         <source>open it beside the organs (File &gt; Open a scan), or make a label map of it first, with 3D Slicer or TotalSegmentator</source>
@@ -4065,20 +4022,12 @@
         <translation>speichern Sie es zuerst als eigene Datei</translation>
     </message>
     <message>
-        <source>save it as a label map</source>
-        <translation>speichern Sie sie als Labelmap</translation>
-    </message>
-    <message>
         <source>save it as a segmentation</source>
         <translation>speichern Sie sie als Segmentierung</translation>
     </message>
     <message>
         <source>save it as a 3D image</source>
         <translation>speichern Sie es als 3D-Bild</translation>
-    </message>
-    <message>
-        <source>save it as one file</source>
-        <translation>speichern Sie es als eine Datei</translation>
     </message>
     <message>
         <source>save it with gzip or raw encoding</source>
@@ -4091,10 +4040,6 @@
     <message>
         <source>save often, or make room there</source>
         <translation>speichern Sie oft, oder schaffen Sie dort Platz</translation>
-    </message>
-    <message>
-        <source>save one of them, or follow the motion over all of them with viscera track</source>
-        <translation>speichern Sie eines davon, oder verfolgen Sie die Bewegung über alle mit viscera track</translation>
     </message>
     <message>
         <source>save the points from Slicer as .mrk.json</source>
@@ -4111,10 +4056,6 @@
     <message>
         <source>say which surfaces they make, as in --surface LV=1 --surface RV=2 --surface EPI=1,2,3 with all labels within the outer one</source>
         <translation>geben Sie an, welche Oberflächen sie bilden, wie in --surface LV=1 --surface RV=2 --surface EPI=1,2,3, die äußere mit allen Labels darin</translation>
-    </message>
-    <message>
-        <source>several surfaces are written as .glb only</source>
-        <translation>mehrere Oberflächen werden nur als .glb geschrieben</translation>
     </message>
     <message>
         <source>smooth</source>
@@ -4235,18 +4176,6 @@
     <message>
         <source>the file with its voxels, %1, cannot be used: %2</source>
         <translation>die Datei mit ihren Voxeln, %1, kann nicht verwendet werden: %2</translation>
-    </message>
-    <message>
-        <source>the file&apos;s %1 meshes were joined to one surface</source>
-        <translation>die %1 Netze der Datei wurden zu einer Oberfläche verbunden</translation>
-    </message>
-    <message>
-        <source>the file&apos;s %1 objects were joined to one surface</source>
-        <translation>die %1 Objekte der Datei wurden zu einer Oberfläche verbunden</translation>
-    </message>
-    <message>
-        <source>the file&apos;s %1 solids were joined to one surface</source>
-        <translation>die %1 Körper der Datei wurden zu einer Oberfläche verbunden</translation>
     </message>
     <message>
         <source>the first one is 0</source>

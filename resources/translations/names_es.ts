@@ -32,10 +32,6 @@
         <translation>%1 ha cambiado desde que se guardó la sesión</translation>
     </message>
     <message>
-        <source>%1 has no place (%2) and was left out</source>
-        <translation>%1 no tiene posición (%2) y se omite</translation>
-    </message>
-    <message>
         <source>%1 has no volume in %2</source>
         <translation>%1 no tiene volumen en la %2</translation>
     </message>
@@ -322,13 +318,6 @@
         <translation>
             <numerusform>%n punto sin triángulo omitido</numerusform>
             <numerusform>%n puntos sin triángulo omitidos</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n {polygon|polygons} cut into fans, which is wrong where they are not convex</source>
-        <translation>
-            <numerusform>%n polígono dividido en abanico, lo que es erróneo donde no es convexo</numerusform>
-            <numerusform>%n polígonos divididos en abanico, lo que es erróneo donde no son convexos</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -2586,14 +2575,6 @@
         <translation>Viridis</translation>
     </message>
     <message>
-        <source>Viscera reads no label maps that end in &quot;%1&quot;</source>
-        <translation>Viscera no lee mapas de etiquetas que terminan en «%1»</translation>
-    </message>
-    <message>
-        <source>Viscera reads no surface files that end in &quot;%1&quot;</source>
-        <translation>Viscera no lee archivos de superficie que terminan en «%1»</translation>
-    </message>
-    <message>
         <source>Volume ratio</source>
         <translation>Razón de volúmenes</translation>
     </message>
@@ -3326,10 +3307,6 @@
         <translation>los tiradores no se pueden escribir como «%1»</translation>
     </message>
     <message>
-        <source>handles come from .mrk.json or .fcsv files</source>
-        <translation>los tiradores vienen de archivos .mrk.json o .fcsv</translation>
-    </message>
-    <message>
         <source>harmonic coordinates</source>
         <translation>coordenadas armónicas</translation>
     </message>
@@ -3554,14 +3531,6 @@
         <translation>su volumen ya no está bloqueado: la superficie está ahora abierta</translation>
     </message>
     <message>
-        <source>its voxels are in several files</source>
-        <translation>sus vóxeles están en varios archivos</translation>
-    </message>
-    <message>
-        <source>its voxels are in several files or in another folder (%1)</source>
-        <translation>sus vóxeles están en varios archivos o en otra carpeta (%1)</translation>
-    </message>
-    <message>
         <source>its voxels lie elsewhere than those of the other masks</source>
         <translation>sus vóxeles están en otro sitio que los de las otras máscaras</translation>
     </message>
@@ -3596,10 +3565,6 @@
     <message>
         <source>known endings: %1</source>
         <translation>extensiones conocidas: %1</translation>
-    </message>
-    <message>
-        <source>known endings: .nii, .nii.gz, .hdr, .img, .nrrd, .seg.nrrd, .nhdr, .mha, .mhd, .dcm</source>
-        <translation>extensiones conocidas: .nii, .nii.gz, .hdr, .img, .nrrd, .seg.nrrd, .nhdr, .mha, .mhd, .dcm</translation>
     </message>
     <message>
         <source>label it in every phase, or leave this phase out</source>
@@ -3834,10 +3799,6 @@
         <translation>el nodo %1 se mueve por huesos, que se ignoran</translation>
     </message>
     <message>
-        <source>a file of an unknown kind</source>
-        <translation>un archivo de un tipo desconocido</translation>
-    </message>
-    <message>
         <source>of an unknown kind</source>
         <translation>de tipo desconocido</translation>
     </message>
@@ -3847,10 +3808,6 @@
             <numerusform>solo %n tirador</numerusform>
             <numerusform>solo %n tiradores</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>open a NIfTI, NRRD or MetaImage file, or a DICOM series</source>
-        <translation>abra un archivo NIfTI, NRRD o MetaImage, o una serie DICOM</translation>
     </message>
     <message>
         <source>open it beside the organs (File &gt; Open a scan), or make a label map of it first, with 3D Slicer or TotalSegmentator</source>
@@ -4065,20 +4022,12 @@
         <translation>guárdelo primero en un archivo propio</translation>
     </message>
     <message>
-        <source>save it as a label map</source>
-        <translation>guárdelo como mapa de etiquetas</translation>
-    </message>
-    <message>
         <source>save it as a segmentation</source>
         <translation>guárdelo como segmentación</translation>
     </message>
     <message>
         <source>save it as a 3D image</source>
         <translation>guárdela como imagen 3D</translation>
-    </message>
-    <message>
-        <source>save it as one file</source>
-        <translation>guárdela como un solo archivo</translation>
     </message>
     <message>
         <source>save it with gzip or raw encoding</source>
@@ -4091,10 +4040,6 @@
     <message>
         <source>save often, or make room there</source>
         <translation>guarde a menudo, o haga sitio allí</translation>
-    </message>
-    <message>
-        <source>save one of them, or follow the motion over all of them with viscera track</source>
-        <translation>guarde uno de ellos, o siga el movimiento por todos con viscera track</translation>
     </message>
     <message>
         <source>save the points from Slicer as .mrk.json</source>
@@ -4111,10 +4056,6 @@
     <message>
         <source>say which surfaces they make, as in --surface LV=1 --surface RV=2 --surface EPI=1,2,3 with all labels within the outer one</source>
         <translation>indique qué superficies forman, como en --surface LV=1 --surface RV=2 --surface EPI=1,2,3, con todas las etiquetas dentro de la exterior</translation>
-    </message>
-    <message>
-        <source>several surfaces are written as .glb only</source>
-        <translation>varias superficies solo se escriben como .glb</translation>
     </message>
     <message>
         <source>smooth</source>
@@ -4235,18 +4176,6 @@
     <message>
         <source>the file with its voxels, %1, cannot be used: %2</source>
         <translation>el archivo con sus vóxeles, %1, no se puede usar: %2</translation>
-    </message>
-    <message>
-        <source>the file&apos;s %1 meshes were joined to one surface</source>
-        <translation>las %1 mallas del archivo se han unido en una sola superficie</translation>
-    </message>
-    <message>
-        <source>the file&apos;s %1 objects were joined to one surface</source>
-        <translation>los %1 objetos del archivo se han unido en una sola superficie</translation>
-    </message>
-    <message>
-        <source>the file&apos;s %1 solids were joined to one surface</source>
-        <translation>los %1 sólidos del archivo se han unido en una sola superficie</translation>
     </message>
     <message>
         <source>the first one is 0</source>

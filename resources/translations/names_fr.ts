@@ -32,10 +32,6 @@
         <translation>%1 a changé depuis l’enregistrement de la session</translation>
     </message>
     <message>
-        <source>%1 has no place (%2) and was left out</source>
-        <translation>%1 n’a pas de position (%2) et est omis</translation>
-    </message>
-    <message>
         <source>%1 has no volume in %2</source>
         <translation>%1 n’a pas de volume dans la %2</translation>
     </message>
@@ -322,13 +318,6 @@
         <translation>
             <numerusform>%n point sans triangle omis</numerusform>
             <numerusform>%n points sans triangle omis</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n {polygon|polygons} cut into fans, which is wrong where they are not convex</source>
-        <translation>
-            <numerusform>%n polygone découpé en éventail, ce qui est faux là où il n’est pas convexe</numerusform>
-            <numerusform>%n polygones découpés en éventail, ce qui est faux là où ils ne sont pas convexes</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -2586,14 +2575,6 @@
         <translation>Viridis</translation>
     </message>
     <message>
-        <source>Viscera reads no label maps that end in &quot;%1&quot;</source>
-        <translation>Viscera ne lit pas de cartes d’étiquettes qui se terminent par «&#xa0;%1&#xa0;»</translation>
-    </message>
-    <message>
-        <source>Viscera reads no surface files that end in &quot;%1&quot;</source>
-        <translation>Viscera ne lit pas de fichiers de surface qui se terminent par «&#xa0;%1&#xa0;»</translation>
-    </message>
-    <message>
         <source>Volume ratio</source>
         <translation>Rapport de volume</translation>
     </message>
@@ -3326,10 +3307,6 @@
         <translation>les poignées ne peuvent pas être écrites en «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
-        <source>handles come from .mrk.json or .fcsv files</source>
-        <translation>les poignées viennent de fichiers .mrk.json ou .fcsv</translation>
-    </message>
-    <message>
         <source>harmonic coordinates</source>
         <translation>coordonnées harmoniques</translation>
     </message>
@@ -3554,14 +3531,6 @@
         <translation>son volume n’est plus verrouillé&#xa0;: la surface est maintenant ouverte</translation>
     </message>
     <message>
-        <source>its voxels are in several files</source>
-        <translation>ses voxels sont dans plusieurs fichiers</translation>
-    </message>
-    <message>
-        <source>its voxels are in several files or in another folder (%1)</source>
-        <translation>ses voxels sont dans plusieurs fichiers ou dans un autre dossier (%1)</translation>
-    </message>
-    <message>
         <source>its voxels lie elsewhere than those of the other masks</source>
         <translation>ses voxels sont ailleurs que ceux des autres masques</translation>
     </message>
@@ -3596,10 +3565,6 @@
     <message>
         <source>known endings: %1</source>
         <translation>extensions connues&#xa0;: %1</translation>
-    </message>
-    <message>
-        <source>known endings: .nii, .nii.gz, .hdr, .img, .nrrd, .seg.nrrd, .nhdr, .mha, .mhd, .dcm</source>
-        <translation>extensions connues&#xa0;: .nii, .nii.gz, .hdr, .img, .nrrd, .seg.nrrd, .nhdr, .mha, .mhd, .dcm</translation>
     </message>
     <message>
         <source>label it in every phase, or leave this phase out</source>
@@ -3834,10 +3799,6 @@
         <translation>le nœud %1 est animé par des os, qui sont ignorés</translation>
     </message>
     <message>
-        <source>a file of an unknown kind</source>
-        <translation>un fichier de type inconnu</translation>
-    </message>
-    <message>
         <source>of an unknown kind</source>
         <translation>de type inconnu</translation>
     </message>
@@ -3847,10 +3808,6 @@
             <numerusform>seulement %n poignée</numerusform>
             <numerusform>seulement %n poignées</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>open a NIfTI, NRRD or MetaImage file, or a DICOM series</source>
-        <translation>ouvrez un fichier NIfTI, NRRD ou MetaImage, ou une série DICOM</translation>
     </message>
     <message>
         <source>open it beside the organs (File &gt; Open a scan), or make a label map of it first, with 3D Slicer or TotalSegmentator</source>
@@ -4065,20 +4022,12 @@
         <translation>enregistrez-le d’abord dans un fichier à part</translation>
     </message>
     <message>
-        <source>save it as a label map</source>
-        <translation>enregistrez-le comme carte d’étiquettes</translation>
-    </message>
-    <message>
         <source>save it as a segmentation</source>
         <translation>enregistrez-le comme segmentation</translation>
     </message>
     <message>
         <source>save it as a 3D image</source>
         <translation>enregistrez-la comme image 3D</translation>
-    </message>
-    <message>
-        <source>save it as one file</source>
-        <translation>enregistrez-la en un seul fichier</translation>
     </message>
     <message>
         <source>save it with gzip or raw encoding</source>
@@ -4091,10 +4040,6 @@
     <message>
         <source>save often, or make room there</source>
         <translation>enregistrez souvent, ou faites-y de la place</translation>
-    </message>
-    <message>
-        <source>save one of them, or follow the motion over all of them with viscera track</source>
-        <translation>enregistrez l’un d’eux, ou suivez le mouvement sur tous avec viscera track</translation>
     </message>
     <message>
         <source>save the points from Slicer as .mrk.json</source>
@@ -4111,10 +4056,6 @@
     <message>
         <source>say which surfaces they make, as in --surface LV=1 --surface RV=2 --surface EPI=1,2,3 with all labels within the outer one</source>
         <translation>indiquez quelles surfaces elles forment, comme dans --surface LV=1 --surface RV=2 --surface EPI=1,2,3, la surface externe avec toutes les étiquettes qu’elle contient</translation>
-    </message>
-    <message>
-        <source>several surfaces are written as .glb only</source>
-        <translation>plusieurs surfaces ne sont écrites qu’en .glb</translation>
     </message>
     <message>
         <source>smooth</source>
@@ -4235,18 +4176,6 @@
     <message>
         <source>the file with its voxels, %1, cannot be used: %2</source>
         <translation>le fichier de ses voxels, %1, ne peut pas être utilisé&#xa0;: %2</translation>
-    </message>
-    <message>
-        <source>the file&apos;s %1 meshes were joined to one surface</source>
-        <translation>les %1 maillages du fichier ont été réunis en une seule surface</translation>
-    </message>
-    <message>
-        <source>the file&apos;s %1 objects were joined to one surface</source>
-        <translation>les %1 objets du fichier ont été réunis en une seule surface</translation>
-    </message>
-    <message>
-        <source>the file&apos;s %1 solids were joined to one surface</source>
-        <translation>les %1 solides du fichier ont été réunis en une seule surface</translation>
     </message>
     <message>
         <source>the first one is 0</source>

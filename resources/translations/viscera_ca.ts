@@ -644,8 +644,8 @@ N: noms, H: tiradors, X: paret, R: restableix, T: clar o fosc, Inici: principi</
         <translation>Obre al costat del primer òrgan</translation>
     </message>
     <message>
-        <source>Organs (*.stl *.obj *.ply *.off *.vtk *.vtp *.glb *.gltf)</source>
-        <translation>Òrgans (*.stl *.obj *.ply *.off *.vtk *.vtp *.glb *.gltf)</translation>
+        <source>Organs (%1)</source>
+        <translation>Òrgans (%1)</translation>
     </message>
     <message>
         <source>No organ yet</source>
@@ -1264,8 +1264,8 @@ N: noms, H: tiradors, X: paret, R: restableix, T: clar o fosc, Inici: principi</
         <translation>organs.glb</translation>
     </message>
     <message>
-        <source>glTF scenes (*.glb)</source>
-        <translation>Escenes glTF (*.glb)</translation>
+        <source>glTF scenes (*.glb);;3MF models for printing (*.3mf)</source>
+        <translation>Escenes glTF (*.glb);;Models 3MF per imprimir (*.3mf)</translation>
     </message>
     <message>
         <source>Export &amp;displacements...</source>

@@ -644,8 +644,8 @@ N: Namen, H: Griffe, X: Wand, R: zurück, T: hell oder dunkel, Pos1: Anfang</tra
         <translation>Neben dem ersten Organ öffnen</translation>
     </message>
     <message>
-        <source>Organs (*.stl *.obj *.ply *.off *.vtk *.vtp *.glb *.gltf)</source>
-        <translation>Organe (*.stl *.obj *.ply *.off *.vtk *.vtp *.glb *.gltf)</translation>
+        <source>Organs (%1)</source>
+        <translation>Organe (%1)</translation>
     </message>
     <message>
         <source>No organ yet</source>
@@ -1264,8 +1264,8 @@ N: Namen, H: Griffe, X: Wand, R: zurück, T: hell oder dunkel, Pos1: Anfang</tra
         <translation>organs.glb</translation>
     </message>
     <message>
-        <source>glTF scenes (*.glb)</source>
-        <translation>glTF-Szenen (*.glb)</translation>
+        <source>glTF scenes (*.glb);;3MF models for printing (*.3mf)</source>
+        <translation>glTF-Szenen (*.glb);;3MF-Modelle zum Drucken (*.3mf)</translation>
     </message>
     <message>
         <source>Export &amp;displacements...</source>

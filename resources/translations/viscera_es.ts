@@ -644,8 +644,8 @@ N: nombres, H: tiradores, X: pared, R: restablecer, T: claro u oscuro, Inicio: p
         <translation>Abrir junto al primer órgano</translation>
     </message>
     <message>
-        <source>Organs (*.stl *.obj *.ply *.off *.vtk *.vtp *.glb *.gltf)</source>
-        <translation>Órganos (*.stl *.obj *.ply *.off *.vtk *.vtp *.glb *.gltf)</translation>
+        <source>Organs (%1)</source>
+        <translation>Órganos (%1)</translation>
     </message>
     <message>
         <source>No organ yet</source>
@@ -1264,8 +1264,8 @@ N: nombres, H: tiradores, X: pared, R: restablecer, T: claro u oscuro, Inicio: p
         <translation>organs.glb</translation>
     </message>
     <message>
-        <source>glTF scenes (*.glb)</source>
-        <translation>Escenas glTF (*.glb)</translation>
+        <source>glTF scenes (*.glb);;3MF models for printing (*.3mf)</source>
+        <translation>Escenas glTF (*.glb);;Modelos 3MF para imprimir (*.3mf)</translation>
     </message>
     <message>
         <source>Export &amp;displacements...</source>

@@ -644,8 +644,8 @@ N&#xa0;: noms, H&#xa0;: poignées, X&#xa0;: paroi, R&#xa0;: rétablir, T&#xa0;: 
         <translation>Ouvrir à côté du premier organe</translation>
     </message>
     <message>
-        <source>Organs (*.stl *.obj *.ply *.off *.vtk *.vtp *.glb *.gltf)</source>
-        <translation>Organes (*.stl *.obj *.ply *.off *.vtk *.vtp *.glb *.gltf)</translation>
+        <source>Organs (%1)</source>
+        <translation>Organes (%1)</translation>
     </message>
     <message>
         <source>No organ yet</source>
@@ -1264,8 +1264,8 @@ N&#xa0;: noms, H&#xa0;: poignées, X&#xa0;: paroi, R&#xa0;: rétablir, T&#xa0;: 
         <translation>organs.glb</translation>
     </message>
     <message>
-        <source>glTF scenes (*.glb)</source>
-        <translation>Scènes glTF (*.glb)</translation>
+        <source>glTF scenes (*.glb);;3MF models for printing (*.3mf)</source>
+        <translation>Scènes glTF (*.glb);;Modèles 3MF à imprimer (*.3mf)</translation>
     </message>
     <message>
         <source>Export &amp;displacements...</source>

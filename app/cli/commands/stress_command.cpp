@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <memory>
 #include <numbers>
 #include <string>
 #include <utility>
@@ -13,6 +14,7 @@
 #include "cli/stress_marks.h"
 #include "viscera/deformation/tetrahedralise.h"
 #include "viscera/live/stress_files.h"
+#include "viscera/medical_io/cell_file.h"
 
 namespace viscera::app::cli {
 namespace {
@@ -59,24 +61,25 @@ Outcome outcomeOf(const Measured& measured, const std::string& organ, const std:
   const auto ratio = measured.map.volumeRatio.head(witnesses);
   const std::string method = measured.interior.gradients->closedForm() ? "analytic" : "differences";
   Outcome outcome;
-  outcome.json = {{"organ", organ},
-                  {"system", system},
-                  {"witnesses", witnesses},
-                  {"surfacePoints", measured.mesh().points.rows() - witnesses},
-                  {"tetrahedra", measured.mesh().tetrahedra.rows()},
-                  {"sampling", nameOf(measured.interior.sample.origin)},
-                  {"folded", s.folded},
-                  {"stressDegrees",
-                   {{"min", kDegrees * s.min},
-                    {"mean", kDegrees * s.mean},
-                    {"p95", kDegrees * s.percentile95},
-                    {"max", kDegrees * s.max}}},
-                  {"volumeRatio", {{"min", ratio.minCoeff()}, {"max", ratio.maxCoeff()}}},
-                  {"stretch",
-                   {{"min", measured.map.stretchMin.head(witnesses).minCoeff()},
-                    {"max", measured.map.stretchMax.head(witnesses).maxCoeff()}}},
-                  {"method", method},
-                  {"seconds", seconds}};
+  outcome.json = {
+      {"organ", organ},
+      {"system", system},
+      {"witnesses", witnesses},
+      {"surfacePoints", measured.mesh().points.rows() - witnesses},
+      {"tetrahedra", measured.mesh().tetrahedra.rows()},
+      {"sampling", measured.interior.ownCells ? "cells" : nameOf(measured.interior.sample.origin)},
+      {"folded", s.folded},
+      {"stressDegrees",
+       {{"min", kDegrees * s.min},
+        {"mean", kDegrees * s.mean},
+        {"p95", kDegrees * s.percentile95},
+        {"max", kDegrees * s.max}}},
+      {"volumeRatio", {{"min", ratio.minCoeff()}, {"max", ratio.maxCoeff()}}},
+      {"stretch",
+       {{"min", measured.map.stretchMin.head(witnesses).minCoeff()},
+        {"max", measured.map.stretchMax.head(witnesses).maxCoeff()}}},
+      {"method", method},
+      {"seconds", seconds}};
   outcome.text =
       Listing()
           .add("witness points", std::to_string(witnesses) + " in " +
@@ -99,9 +102,12 @@ public:
 
   void addOptions(CLI::App& options) override {
     input_.addTo(options, true);
-    options.add_option("--witnesses", witnesses_.wanted, "Witness points inside the organ, 200 to 200000")
-        ->type_name("N")
-        ->capture_default_str();
+    witnessCount_ = options
+                        .add_option("--witnesses", witnesses_.wanted,
+                                    "Witness points inside the organ, 200 to 200000; without it a mesh of "
+                                    "cells keeps its own tetrahedra")
+                        ->type_name("N")
+                        ->capture_default_str();
     options
         .add_option("--quality", witnesses_.radiusEdgeRatio,
                     "Largest ratio of circumradius to shortest edge of the tetrahedra, 1.1 (best) to 10")
@@ -145,7 +151,8 @@ public:
     for (const std::string& cavity : cavities_)
       hollow.push_back(organInput(cavity, context.samples, context.progress).mesh);
     const Measured measured =
-        measure(interiorOf(input, witnesses, warnings, context.progress, hollow), input, context.progress);
+        measure(interiorOf(input, witnesses, warnings, context.progress, hollow, ownCells(input)), input,
+                context.progress);
     context.progress.throwIfCancelled();
     if (!output_.empty())
       live::writeStressSolid(output_, measured.mesh(), measured.posed, measured.map);
@@ -169,6 +176,14 @@ public:
   }
 
 private:
+  /// The tetrahedra of the organ's own file, unless other witness points are asked for.
+  std::shared_ptr<const deformation::WitnessMesh> ownCells(const BoundInput& input) const {
+    if (witnessCount_->count() > 0 || input.organ.file.empty())
+      return nullptr;
+    auto cells = medical_io::readCells(input.organ.file);
+    return cells ? std::make_shared<const deformation::WitnessMesh>(std::move(*cells)) : nullptr;
+  }
+
   void writeHistogram(const Measured& measured) const {
     const live::StressQuantityDescription& quantity = live::describe(live::StressQuantity::rotationalStress);
     Values values;
@@ -178,6 +193,7 @@ private:
   }
 
   BoundInputOptions input_;
+  CLI::Option* witnessCount_ = nullptr;
   std::string output_;
   std::string csv_;
   std::string histogram_;

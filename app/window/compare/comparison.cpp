@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "viscera/medical_io/file_kind.h"
 #include "viscera/presentation/presenter.h"
 #include "window/compare/compared_stress.h"
 #include "window/compare/compared_system.h"
@@ -328,9 +329,12 @@ void Comparison::showFiles(const QStringList& files) {
 
 void Comparison::chooseFiles() {
   const QString folder = first_.settings.value("files/folder").toString();
+  QStringList patterns;
+  for (const std::string& ending : medical_io::endingsOf(medical_io::FileKind::surface))
+    patterns << QLatin1Char('*') + QString::fromStdString(ending);
   const QStringList files =
       QFileDialog::getOpenFileNames(first_.area.window(), tr("Open beside the first organ"), folder,
-                                    tr("Organs (*.stl *.obj *.ply *.off *.vtk *.vtp *.glb *.gltf)"));
+                                    tr("Organs (%1)").arg(patterns.join(QLatin1Char(' '))));
   if (!files.isEmpty())
     showFiles(files);
 }

@@ -404,7 +404,7 @@ void refuse(const FileBytes& file, FileKind wanted) {
   const auto image = unreadImage(file);
   const Known known = image ? Known{named(image->description), {}, image->wayOut}
                             : knownAs(signatureOf(file), extensionOf(file.file));
-  const Text problem = refusalOf(wanted);
+  const Text problem = refusalOf(known.wayOut.empty() ? wanted : FileKind::unknown);
   file.fail(known.description.empty() ? problem : phrase("%1; it looks like %2", problem, known.description),
             known.wayOut.empty() ? phrase("known endings: %1", usualEndings(wanted)) : known.wayOut);
 }

@@ -18,6 +18,7 @@
 #include "viscera/core/atomic_file.h"
 #include "viscera/core/error.h"
 #include "viscera/core/phrase.h"
+#include "viscera/medical_io/cell_file.h"
 #include "viscera/medical_io/part_names.h"
 
 namespace viscera::medical_io {
@@ -28,6 +29,7 @@ struct SurfaceFormat {
   RawSurface (*read)(const FileBytes&);
   void (*write)(std::ostream&, const geometry::TriangleMesh&, const WriteSurface&);
   std::vector<RawOrgan> (*readOrgans)(const FileBytes&) = nullptr; ///< Of a mesh that may have cavities.
+  CellMesh (*readCells)(const FileBytes&) = nullptr;               ///< Of a mesh of cells.
 };
 
 constexpr std::array<SurfaceFormat, 17> kSurfaceFormats = {{
@@ -35,7 +37,7 @@ constexpr std::array<SurfaceFormat, 17> kSurfaceFormats = {{
     {Signature::obj, readObj, writeObj},
     {Signature::ply, readPly, writePly},
     {Signature::off, readOff, writeOff},
-    {Signature::legacyVtk, readLegacyVtk, writeLegacyVtk, readLegacyVtkOrgans},
+    {Signature::legacyVtk, readLegacyVtk, writeLegacyVtk, readLegacyVtkOrgans, readLegacyVtkCells},
     {Signature::vtp, readVtp, writeVtp},
     {Signature::vtm, readVtm, nullptr},
     {Signature::glb, readGltf, writeGlb},
@@ -44,10 +46,12 @@ constexpr std::array<SurfaceFormat, 17> kSurfaceFormats = {{
     {Signature::gifti, readGifti, nullptr},
     {Signature::freeSurfer, readFreeSurfer, nullptr},
     {Signature::carto, readCarto, nullptr},
-    {Signature::vtu, readBoundary<readVtuCells>, nullptr, readBoundaryOrgans<readVtuCells>},
-    {Signature::gmsh, readBoundary<readGmshCells>, nullptr, readBoundaryOrgans<readGmshCells>},
-    {Signature::medit, readBoundary<readMeditCells>, nullptr, readBoundaryOrgans<readMeditCells>},
-    {Signature::openCarp, readBoundary<readOpenCarpCells>, nullptr, readBoundaryOrgans<readOpenCarpCells>},
+    {Signature::vtu, readBoundary<readVtuCells>, nullptr, readBoundaryOrgans<readVtuCells>, readVtuCells},
+    {Signature::gmsh, readBoundary<readGmshCells>, nullptr, readBoundaryOrgans<readGmshCells>, readGmshCells},
+    {Signature::medit, readBoundary<readMeditCells>, nullptr, readBoundaryOrgans<readMeditCells>,
+     readMeditCells},
+    {Signature::openCarp, readBoundary<readOpenCarpCells>, nullptr, readBoundaryOrgans<readOpenCarpCells>,
+     readOpenCarpCells},
 }};
 
 /// Null for a signature of no surface.
@@ -149,6 +153,16 @@ std::vector<SurfacePart> readSurfaces(const std::filesystem::path& file) {
     }
     warnOfNested(parts);
     return parts;
+  });
+}
+
+std::optional<deformation::WitnessMesh> readCells(const std::filesystem::path& file) {
+  return inMemory(file, [&]() -> std::optional<deformation::WitnessMesh> {
+    const FileBytes bytes = readUnpacked(file);
+    const SurfaceFormat* format = formatOf(signatureOf(bytes));
+    if (format == nullptr || format->readCells == nullptr)
+      return std::nullopt;
+    return witnessMeshOf(format->readCells(bytes), bytes);
   });
 }
 

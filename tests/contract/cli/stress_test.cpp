@@ -51,6 +51,39 @@ TEST_F(CliStress, OfAnAnisotropicScalingIsTheTextbookAngleEverywhere) {
   EXPECT_NEAR(result["stretch"]["max"].get<double>(), 3, 1e-8);
 }
 
+/// A cube of 20 mm of 4 x 4 x 4 hexahedra, in gmsh's format.
+std::string cubeOfCells() {
+  std::ostringstream nodes, cells;
+  const auto corner = [](int i, int j, int k) { return 1 + i + 5 * j + 25 * k; };
+  for (int k = 0; k < 5; ++k)
+    for (int j = 0; j < 5; ++j)
+      for (int i = 0; i < 5; ++i) {
+        nodes << corner(i, j, k) << ' ' << 5 * i - 10 << ' ' << 5 * j - 10 << ' ' << 5 * k - 10 << '\n';
+        if (i == 4 || j == 4 || k == 4)
+          continue;
+        cells << 1 + i + 4 * j + 16 * k << " 5 2 1 1";
+        for (const int up : {k, k + 1})
+          cells << ' ' << corner(i, j, up) << ' ' << corner(i + 1, j, up) << ' ' << corner(i + 1, j + 1, up)
+                << ' ' << corner(i, j + 1, up);
+        cells << '\n';
+      }
+  return "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n125\n" + nodes.str() + "$EndNodes\n$Elements\n64\n" +
+         cells.str() + "$EndElements\n";
+}
+
+TEST_F(CliStress, KeepsTheCellsOfAMeshUnlessOtherPointsAreAskedFor) {
+  const std::string mesh = put("cube.msh", cubeOfCells());
+  const std::vector<std::string> command = {"stress", mesh, "--handles", rest_, "--pose", stretched(3, 2, 1)};
+  const json own = runJson(command);
+  EXPECT_EQ(own["sampling"], "cells");
+  EXPECT_EQ(own["witnesses"], 27);
+  EXPECT_EQ(own["surfacePoints"], 98);
+  EXPECT_NEAR(own["stressDegrees"]["mean"].get<double>(), 30, 1e-6);
+  std::vector<std::string> anew = command;
+  anew.insert(anew.end(), {"--witnesses", "500"});
+  EXPECT_EQ(runJson(anew)["sampling"], "surface");
+}
+
 TEST_F(CliStress, CountsFoldedTissue) {
   const json result = runJson(stress(stretched(-1, 1, 1)));
   EXPECT_EQ(result["folded"], result["witnesses"]);

@@ -17,6 +17,8 @@
 #include "mesh_files.h"
 #include "temporary_folder.h"
 #include "viscera/core/error.h"
+#include "viscera/deformation/witness_mesh.h"
+#include "viscera/medical_io/cell_file.h"
 #include "viscera/medical_io/file_kind.h"
 
 /// Meshes of cells open as the surface around them, and their hollows as cavities.
@@ -57,6 +59,50 @@ void expectHollowBox(const std::filesystem::path& file, const std::string& regio
   EXPECT_EQ(parts[1].surface.name, "Cavity");
   for (const SurfacePart& part : parts)
     EXPECT_TRUE(part.surface.report.closed() && part.surface.report.manifold());
+}
+
+/// The tetrahedra of a hollow box that has no corner inside.
+TEST(CellMeshes, WithoutACornerInsideHaveNoWitnessPoints) {
+  const TemporaryFolder folder;
+  EXPECT_FALSE(
+      readCells(folder.put("a.msh", tests::GmshFile(hollowBox(Split::hexahedra), 2.2, false).text())));
+  EXPECT_FALSE(readCells(folder.put("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")));
+}
+
+/// A box of 4 x 4 x 4 cells, of which 27 corners are inside.
+CellsOfTest fullBox(bool turned) {
+  CellsOfTest mesh;
+  const auto corner = [](int i, int j, int k) { return i + 5 * j + 25 * k; };
+  for (int k = 0; k < 5; ++k)
+    for (int j = 0; j < 5; ++j)
+      for (int i = 0; i < 5; ++i)
+        mesh.points.emplace_back(10 * i, 10 * j, 10 * k);
+  for (int k = 0; k < 4; ++k)
+    for (int j = 0; j < 4; ++j)
+      for (int i = 0; i < 4; ++i) {
+        const int up = turned ? k + 1 : k, down = turned ? k : k + 1;
+        mesh.cells.push_back(
+            {12,
+             {corner(i, j, up), corner(i + 1, j, up), corner(i + 1, j + 1, up), corner(i, j + 1, up),
+              corner(i, j, down), corner(i + 1, j, down), corner(i + 1, j + 1, down), corner(i, j + 1, down)},
+             1});
+      }
+  return mesh;
+}
+
+TEST(CellMeshes, KeepTheirCellsAsTetrahedraThatFitTogether) {
+  const TemporaryFolder folder;
+  for (const bool turned : {false, true}) {
+    const auto cells = readCells(folder.put("a.msh", tests::GmshFile(fullBox(turned), 4.1, true).text()));
+    ASSERT_TRUE(cells);
+    EXPECT_NO_THROW(deformation::requireUsable(*cells, "a.msh"));
+    EXPECT_EQ(cells->witnesses, 27);
+    EXPECT_EQ(cells->points.rows(), 125);
+    EXPECT_GE(cells->points.topRows(27).minCoeff(), 10);
+    EXPECT_LE(cells->points.topRows(27).maxCoeff(), 30);
+    EXPECT_NEAR(deformation::tetrahedronVolumes(cells->points, cells->tetrahedra).sum(), 64000, 1e-6);
+    EXPECT_EQ(deformation::skinOf(cells->tetrahedra).rows(), 6 * 16 * 2) << "no face inside is left single";
+  }
 }
 
 std::string problemOfCells(const std::string& name, const std::string& bytes) {

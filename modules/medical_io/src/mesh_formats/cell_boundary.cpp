@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "mesh_formats/cell_mesh.h"
+#include "viscera/core/disjoint_sets.h"
 #include "viscera/core/phrase.h"
 
 // The surface around the cells of a volume mesh: every face that belongs to one cell only.
@@ -52,8 +53,7 @@ public:
     mergeEqualPoints();
     collectFaces();
     takeSingleFaces();
-    joinComponents();
-    measureComponents();
+    measureComponents(joinedPolygons());
     countLooseFlatCells();
   }
 
@@ -70,7 +70,41 @@ public:
     return Eigen::Map<const Vec3>(mesh_.surface.coordinates.data() + 3 * static_cast<std::size_t>(number));
   }
 
+  /// The cells, each once, cut into tetrahedra from its lowest corner, so that neighbours agree on the
+  /// diagonals of the faces between them (Dompierre et al. 1999, "How to subdivide pyramids, prisms and
+  /// hexahedra into tetrahedra"). Positive; what a warped cell turns inside out is left out.
+  std::vector<std::array<std::int32_t, 4>> tetrahedra() const {
+    std::vector<bool> used(mesh_.shapes.size());
+    for (const FaceUse& use : faces_)
+      used[use.cell] = true;
+    std::vector<std::array<std::int32_t, 4>> list;
+    for (std::size_t cell = 0; cell < used.size(); ++cell)
+      if (used[cell])
+        cut(cell, list);
+    return list;
+  }
+
 private:
+  void cut(std::size_t cell, std::vector<std::array<std::int32_t, 4>>& list) const {
+    const bool inside = volumeOf(mesh_.shapes[cell], cornersOfCell(cell), mesh_.surface.coordinates) < 0;
+    std::int32_t apex = std::numeric_limits<std::int32_t>::max();
+    for (const std::int64_t corner : cornersOfCell(cell))
+      apex = std::min(apex, same_[static_cast<std::size_t>(corner)]);
+    for (std::size_t face = 0; face < facesOf(mesh_.shapes[cell]).size(); ++face) {
+      Polygon polygon = faceOf(cell, face);
+      if (polygon.size() < 3 || std::find(polygon.begin(), polygon.end(), apex) != polygon.end())
+        continue;
+      if (inside)
+        std::reverse(polygon.begin(), polygon.end());
+      std::rotate(polygon.begin(), std::min_element(polygon.begin(), polygon.end()), polygon.end());
+      for (std::size_t k = 2; k < polygon.size(); ++k) {
+        const Vec3 a = point(polygon[0]), b = point(polygon[k]), c = point(polygon[k - 1]);
+        if ((b - a).cross(c - a).dot(point(apex) - a) > 0)
+          list.push_back({polygon[0], polygon[k], polygon[k - 1], apex});
+      }
+    }
+  }
+
   void checkCorners() const {
     const std::size_t count = mesh_.surface.pointCount();
     if (count > std::numeric_limits<std::int32_t>::max() ||
@@ -190,20 +224,9 @@ private:
     }
   }
 
-  std::size_t rootOf(std::size_t polygon) {
-    while (component_[polygon] != polygon)
-      polygon = component_[polygon] = component_[component_[polygon]];
-    return polygon;
-  }
-
-  void join(std::size_t a, std::size_t b) {
-    const std::size_t first = rootOf(a), second = rootOf(b);
-    component_[std::max(first, second)] = std::min(first, second);
-  }
-
   /// Polygons that share an edge with one other only are of one component. Where more meet at an edge, as
   /// where a cavity touches the outer surface, each component goes its way unless that would leave it open.
-  void joinComponents() {
+  DisjointSets joinedPolygons() const {
     struct EdgeOfPolygon {
       std::int32_t low, high;
       std::size_t polygon;
@@ -211,8 +234,7 @@ private:
         return std::pair(low, high) < std::pair(other.low, other.high);
       }
     };
-    component_.resize(polygons_.size());
-    std::iota(component_.begin(), component_.end(), std::size_t{0});
+    DisjointSets sets(polygons_.size());
     std::vector<EdgeOfPolygon> edges;
     for (std::size_t p = 0; p < polygons_.size(); ++p)
       for (std::size_t k = 0; k < polygons_[p].size(); ++k) {
@@ -229,28 +251,30 @@ private:
     };
     forEachSharedEdge([&](std::span<const EdgeOfPolygon> uses) {
       if (uses.size() == 2)
-        join(uses[0].polygon, uses[1].polygon);
+        sets.join(uses[0].polygon, uses[1].polygon);
     });
     forEachSharedEdge([&](std::span<const EdgeOfPolygon> uses) {
       if (uses.size() <= 2)
         return;
       const bool open = std::any_of(uses.begin(), uses.end(), [&](const EdgeOfPolygon& use) {
-        return std::count_if(
-                   uses.begin(), uses.end(),
-                   [&](const EdgeOfPolygon& other) { return rootOf(other.polygon) == rootOf(use.polygon); }) %
+        return std::count_if(uses.begin(), uses.end(),
+                             [&](const EdgeOfPolygon& other) {
+                               return sets.root(other.polygon) == sets.root(use.polygon);
+                             }) %
                    2 ==
                1;
       });
       for (std::size_t k = 1; open && k < uses.size(); ++k)
-        join(uses[0].polygon, uses[k].polygon);
+        sets.join(uses[0].polygon, uses[k].polygon);
     });
+    return sets;
   }
 
-  void measureComponents() {
+  void measureComponents(DisjointSets sets) {
     std::unordered_map<std::size_t, std::size_t> numbers;
     std::vector<std::size_t> number(polygons_.size());
     for (std::size_t p = 0; p < polygons_.size(); ++p)
-      number[p] = numbers.try_emplace(rootOf(p), numbers.size()).first->second;
+      number[p] = numbers.try_emplace(sets.root(p), numbers.size()).first->second;
     component_ = std::move(number);
     volumes_.assign(numbers.size(), 0);
     const Vec3 origin = polygons_.empty() ? Vec3::Zero() : point(polygons_.front().front());
@@ -416,6 +440,47 @@ std::vector<RawOrgan> boundaryOrgansOf(CellMesh&& mesh, const FileBytes& file) {
   }
   moveHead(mesh.surface, parts.front().surface);
   return parts;
+}
+
+std::optional<deformation::WitnessMesh> witnessMeshOf(CellMesh&& mesh, const FileBytes& file) {
+  if (mesh.shapes.empty())
+    return std::nullopt;
+  BoundaryFinder boundary(mesh, file);
+  boundary.run();
+  const auto tetrahedra = boundary.tetrahedra();
+  enum class Place : std::uint8_t { unused, inside, skin };
+  std::vector<Place> places(mesh.surface.pointCount(), Place::unused);
+  const auto placeOf = [&](std::int32_t number) -> Place& {
+    return places[static_cast<std::size_t>(number)];
+  };
+  for (const auto& corners : tetrahedra)
+    for (const std::int32_t corner : corners)
+      placeOf(corner) = Place::inside;
+  for (const Polygon& polygon : boundary.polygons())
+    for (const std::int32_t corner : polygon)
+      if (placeOf(corner) == Place::inside)
+        placeOf(corner) = Place::skin;
+  deformation::WitnessMesh result;
+  result.witnesses = std::count(places.begin(), places.end(), Place::inside);
+  if (result.witnesses == 0)
+    return std::nullopt;
+  result.points.resize(result.witnesses + std::count(places.begin(), places.end(), Place::skin), 3);
+  std::vector<std::int32_t> rows(places.size(), -1);
+  std::int32_t row = 0;
+  const double sign = mesh.surface.space == Space::ras ? -1 : 1;
+  for (const Place wanted : {Place::inside, Place::skin})
+    for (std::size_t number = 0; number < places.size(); ++number)
+      if (places[number] == wanted) {
+        const Vec3 point = boundary.point(static_cast<std::int32_t>(number));
+        result.points.row(row) << sign * point.x(), sign * point.y(), point.z();
+        rows[number] = row++;
+      }
+  result.tetrahedra.resize(static_cast<Eigen::Index>(tetrahedra.size()), 4);
+  for (std::size_t t = 0; t < tetrahedra.size(); ++t)
+    for (std::size_t k = 0; k < 4; ++k)
+      result.tetrahedra(static_cast<Eigen::Index>(t), static_cast<Eigen::Index>(k)) =
+          rows[static_cast<std::size_t>(tetrahedra[t][k])];
+  return result;
 }
 
 } // namespace viscera::medical_io

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -11,6 +12,7 @@
 #include "file_bytes.h"
 #include "raw_surface.h"
 #include "surface_parts.h"
+#include "viscera/deformation/witness_mesh.h"
 
 namespace viscera::medical_io {
 
@@ -74,6 +76,10 @@ RawSurface boundaryOf(CellMesh&& mesh, const FileBytes& file);
 /// a ten thousandth of the outer volume are left out with a warning.
 std::vector<RawOrgan> boundaryOrgansOf(CellMesh&& mesh, const FileBytes& file);
 
+/// The cells as tetrahedra, mm in LPS: the corners inside are witness points, those on the surface or on a
+/// cavity's wall close the solid. None when no corner is inside. Throws as `boundaryOf`. O(n log n).
+std::optional<deformation::WitnessMesh> witnessMeshOf(CellMesh&& mesh, const FileBytes& file);
+
 /// A reader of surfaces from a reader of cells.
 template <CellMesh (*readCells)(const FileBytes&)>
 RawSurface readBoundary(const FileBytes& file) {
@@ -86,6 +92,8 @@ std::vector<RawOrgan> readBoundaryOrgans(const FileBytes& file) {
 
 /// The surface of a legacy VTK file; of an unstructured grid the outer one and its cavities.
 std::vector<RawOrgan> readLegacyVtkOrgans(const FileBytes& file);
+/// The cells of a legacy VTK file; none of one that holds no unstructured grid.
+CellMesh readLegacyVtkCells(const FileBytes& file);
 /// VTK XML unstructured grids.
 CellMesh readVtuCells(const FileBytes& file);
 /// gmsh's MSH, versions 2 and 4, text and binary.

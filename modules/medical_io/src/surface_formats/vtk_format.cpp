@@ -482,6 +482,12 @@ RawSurface readLegacyVtk(const FileBytes& file) {
   return reader.isGrid() ? boundaryOf(reader.takeCells(), file) : reader.takeSurface();
 }
 
+CellMesh readLegacyVtkCells(const FileBytes& file) {
+  LegacyVtkReader reader(file);
+  reader.run();
+  return reader.isGrid() ? reader.takeCells() : CellMesh();
+}
+
 std::vector<RawOrgan> readLegacyVtkOrgans(const FileBytes& file) {
   LegacyVtkReader reader(file);
   reader.run();

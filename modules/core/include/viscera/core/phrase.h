@@ -55,7 +55,7 @@ public:
 
   /// A text taken apart, as a file keeps it.
   struct Pieces {
-    std::string kind; ///< "message", "verbatim", "name", "number", "list", "diagnostic", "misuse", "sentence".
+    std::string kind;        ///< "message", "verbatim", "name", "number", "list", "sentence", ...
     std::string words;       ///< The pattern, the verbatim text, the name or the digits.
     std::vector<Text> parts; ///< Of patterns and lists; a sentence has one.
   };

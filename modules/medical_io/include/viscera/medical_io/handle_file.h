@@ -42,11 +42,11 @@ struct HandleFile {
 
 /// Reads `.mrk.json` (3D Slicer markups schema 1.0: point lists) and `.fcsv` (its older table); positions in
 /// RAS or in another unit than mm are converted, bits of LPS mm positions are kept. A `.fcsv` without axes is
-/// RAS. Points that Slicer has not placed, and markups of other types, are left out with a warning. Handles without a label, or with one
-/// that another handle has, get a new one; the same label at the same place in two lists is one handle in two
-/// groups and keeps it. Throws `NoInputError` when the file is missing or not readable, and `DataError`
-/// naming file, list and point for anything that is not such a file, is cut off, holds no point (it names the markups of other types), or has a
-/// position that is missing or not finite.
+/// RAS. Points that Slicer has not placed, and markups of other types, are left out with a warning. Handles
+/// without a label, or with one that another handle has, get a new one; the same label at the same place in
+/// two lists is one handle in two groups and keeps it. Throws `NoInputError` when the file is missing or not
+/// readable, and `DataError` naming file, list and point for anything that is not such a file, is cut off,
+/// holds no point (it names the markups of other types), or has a position that is missing or not finite.
 HandleFile readHandles(const std::filesystem::path& file);
 
 /// Options of `writeHandles`.

@@ -28,8 +28,8 @@ struct SurfaceFile {
 /// Reads the one organ of a file: any surface format of `fileFormats`, and a DICOM file with an STL or OBJ
 /// file within, under any name. Equal points are merged, polygons cut into triangles, triangles with a
 /// repeated corner and points without a triangle dropped; warnings list this and other doubts: open, inside
-/// out, a size or volume that no such organ has. Scales only what states another unit than mm, and never turns
-/// a surface around. How axes are stated, and what an organ is in a file of several parts:
+/// out, a size or volume that no such organ has. Scales only what states another unit than mm, and never
+/// turns a surface around. How axes are stated, and what an organ is in a file of several parts:
 /// docs/file_formats.md.
 ///
 /// Throws `NoInputError` when the file is missing or not readable, `DataError` naming file and reason when it
