@@ -54,8 +54,8 @@ struct WitnessedOrgan {
 /// about and which points of the skin have no coordinates. Throws what sampling and binding throw, and
 /// `DataError` when witness points have no coordinates: they would pass for points without stress.
 ///
-/// `cavities` are closed surfaces in the organ: what they hold is no tissue. `cells` are the organ's own, whose
-/// corners are then the witness points.
+/// `cavities` are closed surfaces in the organ: what they hold is no tissue. `cells` are the organ's own,
+/// whose corners are then the witness points.
 WitnessedOrgan interiorOf(const BoundInput& input, const live::WitnessOptions& witnesses,
                           std::vector<Text>& warnings, Progress& progress,
                           const std::vector<std::shared_ptr<const geometry::TriangleMesh>>& cavities = {},
