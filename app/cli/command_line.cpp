@@ -226,10 +226,14 @@ std::string formatsText() {
                                     {FileKind::sequence, "Sequences"},
                                     {FileKind::session, "Sessions"}}) {
     text += std::string(title) + ":";
-    for (const medical_io::FileFormat& format : medical_io::fileFormats())
-      if (format.kind == kind)
-        for (const std::string& ending : format.endings)
-          text += ' ' + ending + (format.written ? "*" : "");
+    for (const medical_io::FileFormat& format : medical_io::fileFormats()) {
+      if (format.kind != kind)
+        continue;
+      text += ' ' + format.name + (format.written ? "*" : "") + " (";
+      for (const std::string& ending : format.endings)
+        text += (&ending == &format.endings.front() ? "" : " ") + ending;
+      text += ')';
+    }
     text += '\n';
   }
   return text;

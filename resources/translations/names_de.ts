@@ -6080,7 +6080,7 @@
     </message>
     <message>
         <source>%1 lies inside %2, whose volume contains its volume</source>
-        <translation>%1 liegt in %2, dessen Volumen das seine enthält</translation>
+        <translation>%1 liegt in %2; das größere Volumen enthält das kleinere</translation>
     </message>
     <message>
         <source>the commas in its numbers may be decimal marks or separate thousands or numbers</source>

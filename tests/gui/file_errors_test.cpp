@@ -46,7 +46,7 @@ const std::vector<BrokenFile>& brokenSurfaces() {
       {"b.stl", "solid\nfacet normal 0 0 1\nouter lup\nendsolid\n",
        "line 3: \"lup\" is not a word of an STL file"},
       {"a.obj", "v 0 0 0\nv 1 0 point\n", "line 2: expected a coordinate, found \"point\""},
-      {"b.obj", "v 0 0 0\nf 1 2\n", "line 2: a face has fewer than three corners"},
+      {"b.obj", "v 0 0 0\nf 1 1 x\n", "line 2: expected a point's number, found \"x\""},
       {"a.ply", "ply\nformat ascii 1.0\nfaces 3\nend_header\n",
        "line 3: \"faces\" is not a word of a PLY header"},
       {"b.ply", "ply\nformat ascii 1.0\nelement vertex 5000000000\nproperty float x\nend_header\n1\n",

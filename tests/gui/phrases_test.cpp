@@ -63,8 +63,9 @@ QStringList sourcesOf(const QString& folder) {
 }
 
 /// Functions of the readers whose literals become parts of diagnostics: what should stand in a file.
-constexpr const char* kDetails =
-    "failAtEnd|nextLine|takeCount|takeBytes|take<std::uint32_t>|axisSize|readValues|values|number|count";
+constexpr const char* kDetails = "failAtEnd|nextLine|takeCount|takeBytes|take<[a-z0-9_:]+>|axisSize|"
+                                 "readValues|values|number|count|integer|whole|"
+                                 "checked|checkedCount|coordinate|coordinateFrom|takeCoordinate|threeBytes";
 
 /// The end of a call whose parenthesis opens before `from`; parentheses in literals do not count.
 int endOfCall(const QString& source, int from) {
@@ -136,6 +137,8 @@ std::set<QString> textsIn(const QString& source) {
       R"(|^((un)?signed|short|long) [a-z ]+$|^kidney (left|right)$|^label map$)"
       // Units, fonts, where a number is published, and how the circulation's parameters were found.
       R"(|^mmHg s/ml$|^(Noto|DejaVu|Liberation) Sans$|doi 10\.|^form: |^0 in health$|^fitted to the values)"
+      // What is looked for in a file, and formats' names in tables.
+      R"(|^visualization toolkit$|^Viscera (session|sequence)$|^3D Slicer (markups|fiducials)$)"
       // What names a place in a file.
       R"(|^NIfTI data type $|^system parameter $|^, handle "$)"));
   static const QRegularExpression forDevelopers(

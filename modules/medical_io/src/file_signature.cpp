@@ -144,12 +144,12 @@ Text refusalOf(FileKind wanted) {
   }
 }
 
-/// The endings of the formats of that kind, of all for `unknown`.
+/// The endings of the formats of that kind; for `unknown` of all that a document is made of.
 std::string usualEndings(FileKind wanted) {
   const FileKind kind = wanted == FileKind::scan ? FileKind::labelMap : wanted;
   std::vector<FileKind> kinds = {kind};
   if (kind == FileKind::unknown)
-    kinds = {FileKind::surface, FileKind::labelMap, FileKind::handles, FileKind::sequence, FileKind::session};
+    kinds = {FileKind::surface, FileKind::labelMap, FileKind::handles};
   std::string list;
   for (const FileKind one : kinds)
     for (const std::string& ending : endingsOf(one))

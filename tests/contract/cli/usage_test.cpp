@@ -10,7 +10,7 @@ TEST_F(CliUsage, HelpAndVersionGoToStandardOutput) {
   EXPECT_EQ(help.exitCode, kOk);
   EXPECT_EQ(help.err, "");
   for (const medical_io::FileFormat& format : medical_io::fileFormats())
-    EXPECT_NE(help.out.find(' ' + format.endings.front()), std::string::npos) << format.name;
+    EXPECT_NE(help.out.find('(' + format.endings.front()), std::string::npos) << format.name;
   for (const std::string command : {"info", "systems", "sample", "handles", "bind", "deform", "play",
                                     "render", "properties", "reproduce", "circulate"}) {
     EXPECT_NE(help.out.find(command), std::string::npos) << command;

@@ -316,8 +316,7 @@ TEST(BrokenFile, LongLinesAndPolygonsAreReadOrRefused) {
     polygon += "v " + std::to_string(i) + " " + std::to_string(i % 7) + " 0\n";
     corners += " " + std::to_string(i);
   }
-  const SurfaceFile fan = readSurface(folder.put("b.obj", polygon + corners));
-  EXPECT_EQ(fan.mesh.triangles.rows(), 100000 - 2);
+  EXPECT_THROW(readSurface(folder.put("b.obj", polygon + corners)), DataError) << "its edges cross";
   EXPECT_THROW(readSurface(folder.put("c.ply", "ply\ncomment " + std::string(3000000, 'x'))), DataError);
 }
 

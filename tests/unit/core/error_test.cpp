@@ -47,6 +47,8 @@ TEST(ShortMemory, IsReportedByEveryExceptionOfTheStandardLibraryThatMeansIt) {
   EXPECT_TRUE(reportsShortMemory(std::length_error("vector::_M_default_append")));
   EXPECT_TRUE(reportsShortMemory(std::system_error(ENOMEM, std::generic_category())));
   EXPECT_TRUE(reportsShortMemory(std::system_error(EAGAIN, std::system_category()))) << "as a thread does";
+  EXPECT_TRUE(
+      reportsShortMemory(std::runtime_error("pthread_create has failed: Resource temporarily unavailable")));
   EXPECT_FALSE(reportsShortMemory(std::out_of_range("vector::_M_range_check")));
   EXPECT_FALSE(reportsShortMemory(DataError("the file is truncated")));
   EXPECT_FALSE(reportsShortMemory(
