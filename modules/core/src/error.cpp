@@ -48,7 +48,7 @@ bool reportsShortMemory(const std::exception& exception) noexcept {
   if (dynamic_cast<const std::bad_alloc*>(&exception) || dynamic_cast<const std::length_error*>(&exception))
     return true;
   // oneTBB, on which VTK runs, says in words that it cannot make a thread.
-  if (std::string_view(exception.what()).starts_with("pthread_create has failed"))
+  if (std::string_view(exception.what()).starts_with("pthread_create"))
     return true;
   const auto* ofSystem = dynamic_cast<const std::system_error*>(&exception);
   return ofSystem && (ofSystem->code() == std::errc::not_enough_memory ||
