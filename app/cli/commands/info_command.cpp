@@ -289,7 +289,7 @@ public:
   }
 
 private:
-  /// Of several volumes the first is described, as of a scan, unless another is asked for.
+  /// Describes the first of several volumes, as of a scan, unless the user asks for another.
   Outcome describeImage(CommandContext& context) const {
     const auto read = [&](std::optional<int> phase) {
       return medical_io::readScanOrLabels(file_, scan_.chosen(), context.progress, phase);

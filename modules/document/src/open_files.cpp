@@ -18,7 +18,7 @@
 #include "viscera/geometry/convex_hull.h"
 #include "viscera/medical_io/file_kind.h"
 #include "viscera/medical_io/heart_labels.h"
-#include "viscera/medical_io/part_names.h"
+#include "viscera/medical_io/organ_names.h"
 #include "viscera/medical_io/scan.h"
 
 namespace viscera::document {

@@ -335,7 +335,8 @@ private:
       }
   }
 
-  /// With their patterns and parts; in a session of an older version, which has no `remarks`, in English.
+  /// The remarks with their patterns and parts. A session of an older version has no `remarks`: they are
+  /// English.
   std::vector<Text> warningsOf(const ordered_json& item, const std::string& place) {
     const auto english = reader_.valueOf<std::vector<std::string>>(item, "warnings", place);
     if (item.contains("remarks"))

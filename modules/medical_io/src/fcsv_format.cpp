@@ -140,7 +140,8 @@ private:
                                                         : std::string();
   }
 
-  /// Of a row of Slicer 5, also where the header does not list it. Empty: the row has none.
+  /// The status that Slicer 5 writes into a row, also where the header does not list it. Empty: the row has
+  /// none.
   std::string statusOf(const std::vector<std::string>& row) const {
     for (const char* name : {"positionstatus", "status"})
       if (std::string status = cell(row, name); !status.empty())

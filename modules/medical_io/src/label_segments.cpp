@@ -18,7 +18,7 @@
 #include "viscera/core/parallel.h"
 #include "viscera/core/phrase.h"
 #include "viscera/core/text.h"
-#include "viscera/medical_io/part_names.h"
+#include "viscera/medical_io/organ_names.h"
 
 namespace viscera::medical_io {
 namespace {

@@ -14,7 +14,7 @@
 #include "viscera/core/phrase.h"
 #include "viscera/core/text.h"
 #include "viscera/geometry/surface_check.h"
-#include "viscera/medical_io/part_names.h"
+#include "viscera/medical_io/organ_names.h"
 #include "viscera/medical_io/plausible_size.h"
 
 namespace viscera::medical_io {

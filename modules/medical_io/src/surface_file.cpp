@@ -19,7 +19,7 @@
 #include "viscera/core/error.h"
 #include "viscera/core/phrase.h"
 #include "viscera/medical_io/cell_file.h"
-#include "viscera/medical_io/part_names.h"
+#include "viscera/medical_io/organ_names.h"
 
 namespace viscera::medical_io {
 namespace {

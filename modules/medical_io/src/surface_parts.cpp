@@ -14,7 +14,7 @@
 #include "viscera/core/phrase.h"
 #include "viscera/core/text.h"
 #include "viscera/geometry/winding_number.h"
-#include "viscera/medical_io/part_names.h"
+#include "viscera/medical_io/organ_names.h"
 
 namespace viscera::medical_io {
 namespace {
@@ -174,19 +174,6 @@ std::string nameOf(const RawSurface& raw, const std::vector<std::uint32_t>& memb
   if (members.size() == 1 && saysNothing(first.name) && !saysNothing(first.material))
     return first.material;
   return first.name;
-}
-
-/// Numbers names that are empty or come twice.
-std::vector<std::string> uniqueNames(std::vector<std::string> names, const std::string& stem) {
-  std::set<std::string> taken;
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    if (names[i].empty())
-      names[i] = stem + " " + std::to_string(i + 1);
-    const std::string base = names[i];
-    for (int number = 2; !taken.insert(comparableName(names[i])).second; ++number)
-      names[i] = base + " " + std::to_string(number);
-  }
-  return names;
 }
 
 std::vector<std::string> namesOf(const RawSurface& raw, const std::vector<std::vector<std::uint32_t>>& groups,

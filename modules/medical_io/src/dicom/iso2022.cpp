@@ -23,12 +23,12 @@ struct LetterSet {
   std::string_view prefix = {}; ///< Before each letter in that encoding.
 };
 
-/// Of letters below 128 (G0); ASCII is not among them. In the encodings they have the highest bit.
+/// The sets for letters below 128 (G0), but ASCII. The encodings set the highest bit of these letters.
 constexpr std::array<LetterSet, 4> kLow = {{{"$B", "EUC-JP", 2, 87},
                                             {"$@", "EUC-JP", 2, 42},
                                             {"$(D", "EUC-JP", 2, 159, "\x8f"},
                                             {"(I", "SHIFT_JIS", 1, 13}}};
-/// Of letters from 128 on (G1).
+/// The sets for letters from 128 on (G1).
 constexpr std::array<LetterSet, 14> kHigh = {{{"$)C", "EUC-KR", 2, 149},
                                               {"$)A", "EUC-CN", 2, 58},
                                               {")I", "SHIFT_JIS", 1, 13},

@@ -86,7 +86,7 @@ private:
     return spacing;
   }
 
-  /// From the lowest slice to the highest: slices that are shifted sideways make a sheared grid.
+  /// The third axis leads from the lowest slice to the highest: slices shifted sideways make a sheared grid.
   void setSliceDirection() {
     const auto byHeight = [&](const DicomFrame& a, const DicomFrame& b) { return heightOf(a) < heightOf(b); };
     const auto [first, last] = std::minmax_element(header_.frames.begin(), header_.frames.end(), byHeight);

@@ -21,7 +21,7 @@
 #include "viscera/core/json_reader.h"
 #include "viscera/core/phrase.h"
 #include "viscera/geometry/normals.h"
-#include "viscera/medical_io/part_names.h"
+#include "viscera/medical_io/organ_names.h"
 
 // Own reader: VTK's looks at neither the sizes of a damaged file nor `extras`, and its writer knows no vertex
 // colours.

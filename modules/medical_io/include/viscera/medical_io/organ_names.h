@@ -2,6 +2,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 /// Names of organs within files.
 namespace viscera::medical_io {
@@ -11,5 +12,8 @@ bool saysNothing(std::string_view name);
 
 /// The name as it is compared with what a user types: in lower case, "_" as a space, without space around it.
 std::string comparableName(std::string_view name);
+
+/// The names with a number behind those that come twice, and `stem` with a number for those that are empty.
+std::vector<std::string> uniqueNames(std::vector<std::string> names, const std::string& stem);
 
 } // namespace viscera::medical_io

@@ -1,7 +1,10 @@
-#include "viscera/medical_io/part_names.h"
+#include "viscera/medical_io/organ_names.h"
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
+#include <set>
+#include <utility>
 
 #include "file_bytes.h"
 #include "text_scanner.h"
@@ -23,6 +26,18 @@ std::string comparableName(std::string_view name) {
   std::string text = lowered(trimmed(name));
   std::replace(text.begin(), text.end(), '_', ' ');
   return text;
+}
+
+std::vector<std::string> uniqueNames(std::vector<std::string> names, const std::string& stem) {
+  std::set<std::string> taken;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (names[i].empty())
+      names[i] = stem + " " + std::to_string(i + 1);
+    const std::string base = names[i];
+    for (int number = 2; !taken.insert(comparableName(names[i])).second; ++number)
+      names[i] = base + " " + std::to_string(number);
+  }
+  return names;
 }
 
 } // namespace viscera::medical_io
