@@ -25,8 +25,8 @@ struct ZipPart {
 inline std::string zipFile(const std::vector<ZipPart>& parts, const std::string& remark = {}) {
   const auto number = [](std::uint64_t value, int bytes) {
     std::string out;
-    for (int i = 0; i < bytes; ++i)
-      out += static_cast<char>(value >> (8 * i));
+    for (int i = 0; i < bytes; ++i, value >>= 8)
+      out += static_cast<char>(value);
     return out;
   };
   std::string file, list;
