@@ -8,14 +8,33 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <set>
+#include <string_view>
 
 namespace viscera::app {
 namespace {
 
 constexpr const char* kEnglish = "en";
-/// The context of the texts of the numerical modules in resources/translations/names_*.ts.
+/// The contexts of resources/translations/names_*.ts: texts of the numerical modules, and those that several
+/// classes of the window say.
 constexpr const char* kNames = "viscera::presentation";
+constexpr const char* kShared = "viscera::app";
+
+/// Takes what a class of the window does not translate itself from the texts that are translated once for
+/// all of them. Qt's own classes keep Qt's words.
+class WindowTranslator final : public QTranslator {
+public:
+  QString translate(const char* context, const char* text, const char* comment, int number) const override {
+    QString found = QTranslator::translate(context, text, comment, number);
+    if (std::string_view(context).substr(0, std::strlen(kShared)) != kShared)
+      return found;
+    for (const char* common : {kShared, kNames})
+      if (found.isEmpty())
+        found = QTranslator::translate(common, text, comment, number);
+    return found;
+  }
+};
 
 } // namespace
 
@@ -57,7 +76,7 @@ InstalledLanguage::InstalledLanguage(const QString& code) : code_(code) {
   install(std::make_unique<QTranslator>(), QStringLiteral("qtbase_") + code,
           QLibraryInfo::location(QLibraryInfo::TranslationsPath));
   const QString folder = QStringLiteral(":/viscera/translations");
-  auto ours = std::make_unique<QTranslator>();
+  auto ours = std::make_unique<WindowTranslator>();
   ours_ = ours.get();
   install(std::move(ours), QStringLiteral("viscera_") + code, folder);
   if (translators_.empty() || translators_.back().get() != ours_)

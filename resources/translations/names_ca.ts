@@ -1273,14 +1273,6 @@
         <translation>Ha de ser positiu</translation>
     </message>
     <message>
-        <source>It holds %1, not a VTK surface (PolyData)</source>
-        <translation>Conté %1, no una superfície VTK (PolyData)</translation>
-    </message>
-    <message>
-        <source>It holds a VTK dataset of type %1, not a surface (POLYDATA)</source>
-        <translation>Conté un conjunt de dades VTK de tipus %1, no una superfície (POLYDATA)</translation>
-    </message>
-    <message>
         <source>It holds an image, not labels: it has more than %1 different values</source>
         <translation>Conté una imatge, no etiquetes: té més de %1 valors diferents</translation>
     </message>
@@ -1315,14 +1307,6 @@
     <message>
         <source>It holds only empty masks</source>
         <translation>Només conté màscares buides</translation>
-    </message>
-    <message>
-        <source>It holds only the header of a NIfTI image in two files; the file with the voxels, %1, is not beside it</source>
-        <translation>Només conté la capçalera d’una imatge NIfTI de dos fitxers; el fitxer amb els vòxels, %1, no és al costat</translation>
-    </message>
-    <message>
-        <source>It holds only the voxels of a NIfTI image in two files; the file with the header, %1, is not beside it</source>
-        <translation>Només conté els vòxels d’una imatge NIfTI de dos fitxers; el fitxer amb la capçalera, %1, no és al costat</translation>
     </message>
     <message>
         <source>It holds points, but no faces</source>
@@ -2647,40 +2631,16 @@
         <translation>una taula de fiducials de 3D Slicer</translation>
     </message>
     <message>
-        <source>a 3D Slicer markups file</source>
-        <translation>un fitxer de marques de 3D Slicer</translation>
-    </message>
-    <message>
-        <source>a DICOM file</source>
-        <translation>un fitxer DICOM</translation>
-    </message>
-    <message>
         <source>a JSON file</source>
         <translation>un fitxer JSON</translation>
-    </message>
-    <message>
-        <source>a NIfTI image</source>
-        <translation>una imatge NIfTI</translation>
-    </message>
-    <message>
-        <source>a PLY surface</source>
-        <translation>una superfície PLY</translation>
     </message>
     <message>
         <source>a VTK XML file that holds no surface</source>
         <translation>un fitxer VTK XML sense superfície</translation>
     </message>
     <message>
-        <source>a VTK XML surface</source>
-        <translation>una superfície VTK XML</translation>
-    </message>
-    <message>
         <source>a ZIP archive</source>
         <translation>un arxiu ZIP</translation>
-    </message>
-    <message>
-        <source>a binary glTF scene</source>
-        <translation>una escena glTF binària</translation>
     </message>
     <message>
         <source>a buffer is at %1, but only files beside it are read</source>
@@ -2695,10 +2655,6 @@
         <translation>una vesícula biliar</translation>
     </message>
     <message>
-        <source>a glTF scene</source>
-        <translation>una escena glTF</translation>
-    </message>
-    <message>
         <source>a gzip-compressed file</source>
         <translation>un fitxer comprimit amb gzip</translation>
     </message>
@@ -2709,10 +2665,6 @@
     <message>
         <source>a kidney</source>
         <translation>un ronyó</translation>
-    </message>
-    <message>
-        <source>a legacy VTK file</source>
-        <translation>un fitxer VTK antic</translation>
     </message>
     <message>
         <source>a liver</source>
@@ -2809,22 +2761,6 @@
     <message>
         <source>all points lie in one plane</source>
         <translation>tots els punts són en un pla</translation>
-    </message>
-    <message>
-        <source>an NRRD image</source>
-        <translation>una imatge NRRD</translation>
-    </message>
-    <message>
-        <source>an OBJ surface</source>
-        <translation>una superfície OBJ</translation>
-    </message>
-    <message>
-        <source>an OFF surface</source>
-        <translation>una superfície OFF</translation>
-    </message>
-    <message>
-        <source>an STL surface</source>
-        <translation>una superfície STL</translation>
     </message>
     <message>
         <source>an error without a message</source>
@@ -2999,18 +2935,6 @@
         <translation>trieu una carpeta que existeixi, on es pugui escriure i que tingui espai</translation>
     </message>
     <message>
-        <source>choose a name that ends in .glb</source>
-        <translation>trieu un nom que acabi en .glb</translation>
-    </message>
-    <message>
-        <source>choose a name that ends in .vtp</source>
-        <translation>trieu un nom que acabi en .vtp</translation>
-    </message>
-    <message>
-        <source>choose a name that ends in .vtu</source>
-        <translation>trieu un nom que acabi en .vtu</translation>
-    </message>
-    <message>
         <source>choose a surface that has some</source>
         <translation>trieu una superfície que en tingui</translation>
     </message>
@@ -3099,14 +3023,6 @@
         <translation>diàstole</translation>
     </message>
     <message>
-        <source>displacement fields cannot be written as &quot;%1&quot;</source>
-        <translation>els camps de desplaçaments no es poden escriure com a «%1»</translation>
-    </message>
-    <message>
-        <source>displacements are written as .vtp only</source>
-        <translation>els desplaçaments només s’escriuen com a .vtp</translation>
-    </message>
-    <message>
         <source>distance</source>
         <translation>distància</translation>
     </message>
@@ -3169,10 +3085,6 @@
     <message>
         <source>export it as pixels of 16 bits</source>
         <translation>exporteu-lo amb píxels de 16 bits</translation>
-    </message>
-    <message>
-        <source>export it as text, or as STL or PLY</source>
-        <translation>exporteu-lo com a text, o com a STL o PLY</translation>
     </message>
     <message>
         <source>export it little-endian</source>
@@ -3303,10 +3215,6 @@
         <translation>tiradors %1 i %2</translation>
     </message>
     <message>
-        <source>handles cannot be written as &quot;%1&quot;</source>
-        <translation>els tiradors no es poden escriure com a «%1»</translation>
-    </message>
-    <message>
         <source>harmonic coordinates</source>
         <translation>coordenades harmòniques</translation>
     </message>
@@ -3344,10 +3252,6 @@
     <message>
         <source>if it is not a whole cycle, say that it is to be played once (--once); else add the phases that are missing</source>
         <translation>si no és un cicle sencer, indiqueu que es reprodueixi un cop (--once); si ho és, afegiu les fases que falten</translation>
-    </message>
-    <message>
-        <source>images cannot be written as &quot;%1&quot;</source>
-        <translation>les imatges no es poden escriure com a «%1»</translation>
     </message>
     <message>
         <source>in</source>
@@ -3422,10 +3326,6 @@
     <message>
         <source>it does not say where the patient's sides are; axes are taken as right, front and up</source>
         <translation>no indica on són els costats del pacient; els eixos es prenen com a dreta, davant i amunt</translation>
-    </message>
-    <message>
-        <source>it does not say which axes it uses; LPS is assumed</source>
-        <translation>no indica quins eixos fa servir; se suposa LPS</translation>
     </message>
     <message>
         <source>it follows no handles, so nothing can change its volume</source>
@@ -3515,14 +3415,6 @@
         <translation>els seus dos extrems són en peces separades</translation>
     </message>
     <message>
-        <source>its unit is the metre; converted to mm</source>
-        <translation>la seva unitat és el metre; convertit a mm</translation>
-    </message>
-    <message>
-        <source>its unit is the micrometre; converted to mm</source>
-        <translation>la seva unitat és el micròmetre; convertit a mm</translation>
-    </message>
-    <message>
         <source>its volume can be kept only after it is bound to the present handles</source>
         <translation>el seu volum només es pot mantenir després de vincular-lo als tiradors presents</translation>
     </message>
@@ -3595,18 +3487,6 @@
         <translation>que comenci per «time_s» per a segons, o per «fraction» per a parts del cicle</translation>
     </message>
     <message>
-        <source>let its name end in .mrk.json or .fcsv</source>
-        <translation>feu que el nom acabi en .mrk.json o .fcsv</translation>
-    </message>
-    <message>
-        <source>let its name end in .nii.gz, .nii or .nrrd</source>
-        <translation>feu que el nom acabi en .nii.gz, .nii o .nrrd</translation>
-    </message>
-    <message>
-        <source>let its name end in .nrrd or .mha</source>
-        <translation>feu que el nom acabi en .nrrd o .mha</translation>
-    </message>
-    <message>
         <source>let more handles compensate, or ask for a volume nearer to the present one</source>
         <translation>deixeu que compensin més tiradors, o demaneu un volum més proper a l’actual</translation>
     </message>
@@ -3617,14 +3497,6 @@
     <message>
         <source>linear</source>
         <translation>lineal</translation>
-    </message>
-    <message>
-        <source>list %1 has the unit %2, which Viscera does not know; mm are assumed</source>
-        <translation>la llista %1 té la unitat %2, que Viscera no coneix; se suposen mm</translation>
-    </message>
-    <message>
-        <source>list %1 was converted from %2 to mm</source>
-        <translation>la llista %1 s’ha convertit de %2 a mm</translation>
     </message>
     <message>
         <source>load a closed surface</source>
@@ -3751,10 +3623,6 @@
         <translation>indiqueu la carpeta d’una sèrie de TC o RM</translation>
     </message>
     <message>
-        <source>name the folder of a CT or MR series, or one of its files</source>
-        <translation>indiqueu la carpeta d’una sèrie de TC o RM, o un dels seus fitxers</translation>
-    </message>
-    <message>
         <source>name the folder of one patient</source>
         <translation>indiqueu la carpeta d’un sol pacient</translation>
     </message>
@@ -3832,10 +3700,6 @@
     <message>
         <source>open the segmentation that was made from it</source>
         <translation>obriu la segmentació que se n’ha fet</translation>
-    </message>
-    <message>
-        <source>open the segmentation that was made from the image</source>
-        <translation>obriu la segmentació feta a partir de la imatge</translation>
     </message>
     <message>
         <source>organ</source>
@@ -3966,10 +3830,6 @@
         <translation>traieu-ne un del fitxer</translation>
     </message>
     <message>
-        <source>rename it to end in %1</source>
-        <translation>canvieu-li el nom perquè acabi en %1</translation>
-    </message>
-    <message>
         <source>repair the surface</source>
         <translation>repareu la superfície</translation>
     </message>
@@ -4062,10 +3922,6 @@
         <translation>suau</translation>
     </message>
     <message>
-        <source>solids are written as .vtu only</source>
-        <translation>els sòlids només s’escriuen com a .vtu</translation>
-    </message>
-    <message>
         <source>sort the lines by their instants</source>
         <translation>ordeneu les línies pels instants</translation>
     </message>
@@ -4084,10 +3940,6 @@
     <message>
         <source>surfaces at rest</source>
         <translation>superfícies en repòs</translation>
-    </message>
-    <message>
-        <source>surfaces cannot be written as &quot;%1&quot;</source>
-        <translation>les superfícies no es poden escriure com a «%1»</translation>
     </message>
     <message>
         <source>system parameters</source>
@@ -4162,20 +4014,12 @@
         <translation>potser el fitxer és en RAS o reflectit</translation>
     </message>
     <message>
-        <source>the file says that its axes are %1, which Viscera does not know; LPS is assumed</source>
-        <translation>el fitxer indica que els eixos són %1, que Viscera no coneix; se suposa LPS</translation>
-    </message>
-    <message>
         <source>the file states its axes: %1</source>
         <translation>el fitxer indica els seus eixos: %1</translation>
     </message>
     <message>
         <source>the file with its voxels, %1, cannot be read: %2</source>
         <translation>el fitxer amb els seus vòxels, %1, no es pot llegir: %2</translation>
-    </message>
-    <message>
-        <source>the file with its voxels, %1, cannot be used: %2</source>
-        <translation>el fitxer amb els seus vòxels, %1, no es pot fer servir: %2</translation>
     </message>
     <message>
         <source>the first one is 0</source>
@@ -4662,20 +4506,8 @@
         <translation>dones i homes tenen de mitjana de %1 a %2 ml</translation>
     </message>
     <message>
-        <source>write PLY or VTP</source>
-        <translation>escriviu PLY o VTP</translation>
-    </message>
-    <message>
         <source>write an .ogv instead</source>
         <translation>escriviu un .ogv en lloc seu</translation>
-    </message>
-    <message>
-        <source>write it as .nrrd</source>
-        <translation>escriviu-la com a .nrrd</translation>
-    </message>
-    <message>
-        <source>write it as .seg.nrrd</source>
-        <translation>escriviu-la com a .seg.nrrd</translation>
     </message>
     <message>
         <source>write lines of the instant and the volume in ml</source>
@@ -5948,24 +5780,12 @@
         <translation>una taula</translation>
     </message>
     <message>
-        <source>a Viscera sequence</source>
-        <translation>una seqüència de Viscera</translation>
-    </message>
-    <message>
-        <source>a Viscera session</source>
-        <translation>una sessió de Viscera</translation>
-    </message>
-    <message>
         <source>export it as STL, OBJ, PLY or GLB</source>
         <translation>exporteu-lo com a STL, OBJ, PLY o GLB</translation>
     </message>
     <message>
         <source>unpack it first</source>
         <translation>descomprimiu-lo primer</translation>
-    </message>
-    <message>
-        <source>unpack it first, and open what is inside</source>
-        <translation>descomprimiu-lo primer i obriu-ne el contingut</translation>
     </message>
     <message>
         <source>open the images that it was made from: a DICOM series, NIfTI, NRRD or MetaImage</source>
@@ -6016,14 +5836,6 @@
     <message>
         <source>export it without compression (in Blender: leave out Data &gt; Compression), or as STL or PLY</source>
         <translation>exporteu-lo sense compressió (a Blender: sense Data &gt; Compression), o com a STL o PLY</translation>
-    </message>
-    <message>
-        <source>export it without this extension, or as STL or PLY</source>
-        <translation>exporteu-lo sense aquesta extensió, o com a STL o PLY</translation>
-    </message>
-    <message>
-        <source>It holds %1, not VTK blocks (vtkMultiBlockDataSet)</source>
-        <translation>Conté %1 i no blocs de VTK (vtkMultiBlockDataSet)</translation>
     </message>
     <message>
         <source>save the surfaces as .vtp</source>
@@ -6099,16 +5911,8 @@
         <translation>Conté diversos òrgans</translation>
     </message>
     <message>
-        <source>VTK XML multiblock data</source>
-        <translation>dades multibloc VTK XML</translation>
-    </message>
-    <message>
         <source>its voxels are in another folder (%1)</source>
         <translation>els seus vòxels són en una altra carpeta (%1)</translation>
-    </message>
-    <message>
-        <source>put both files into one folder, and name the other without a folder</source>
-        <translation>poseu els dos fitxers en una carpeta i anomeneu l’altre sense carpeta</translation>
     </message>
     <message>
         <source>it is an Analyze 7.5 image, which does not say where it lies: its axes are taken as %1, and left and right may be exchanged</source>
@@ -6151,360 +5955,12 @@
         <translation>Conté diverses capes d’un mapa d’etiquetes, no diverses fases</translation>
     </message>
     <message>
-        <source>a FreeSurfer volume</source>
-        <translation>un volum de FreeSurfer</translation>
-    </message>
-    <message>
-        <source>a GIPL image</source>
-        <translation>una imatge GIPL</translation>
-    </message>
-    <message>
-        <source>a MINC image</source>
-        <translation>una imatge MINC</translation>
-    </message>
-    <message>
-        <source>a MATLAB file</source>
-        <translation>un fitxer de MATLAB</translation>
-    </message>
-    <message>
-        <source>an Imaris image</source>
-        <translation>una imatge d’Imaris</translation>
-    </message>
-    <message>
-        <source>an HDF5 file</source>
-        <translation>un fitxer HDF5</translation>
-    </message>
-    <message>
-        <source>a NetCDF file</source>
-        <translation>un fitxer NetCDF</translation>
-    </message>
-    <message>
-        <source>a NumPy array</source>
-        <translation>una matriu de NumPy</translation>
-    </message>
-    <message>
-        <source>a NumPy archive</source>
-        <translation>un arxiu de NumPy</translation>
-    </message>
-    <message>
-        <source>a TIFF image</source>
-        <translation>una imatge TIFF</translation>
-    </message>
-    <message>
-        <source>an AmiraMesh file</source>
-        <translation>un fitxer AmiraMesh</translation>
-    </message>
-    <message>
-        <source>an Amira surface</source>
-        <translation>una superfície d’Amira</translation>
-    </message>
-    <message>
-        <source>an Interfile image</source>
-        <translation>una imatge Interfile</translation>
-    </message>
-    <message>
-        <source>an ECAT image</source>
-        <translation>una imatge ECAT</translation>
-    </message>
-    <message>
-        <source>an MRtrix image</source>
-        <translation>una imatge de MRtrix</translation>
-    </message>
-    <message>
-        <source>a Scanco image</source>
-        <translation>una imatge de Scanco</translation>
-    </message>
-    <message>
-        <source>a Zeiss image</source>
-        <translation>una imatge de Zeiss</translation>
-    </message>
-    <message>
-        <source>an MRC image</source>
-        <translation>una imatge MRC</translation>
-    </message>
-    <message>
-        <source>an AFNI image</source>
-        <translation>una imatge d’AFNI</translation>
-    </message>
-    <message>
-        <source>a Philips PAR/REC image</source>
-        <translation>una imatge PAR/REC de Philips</translation>
-    </message>
-    <message>
-        <source>a BrainVoyager image</source>
-        <translation>una imatge de BrainVoyager</translation>
-    </message>
-    <message>
-        <source>a file of plain numbers</source>
-        <translation>un fitxer de nombres sense més</translation>
-    </message>
-    <message>
-        <source>convert it to .nrrd or .nii.gz with 3D Slicer</source>
-        <translation>convertiu-lo a .nrrd o .nii.gz amb 3D Slicer</translation>
-    </message>
-    <message>
-        <source>save the array as .nii.gz with nibabel, together with its position</source>
-        <translation>deseu la matriu amb la seva posició com a .nii.gz amb nibabel</translation>
-    </message>
-    <message>
-        <source>convert it with mnc2nii, and open the .nii</source>
-        <translation>convertiu-lo amb mnc2nii i obriu el .nii</translation>
-    </message>
-    <message>
-        <source>write its volume with niftiwrite, and open the .nii</source>
-        <translation>escriviu-ne el volum amb niftiwrite i obriu el .nii</translation>
-    </message>
-    <message>
-        <source>export it from Imaris or Fiji, as .nrrd</source>
-        <translation>exporteu-lo des d’Imaris o Fiji com a .nrrd</translation>
-    </message>
-    <message>
-        <source>convert it to .nrrd with 3D Slicer or Fiji, with the size of its voxels</source>
-        <translation>convertiu-lo a .nrrd amb 3D Slicer o Fiji, amb la mida dels seus vòxels</translation>
-    </message>
-    <message>
-        <source>export it from Amira as .nrrd, or as DICOM</source>
-        <translation>exporteu-lo des d’Amira com a .nrrd o com a DICOM</translation>
-    </message>
-    <message>
-        <source>export it from Amira as .stl or .ply</source>
-        <translation>exporteu-lo des d’Amira com a .stl o .ply</translation>
-    </message>
-    <message>
-        <source>convert it to .nii.gz with nibabel or dcm2niix</source>
-        <translation>convertiu-lo a .nii.gz amb nibabel o dcm2niix</translation>
-    </message>
-    <message>
-        <source>convert it with mrconvert, and open the .nii.gz</source>
-        <translation>convertiu-lo amb mrconvert i obriu el .nii.gz</translation>
-    </message>
-    <message>
-        <source>export it from Fiji, as .nrrd</source>
-        <translation>exporteu-lo des de Fiji com a .nrrd</translation>
-    </message>
-    <message>
-        <source>convert it with 3dAFNItoNIFTI, and open the .nii</source>
-        <translation>convertiu-lo amb 3dAFNItoNIFTI i obriu el .nii</translation>
-    </message>
-    <message>
-        <source>convert it with dcm2niix, and open the .nii.gz</source>
-        <translation>convertiu-lo amb dcm2niix i obriu el .nii.gz</translation>
-    </message>
-    <message>
-        <source>export it from BrainVoyager as .nii</source>
-        <translation>exporteu-lo des de BrainVoyager com a .nii</translation>
-    </message>
-    <message>
         <source>write a .nhdr or .mhd header for it, which says its size</source>
         <translation>escriviu-li una capçalera .nhdr o .mhd, que digui la mida</translation>
     </message>
     <message>
         <source>a segmentation</source>
         <translation>una segmentació</translation>
-    </message>
-    <message>
-        <source>a label map segmentation</source>
-        <translation>una segmentació com a mapa d’etiquetes</translation>
-    </message>
-    <message>
-        <source>an STL surface in a DICOM file</source>
-        <translation>una superfície STL en un fitxer DICOM</translation>
-    </message>
-    <message>
-        <source>an OBJ surface in a DICOM file</source>
-        <translation>una superfície OBJ en un fitxer DICOM</translation>
-    </message>
-    <message>
-        <source>a PDF document in a DICOM file</source>
-        <translation>un document PDF en un fitxer DICOM</translation>
-    </message>
-    <message>
-        <source>a text document (CDA) in a DICOM file</source>
-        <translation>un document de text (CDA) en un fitxer DICOM</translation>
-    </message>
-    <message>
-        <source>the materials of an OBJ surface in a DICOM file</source>
-        <translation>els materials d’una superfície OBJ en un fitxer DICOM</translation>
-    </message>
-    <message>
-        <source>open the DICOM file with the OBJ surface itself</source>
-        <translation>obriu el fitxer DICOM que conté la superfície OBJ</translation>
-    </message>
-    <message>
-        <source>a document in a DICOM file</source>
-        <translation>un document en un fitxer DICOM</translation>
-    </message>
-    <message>
-        <source>a structure set of radiotherapy (RTSTRUCT): contours, without voxels or surfaces</source>
-        <translation>un conjunt d’estructures de radioteràpia (RTSTRUCT): contorns, sense vòxels ni superfícies</translation>
-    </message>
-    <message>
-        <source>load it in 3D Slicer with its CT, convert it to a segmentation there, and save that as .seg.nrrd</source>
-        <translation>carregueu-lo a 3D Slicer amb la seva TC, convertiu-lo en una segmentació i deseu-la com a .seg.nrrd</translation>
-    </message>
-    <message>
-        <source>a projection image of radiotherapy</source>
-        <translation>una imatge de projecció de radioteràpia</translation>
-    </message>
-    <message>
-        <source>a dose of radiotherapy</source>
-        <translation>una dosi de radioteràpia</translation>
-    </message>
-    <message>
-        <source>a plan of radiotherapy (RTPLAN)</source>
-        <translation>un pla de radioteràpia (RTPLAN)</translation>
-    </message>
-    <message>
-        <source>a plan of radiotherapy with ions</source>
-        <translation>un pla de radioteràpia amb ions</translation>
-    </message>
-    <message>
-        <source>a record of radiotherapy</source>
-        <translation>un registre de radioteràpia</translation>
-    </message>
-    <message>
-        <source>a list of selected images (Key Object Selection)</source>
-        <translation>una llista d’imatges seleccionades (Key Object Selection)</translation>
-    </message>
-    <message>
-        <source>a report of the radiation dose</source>
-        <translation>un informe de la dosi de radiació</translation>
-    </message>
-    <message>
-        <source>a structured report (SR)</source>
-        <translation>un informe estructurat (SR)</translation>
-    </message>
-    <message>
-        <source>a presentation state, which says how to display images</source>
-        <translation>un estat de presentació, que només diu com mostrar imatges</translation>
-    </message>
-    <message>
-        <source>an electrocardiogram (waveform)</source>
-        <translation>un electrocardiograma (senyal)</translation>
-    </message>
-    <message>
-        <source>a sound recording (waveform)</source>
-        <translation>un enregistrament de so (senyal)</translation>
-    </message>
-    <message>
-        <source>a recorded signal (waveform)</source>
-        <translation>un senyal enregistrat</translation>
-    </message>
-    <message>
-        <source>a spatial registration, which only says how images lie to each other</source>
-        <translation>un registre espacial, que només diu com se situen unes imatges respecte a unes altres</translation>
-    </message>
-    <message>
-        <source>a list of reference points of images (spatial fiducials)</source>
-        <translation>una llista de punts de referència d’imatges (spatial fiducials)</translation>
-    </message>
-    <message>
-        <source>load it in 3D Slicer, and save its points as .mrk.json</source>
-        <translation>carregueu-la a 3D Slicer i deseu-ne els punts com a .mrk.json</translation>
-    </message>
-    <message>
-        <source>a deformable registration, which only says how images lie to each other</source>
-        <translation>un registre deformable, que només diu com se situen unes imatges respecte a unes altres</translation>
-    </message>
-    <message>
-        <source>a surface segmentation</source>
-        <translation>una segmentació per superfícies</translation>
-    </message>
-    <message>
-        <source>open it in 3D Slicer, convert it to a segmentation there, and save that as .seg.nrrd</source>
-        <translation>obriu-la a 3D Slicer, convertiu-la en una segmentació i deseu-la com a .seg.nrrd</translation>
-    </message>
-    <message>
-        <source>tracts of nerve fibres (tractography)</source>
-        <translation>tractes de fibres nervioses (tractografia)</translation>
-    </message>
-    <message>
-        <source>load it in 3D Slicer, and save its fibre bundles as .vtk</source>
-        <translation>carregueu-la a 3D Slicer i deseu-ne els feixos de fibres com a .vtk</translation>
-    </message>
-    <message>
-        <source>raw data of a scanner</source>
-        <translation>dades en brut d’un equip</translation>
-    </message>
-    <message>
-        <source>a mapping of image values to units</source>
-        <translation>una correspondència de valors d’imatge amb unitats</translation>
-    </message>
-    <message>
-        <source>a mesh of a surface scanner</source>
-        <translation>una malla d’un escàner de superfícies</translation>
-    </message>
-    <message>
-        <source>export the surface as STL, OBJ or PLY</source>
-        <translation>exporteu la superfície com a STL, OBJ o PLY</translation>
-    </message>
-    <message>
-        <source>a point cloud of a surface scanner</source>
-        <translation>un núvol de punts d’un escàner de superfícies</translation>
-    </message>
-    <message>
-        <source>a tomogram of the eye</source>
-        <translation>un tomograma de l’ull</translation>
-    </message>
-    <message>
-        <source>a whole-slide image of microscopy</source>
-        <translation>una imatge de portaobjectes complet de microscòpia</translation>
-    </message>
-    <message>
-        <source>open it in a viewer for microscopy, such as QuPath</source>
-        <translation>obriu-la en un visor de microscòpia com ara QuPath</translation>
-    </message>
-    <message>
-        <source>a picture of endoscopy</source>
-        <translation>una imatge d’endoscòpia</translation>
-    </message>
-    <message>
-        <source>a photograph</source>
-        <translation>una fotografia</translation>
-    </message>
-    <message>
-        <source>a secondary capture (a picture of a screen or a page)</source>
-        <translation>una captura secundària (imatge d’una pantalla o d’una pàgina)</translation>
-    </message>
-    <message>
-        <source>an ultrasound image</source>
-        <translation>una imatge d’ecografia</translation>
-    </message>
-    <message>
-        <source>an ultrasound film</source>
-        <translation>una pel·lícula d’ecografia</translation>
-    </message>
-    <message>
-        <source>an ultrasound volume</source>
-        <translation>un volum d’ecografia</translation>
-    </message>
-    <message>
-        <source>a projection image of X-rays</source>
-        <translation>una imatge de projecció de raigs X</translation>
-    </message>
-    <message>
-        <source>a mammogram</source>
-        <translation>una mamografia</translation>
-    </message>
-    <message>
-        <source>a dental X-ray image</source>
-        <translation>una radiografia dental</translation>
-    </message>
-    <message>
-        <source>a tomogram of X-rays</source>
-        <translation>un tomograma de raigs X</translation>
-    </message>
-    <message>
-        <source>an image of nuclear medicine</source>
-        <translation>una imatge de medicina nuclear</translation>
-    </message>
-    <message>
-        <source>a protocol of a scanner</source>
-        <translation>un protocol d’un equip</translation>
-    </message>
-    <message>
-        <source>settings of a device or a protocol of storage</source>
-        <translation>paràmetres d’un dispositiu o un protocol d’emmagatzematge</translation>
     </message>
     <message>
         <source>open the images or the segmentation of the same patient, which are other files</source>
@@ -6517,10 +5973,6 @@
     <message>
         <source>open the folder that it lists, %1</source>
         <translation>obriu la carpeta que descriu, %1</translation>
-    </message>
-    <message>
-        <source>It is %1, not a scan</source>
-        <translation>És %1, no una exploració</translation>
     </message>
     <message>
         <source>open it as a label map</source>
@@ -6539,28 +5991,12 @@
         <translation>un objecte d’un tipus desconegut</translation>
     </message>
     <message>
-        <source>is %1, which does not say where in the patient it lies</source>
-        <translation>és %1, que no indica on és en el pacient</translation>
-    </message>
-    <message>
-        <source>measurements of the eye</source>
-        <translation>mesures de l’ull</translation>
-    </message>
-    <message>
-        <source>a spectrum of magnetic resonance</source>
-        <translation>un espectre de ressonància magnètica</translation>
-    </message>
-    <message>
         <source>its pixels are packed in a way that is not supported</source>
         <translation>els seus píxels estan comprimits d’una manera no admesa</translation>
     </message>
     <message>
         <source>save it without compression</source>
         <translation>deseu-lo sense compressió</translation>
-    </message>
-    <message>
-        <source>is %1 in colour</source>
-        <translation>és %1 en color</translation>
     </message>
     <message>
         <source>It is a segmentation that %1</source>
@@ -6577,14 +6013,6 @@
     <message>
         <source>its pixels of one bit are packed in a way that is not supported (%1)</source>
         <translation>els seus píxels d’un bit estan comprimits d’una manera no admesa (%1)</translation>
-    </message>
-    <message>
-        <source>save it without compression, or as RLE</source>
-        <translation>deseu-lo sense compressió o com a RLE</translation>
-    </message>
-    <message>
-        <source>its unit &quot;%1&quot; is not known; its numbers were read as millimetres</source>
-        <translation>la seva unitat «%1» és desconeguda; els seus nombres s’han llegit com a mil·límetres</translation>
     </message>
     <message>
         <source>It is a DICOM image, not a surface</source>
@@ -6627,42 +6055,6 @@
         <source>copy its control points into a point list in Slicer's module Markups, and save the list</source>
         <translation>copieu els seus punts de control en una llista de punts del mòdul Markups de Slicer i deseu la llista</translation>
     </message>
-    <message>
-        <source>a line</source>
-        <translation>una línia</translation>
-    </message>
-    <message>
-        <source>an angle</source>
-        <translation>un angle</translation>
-    </message>
-    <message>
-        <source>a curve</source>
-        <translation>una corba</translation>
-    </message>
-    <message>
-        <source>a closed curve</source>
-        <translation>una corba tancada</translation>
-    </message>
-    <message>
-        <source>a plane</source>
-        <translation>un pla</translation>
-    </message>
-    <message>
-        <source>a box (ROI)</source>
-        <translation>una caixa (ROI)</translation>
-    </message>
-    <message>
-        <source>a markup of another kind</source>
-        <translation>una marca d’un altre tipus</translation>
-    </message>
-    <message>
-        <source>the file has the unit %1, which Viscera does not know; mm are assumed</source>
-        <translation>el fitxer té la unitat %1, que Viscera no coneix; se suposen mm</translation>
-    </message>
-    <message>
-        <source>the file was converted from %1 to mm</source>
-        <translation>el fitxer s’ha convertit de %1 a mm</translation>
-    </message>
     <message numerus="yes">
         <source>%n {object that the file does not place is|objects that the file does not place are} left out</source>
         <translation>
@@ -6698,18 +6090,6 @@
         <translation>descomprimiu-lo i obriu els fitxers que conté</translation>
     </message>
     <message>
-        <source>a 3MF model</source>
-        <translation>un model 3MF</translation>
-    </message>
-    <message>
-        <source>several surfaces are written as .glb or .3mf only</source>
-        <translation>diverses superfícies només s’escriuen com a .glb o .3mf</translation>
-    </message>
-    <message>
-        <source>choose a name that ends in .glb or .3mf</source>
-        <translation>trieu un nom que acabi en .glb o .3mf</translation>
-    </message>
-    <message>
         <source>the surface is too large for 3MF, whose parts end at 4 GB</source>
         <translation>la superfície és massa gran per a 3MF, les parts del qual acaben a 4 GB</translation>
     </message>
@@ -6720,10 +6100,6 @@
     <message>
         <source>tetrahedra are written as .inp or .vtu only</source>
         <translation>els tetraedres només s’escriuen com a .inp o .vtu</translation>
-    </message>
-    <message>
-        <source>choose a name that ends in .inp or .vtu</source>
-        <translation>trieu un nom que acabi en .inp o .vtu</translation>
     </message>
     <message>
         <source>the surface %1 is open (%2 boundary edges)</source>
@@ -6746,32 +6122,12 @@
         <translation>ometeu-la o feu-la més petita</translation>
     </message>
     <message>
-        <source>It has cells of VTK's type %1, which Viscera does not read</source>
-        <translation>Té cel·les del tipus %1 de VTK, que Viscera no llegeix</translation>
-    </message>
-    <message>
-        <source>divide them into tetrahedra first (ParaView: Tetrahedralize)</source>
-        <translation>dividiu-les primer en tetraedres (ParaView: Tetrahedralize)</translation>
-    </message>
-    <message>
-        <source>It is of gmsh's format 1, which Viscera does not read</source>
-        <translation>És del format 1 de gmsh, que Viscera no llegeix</translation>
-    </message>
-    <message>
         <source>It is of gmsh's format %1, which Viscera does not read</source>
         <translation>És del format %1 de gmsh, que Viscera no llegeix</translation>
     </message>
     <message>
         <source>open it with gmsh and save it as version 2 or 4</source>
         <translation>obriu-lo amb gmsh i deseu-lo com a versió 2 o 4</translation>
-    </message>
-    <message>
-        <source>It has elements of gmsh's type %1, which Viscera does not read</source>
-        <translation>Té elements del tipus %1 de gmsh, que Viscera no llegeix</translation>
-    </message>
-    <message>
-        <source>save the mesh with straight elements (gmsh -order 1)</source>
-        <translation>deseu la malla amb elements rectes (gmsh -order 1)</translation>
     </message>
     <message>
         <source>It is a plane mesh, of two dimensions</source>
@@ -6786,14 +6142,6 @@
         <translation>openCARP indica els punts en micròmetres: els seus nombres s’han dividit per 1000</translation>
     </message>
     <message>
-        <source>The other half of the mesh, %1, is not beside it</source>
-        <translation>L’altra meitat de la malla, %1, no és al seu costat</translation>
-    </message>
-    <message>
-        <source>copy %1 into its folder</source>
-        <translation>copieu %1 a la seva carpeta</translation>
-    </message>
-    <message>
         <source>%1 has more lines than the %2 points that it states; they were left out</source>
         <translation>%1 té més línies que els %2 punts que indica; s’han omès</translation>
     </message>
@@ -6804,10 +6152,6 @@
     <message>
         <source>save the mesh as tetrahedra</source>
         <translation>deseu la malla com a tetraedres</translation>
-    </message>
-    <message>
-        <source>It holds %1, not a mesh of cells (UnstructuredGrid)</source>
-        <translation>Conté %1, no una malla de cel·les (UnstructuredGrid)</translation>
     </message>
     <message>
         <source>reduce the mesh first</source>
@@ -6922,32 +6266,277 @@
         <translation>la seva matriu de %1 a %2 no s’ha aplicat</translation>
     </message>
     <message>
-        <source>a VTK XML mesh of cells</source>
-        <translation>una malla de cel·les VTK XML</translation>
+        <source>save it as %1 with %2</source>
+        <translation>deseu-lo com a %1 amb %2</translation>
     </message>
     <message>
-        <source>a GIFTI surface</source>
-        <translation>una superfície GIFTI</translation>
+        <source>load it in 3D Slicer with its images, convert it to a segmentation there, and save that as .seg.nrrd</source>
+        <translation>carregueu-lo al 3D Slicer amb les seves imatges, convertiu-lo allà en una segmentació i deseu-la com a .seg.nrrd</translation>
     </message>
     <message>
-        <source>a FreeSurfer surface</source>
-        <translation>una superfície FreeSurfer</translation>
+        <source>It holds %1, not %2</source>
+        <translation>Conté %1, no %2</translation>
     </message>
     <message>
-        <source>a gmsh mesh</source>
-        <translation>una malla gmsh</translation>
+        <source>its unit %1 is not known; mm are assumed</source>
+        <translation>la seva unitat %1 és desconeguda; se suposen mm</translation>
     </message>
     <message>
-        <source>a medit mesh</source>
-        <translation>una malla medit</translation>
+        <source>converted from %1 to mm</source>
+        <translation>convertit de %1 a mm</translation>
     </message>
     <message>
-        <source>a CARTO map</source>
-        <translation>un mapa CARTO</translation>
+        <source>the other file that belongs to it, %1, is not beside it</source>
+        <translation>l’altre fitxer que li correspon, %1, no és al seu costat</translation>
     </message>
     <message>
-        <source>an openCARP mesh</source>
-        <translation>una malla openCARP</translation>
+        <source>this cannot be written as %1</source>
+        <translation>això no es pot escriure com a %1</translation>
+    </message>
+    <message>
+        <source>several surfaces cannot be written as %1</source>
+        <translation>diverses superfícies no es poden escriure com a %1</translation>
+    </message>
+    <message>
+        <source>let its name end in %1</source>
+        <translation>feu que el seu nom acabi en %1</translation>
+    </message>
+    <message>
+        <source>rename it to end in %1</source>
+        <translation>canvieu-li el nom perquè acabi en %1</translation>
+    </message>
+    <message>
+        <source>a line</source>
+        <translation>una línia</translation>
+    </message>
+    <message>
+        <source>an angle</source>
+        <translation>un angle</translation>
+    </message>
+    <message>
+        <source>a curve</source>
+        <translation>una corba</translation>
+    </message>
+    <message>
+        <source>a closed curve</source>
+        <translation>una corba tancada</translation>
+    </message>
+    <message>
+        <source>a plane</source>
+        <translation>un pla</translation>
+    </message>
+    <message>
+        <source>a box (ROI)</source>
+        <translation>una caixa (ROI)</translation>
+    </message>
+    <message>
+        <source>a markup of another kind</source>
+        <translation>una marca d’un altre tipus</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app</name>
+    <message>
+        <source>Undo</source>
+        <translation>Desfés</translation>
+    </message>
+    <message>
+        <source>Circulation</source>
+        <translation>Circulació</translation>
+    </message>
+    <message>
+        <source>Sample %1</source>
+        <translation>Mostra: %1</translation>
+    </message>
+    <message>
+        <source>Organs (%1)</source>
+        <translation>Òrgans (%1)</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Elimina</translation>
+    </message>
+    <message>
+        <source>Prescribe a volume</source>
+        <translation>Prescriu un volum</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>Profunditat</translation>
+    </message>
+    <message>
+        <source>Cut away the front</source>
+        <translation>Retalla la part anterior</translation>
+    </message>
+    <message>
+        <source>Cut away the upper part</source>
+        <translation>Retalla la part superior</translation>
+    </message>
+    <message>
+        <source>Facing the viewer</source>
+        <translation>De cara a l’observador</translation>
+    </message>
+    <message>
+        <source>Deform</source>
+        <translation>Deforma</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n handles</source>
+        <translation>
+            <numerusform>%n tirador</numerusform>
+            <numerusform>%n tiradors</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation>Volum</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 de %2</translation>
+    </message>
+    <message>
+        <source>Apply</source>
+        <translation>Aplica</translation>
+    </message>
+    <message>
+        <source>Rest error</source>
+        <translation>Error en repòs</translation>
+    </message>
+    <message>
+        <source>The largest distance of the bound organ at rest from the original</source>
+        <translation>La distància màxima entre l’òrgan vinculat en repòs i l’original</translation>
+    </message>
+    <message>
+        <source>Smallest weight</source>
+        <translation>Pes mínim</translation>
+    </message>
+    <message>
+        <source>Cut</source>
+        <translation>Secció</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Mida</translation>
+    </message>
+    <message>
+        <source>Surface</source>
+        <translation>Superfície</translation>
+    </message>
+    <message>
+        <source>Comma-separated values (*.csv)</source>
+        <translation>Valors separats per comes (*.csv)</translation>
+    </message>
+    <message>
+        <source>There is no organ to export. Open one first.</source>
+        <translation>No hi ha cap òrgan per exportar. Obriu-ne primer un.</translation>
+    </message>
+    <message>
+        <source>Exporting %1</source>
+        <translation>S’exporta: %1</translation>
+    </message>
+    <message>
+        <source>Written to %1.</source>
+        <translation>S’ha escrit a %1.</translation>
+    </message>
+    <message>
+        <source>Opening %1</source>
+        <translation>S’obre %1</translation>
+    </message>
+    <message>
+        <source>Look for files...</source>
+        <translation>Cerca els fitxers...</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Place the sequence&apos;s handles around the organ and play it</source>
+        <translation>Col·loca els tiradors de la seqüència al voltant de l’òrgan i la reprodueix</translation>
+    </message>
+    <message>
+        <source>Groups</source>
+        <translation>Grups</translation>
+    </message>
+    <message>
+        <source>Colour...</source>
+        <translation>Color...</translation>
+    </message>
+    <message numerus="yes">
+        <source>Move %n handles</source>
+        <translation>
+            <numerusform>Mou %n tirador</numerusform>
+            <numerusform>Mou %n tiradors</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Move handle %1</source>
+        <translation>Mou el tirador %1</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Temps</translation>
+    </message>
+    <message>
+        <source>Stress</source>
+        <translation>Tensió</translation>
+    </message>
+    <message>
+        <source>Import</source>
+        <translation>Importa</translation>
+    </message>
+    <message>
+        <source>Duration of one cycle</source>
+        <translation>Durada d’un cicle</translation>
+    </message>
+    <message>
+        <source>%1 %2 ml</source>
+        <translation>%1 %2 ml</translation>
+    </message>
+    <message>
+        <source>Export lesson</source>
+        <translation>Exporta la lliçó</translation>
+    </message>
+    <message>
+        <source>Motion from a series</source>
+        <translation>Moviment a partir d’una sèrie</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Tanca</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>now</source>
+        <translation>ara</translation>
+    </message>
+    <message>
+        <source>before</source>
+        <translation>abans</translation>
+    </message>
+    <message>
+        <source>Phase</source>
+        <translation>Fase</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <translation>, </translation>
+    </message>
+    <message>
+        <source>Close (Esc)</source>
+        <translation>Tanca (Esc)</translation>
+    </message>
+    <message>
+        <source>Time in the cycle</source>
+        <translation>Temps en el cicle</translation>
     </message>
 </context>
 </TS>

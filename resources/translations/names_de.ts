@@ -1273,14 +1273,6 @@
         <translation>Der Wert muss positiv sein</translation>
     </message>
     <message>
-        <source>It holds %1, not a VTK surface (PolyData)</source>
-        <translation>Die Datei enthält %1, keine VTK-Oberfläche (PolyData)</translation>
-    </message>
-    <message>
-        <source>It holds a VTK dataset of type %1, not a surface (POLYDATA)</source>
-        <translation>Die Datei enthält einen VTK-Datensatz vom Typ %1, keine Oberfläche (POLYDATA)</translation>
-    </message>
-    <message>
         <source>It holds an image, not labels: it has more than %1 different values</source>
         <translation>Die Datei enthält ein Bild, keine Labels: sie hat mehr als %1 verschiedene Werte</translation>
     </message>
@@ -1315,14 +1307,6 @@
     <message>
         <source>It holds only empty masks</source>
         <translation>Der Ordner enthält nur leere Masken</translation>
-    </message>
-    <message>
-        <source>It holds only the header of a NIfTI image in two files; the file with the voxels, %1, is not beside it</source>
-        <translation>Sie enthält nur den Kopf eines NIfTI-Bildes aus zwei Dateien; die Datei mit den Voxeln, %1, liegt nicht daneben</translation>
-    </message>
-    <message>
-        <source>It holds only the voxels of a NIfTI image in two files; the file with the header, %1, is not beside it</source>
-        <translation>Sie enthält nur die Voxel eines NIfTI-Bildes aus zwei Dateien; die Datei mit dem Kopf, %1, liegt nicht daneben</translation>
     </message>
     <message>
         <source>It holds points, but no faces</source>
@@ -2647,40 +2631,16 @@
         <translation>eine Markertabelle von 3D Slicer</translation>
     </message>
     <message>
-        <source>a 3D Slicer markups file</source>
-        <translation>eine Markups-Datei von 3D Slicer</translation>
-    </message>
-    <message>
-        <source>a DICOM file</source>
-        <translation>eine DICOM-Datei</translation>
-    </message>
-    <message>
         <source>a JSON file</source>
         <translation>eine JSON-Datei</translation>
-    </message>
-    <message>
-        <source>a NIfTI image</source>
-        <translation>ein NIfTI-Bild</translation>
-    </message>
-    <message>
-        <source>a PLY surface</source>
-        <translation>eine PLY-Oberfläche</translation>
     </message>
     <message>
         <source>a VTK XML file that holds no surface</source>
         <translation>eine VTK-XML-Datei ohne Oberfläche</translation>
     </message>
     <message>
-        <source>a VTK XML surface</source>
-        <translation>eine VTK-XML-Oberfläche</translation>
-    </message>
-    <message>
         <source>a ZIP archive</source>
         <translation>ein ZIP-Archiv</translation>
-    </message>
-    <message>
-        <source>a binary glTF scene</source>
-        <translation>eine binäre glTF-Szene</translation>
     </message>
     <message>
         <source>a buffer is at %1, but only files beside it are read</source>
@@ -2695,10 +2655,6 @@
         <translation>eine Gallenblase</translation>
     </message>
     <message>
-        <source>a glTF scene</source>
-        <translation>eine glTF-Szene</translation>
-    </message>
-    <message>
         <source>a gzip-compressed file</source>
         <translation>eine mit gzip gepackte Datei</translation>
     </message>
@@ -2709,10 +2665,6 @@
     <message>
         <source>a kidney</source>
         <translation>eine Niere</translation>
-    </message>
-    <message>
-        <source>a legacy VTK file</source>
-        <translation>eine alte VTK-Datei</translation>
     </message>
     <message>
         <source>a liver</source>
@@ -2809,22 +2761,6 @@
     <message>
         <source>all points lie in one plane</source>
         <translation>alle Punkte liegen in einer Ebene</translation>
-    </message>
-    <message>
-        <source>an NRRD image</source>
-        <translation>ein NRRD-Bild</translation>
-    </message>
-    <message>
-        <source>an OBJ surface</source>
-        <translation>eine OBJ-Oberfläche</translation>
-    </message>
-    <message>
-        <source>an OFF surface</source>
-        <translation>eine OFF-Oberfläche</translation>
-    </message>
-    <message>
-        <source>an STL surface</source>
-        <translation>eine STL-Oberfläche</translation>
     </message>
     <message>
         <source>an error without a message</source>
@@ -2999,18 +2935,6 @@
         <translation>wählen Sie einen Ordner, den es gibt, der beschreibbar ist und Platz hat</translation>
     </message>
     <message>
-        <source>choose a name that ends in .glb</source>
-        <translation>wählen Sie einen Namen, der auf .glb endet</translation>
-    </message>
-    <message>
-        <source>choose a name that ends in .vtp</source>
-        <translation>wählen Sie einen Namen, der auf .vtp endet</translation>
-    </message>
-    <message>
-        <source>choose a name that ends in .vtu</source>
-        <translation>wählen Sie einen Namen, der auf .vtu endet</translation>
-    </message>
-    <message>
         <source>choose a surface that has some</source>
         <translation>wählen Sie eine Oberfläche, die welche hat</translation>
     </message>
@@ -3099,14 +3023,6 @@
         <translation>Diastole</translation>
     </message>
     <message>
-        <source>displacement fields cannot be written as &quot;%1&quot;</source>
-        <translation>Verschiebungsfelder können nicht als „%1“ geschrieben werden</translation>
-    </message>
-    <message>
-        <source>displacements are written as .vtp only</source>
-        <translation>Verschiebungen werden nur als .vtp geschrieben</translation>
-    </message>
-    <message>
         <source>distance</source>
         <translation>Abstand</translation>
     </message>
@@ -3169,10 +3085,6 @@
     <message>
         <source>export it as pixels of 16 bits</source>
         <translation>exportieren Sie sie mit Pixeln von 16 Bit</translation>
-    </message>
-    <message>
-        <source>export it as text, or as STL or PLY</source>
-        <translation>exportieren Sie sie als Text oder als STL oder PLY</translation>
     </message>
     <message>
         <source>export it little-endian</source>
@@ -3303,10 +3215,6 @@
         <translation>Griffe %1 und %2</translation>
     </message>
     <message>
-        <source>handles cannot be written as &quot;%1&quot;</source>
-        <translation>Griffe können nicht als „%1“ geschrieben werden</translation>
-    </message>
-    <message>
         <source>harmonic coordinates</source>
         <translation>harmonische Koordinaten</translation>
     </message>
@@ -3344,10 +3252,6 @@
     <message>
         <source>if it is not a whole cycle, say that it is to be played once (--once); else add the phases that are missing</source>
         <translation>wenn es kein ganzer Zyklus ist, geben Sie an, dass er einmal abgespielt werden soll (--once); sonst fügen Sie die fehlenden Phasen hinzu</translation>
-    </message>
-    <message>
-        <source>images cannot be written as &quot;%1&quot;</source>
-        <translation>Bilder können nicht als „%1“ geschrieben werden</translation>
     </message>
     <message>
         <source>in</source>
@@ -3422,10 +3326,6 @@
     <message>
         <source>it does not say where the patient's sides are; axes are taken as right, front and up</source>
         <translation>die Seiten des Patienten sind nicht angegeben; die Achsen werden als rechts, vorn und oben genommen</translation>
-    </message>
-    <message>
-        <source>it does not say which axes it uses; LPS is assumed</source>
-        <translation>ihre Achsen sind nicht angegeben; LPS wird angenommen</translation>
     </message>
     <message>
         <source>it follows no handles, so nothing can change its volume</source>
@@ -3515,14 +3415,6 @@
         <translation>ihre beiden Enden sind auf getrennten Stücken</translation>
     </message>
     <message>
-        <source>its unit is the metre; converted to mm</source>
-        <translation>die Einheit ist der Meter; in mm umgerechnet</translation>
-    </message>
-    <message>
-        <source>its unit is the micrometre; converted to mm</source>
-        <translation>die Einheit ist der Mikrometer; in mm umgerechnet</translation>
-    </message>
-    <message>
         <source>its volume can be kept only after it is bound to the present handles</source>
         <translation>sein Volumen kann erst gehalten werden, nachdem es an die vorhandenen Griffe gebunden ist</translation>
     </message>
@@ -3595,18 +3487,6 @@
         <translation>lassen Sie sie für Sekunden mit „time_s“ beginnen, für Teile des Zyklus mit „fraction“</translation>
     </message>
     <message>
-        <source>let its name end in .mrk.json or .fcsv</source>
-        <translation>lassen Sie den Namen auf .mrk.json oder .fcsv enden</translation>
-    </message>
-    <message>
-        <source>let its name end in .nii.gz, .nii or .nrrd</source>
-        <translation>lassen Sie den Namen auf .nii.gz, .nii oder .nrrd enden</translation>
-    </message>
-    <message>
-        <source>let its name end in .nrrd or .mha</source>
-        <translation>lassen Sie den Namen auf .nrrd oder .mha enden</translation>
-    </message>
-    <message>
         <source>let more handles compensate, or ask for a volume nearer to the present one</source>
         <translation>lassen Sie mehr Griffe ausgleichen, oder verlangen Sie ein Volumen näher am jetzigen</translation>
     </message>
@@ -3617,14 +3497,6 @@
     <message>
         <source>linear</source>
         <translation>linear</translation>
-    </message>
-    <message>
-        <source>list %1 has the unit %2, which Viscera does not know; mm are assumed</source>
-        <translation>Liste %1 hat die Einheit %2, die Viscera nicht kennt; mm werden angenommen</translation>
-    </message>
-    <message>
-        <source>list %1 was converted from %2 to mm</source>
-        <translation>Liste %1 wurde von %2 in mm umgerechnet</translation>
     </message>
     <message>
         <source>load a closed surface</source>
@@ -3751,10 +3623,6 @@
         <translation>geben Sie den Ordner einer CT- oder MR-Serie an</translation>
     </message>
     <message>
-        <source>name the folder of a CT or MR series, or one of its files</source>
-        <translation>geben Sie den Ordner einer CT- oder MR-Serie an, oder eine ihrer Dateien</translation>
-    </message>
-    <message>
         <source>name the folder of one patient</source>
         <translation>geben Sie den Ordner eines Patienten an</translation>
     </message>
@@ -3832,10 +3700,6 @@
     <message>
         <source>open the segmentation that was made from it</source>
         <translation>öffnen Sie die daraus gemachte Segmentierung</translation>
-    </message>
-    <message>
-        <source>open the segmentation that was made from the image</source>
-        <translation>öffnen Sie die Segmentierung, die aus dem Bild gemacht wurde</translation>
     </message>
     <message>
         <source>organ</source>
@@ -3966,10 +3830,6 @@
         <translation>entfernen Sie einen davon aus der Datei</translation>
     </message>
     <message>
-        <source>rename it to end in %1</source>
-        <translation>benennen Sie sie um, sodass sie auf %1 endet</translation>
-    </message>
-    <message>
         <source>repair the surface</source>
         <translation>reparieren Sie die Oberfläche</translation>
     </message>
@@ -4062,10 +3922,6 @@
         <translation>weich</translation>
     </message>
     <message>
-        <source>solids are written as .vtu only</source>
-        <translation>Volumenkörper werden nur als .vtu geschrieben</translation>
-    </message>
-    <message>
         <source>sort the lines by their instants</source>
         <translation>ordnen Sie die Zeilen nach ihren Zeitpunkten</translation>
     </message>
@@ -4084,10 +3940,6 @@
     <message>
         <source>surfaces at rest</source>
         <translation>Oberflächen in Ruhe</translation>
-    </message>
-    <message>
-        <source>surfaces cannot be written as &quot;%1&quot;</source>
-        <translation>Oberflächen können nicht als „%1“ geschrieben werden</translation>
     </message>
     <message>
         <source>system parameters</source>
@@ -4162,20 +4014,12 @@
         <translation>die Datei ist vielleicht in RAS oder gespiegelt</translation>
     </message>
     <message>
-        <source>the file says that its axes are %1, which Viscera does not know; LPS is assumed</source>
-        <translation>die Datei gibt die Achsen %1 an, die Viscera nicht kennt; LPS wird angenommen</translation>
-    </message>
-    <message>
         <source>the file states its axes: %1</source>
         <translation>die Datei nennt ihre Achsen: %1</translation>
     </message>
     <message>
         <source>the file with its voxels, %1, cannot be read: %2</source>
         <translation>die Datei mit ihren Voxeln, %1, kann nicht gelesen werden: %2</translation>
-    </message>
-    <message>
-        <source>the file with its voxels, %1, cannot be used: %2</source>
-        <translation>die Datei mit ihren Voxeln, %1, kann nicht verwendet werden: %2</translation>
     </message>
     <message>
         <source>the first one is 0</source>
@@ -4662,20 +4506,8 @@
         <translation>Frauen und Männer haben im Mittel %1 bis %2 ml</translation>
     </message>
     <message>
-        <source>write PLY or VTP</source>
-        <translation>schreiben Sie PLY oder VTP</translation>
-    </message>
-    <message>
         <source>write an .ogv instead</source>
         <translation>schreiben Sie stattdessen eine .ogv-Datei</translation>
-    </message>
-    <message>
-        <source>write it as .nrrd</source>
-        <translation>schreiben Sie es als .nrrd</translation>
-    </message>
-    <message>
-        <source>write it as .seg.nrrd</source>
-        <translation>schreiben Sie es als .seg.nrrd</translation>
     </message>
     <message>
         <source>write lines of the instant and the volume in ml</source>
@@ -5948,24 +5780,12 @@
         <translation>eine Tabelle</translation>
     </message>
     <message>
-        <source>a Viscera sequence</source>
-        <translation>eine Sequenz von Viscera</translation>
-    </message>
-    <message>
-        <source>a Viscera session</source>
-        <translation>eine Sitzung von Viscera</translation>
-    </message>
-    <message>
         <source>export it as STL, OBJ, PLY or GLB</source>
         <translation>exportieren Sie es als STL, OBJ, PLY oder GLB</translation>
     </message>
     <message>
         <source>unpack it first</source>
         <translation>entpacken Sie es zuerst</translation>
-    </message>
-    <message>
-        <source>unpack it first, and open what is inside</source>
-        <translation>entpacken Sie es zuerst und öffnen Sie den Inhalt</translation>
     </message>
     <message>
         <source>open the images that it was made from: a DICOM series, NIfTI, NRRD or MetaImage</source>
@@ -6016,14 +5836,6 @@
     <message>
         <source>export it without compression (in Blender: leave out Data &gt; Compression), or as STL or PLY</source>
         <translation>exportieren Sie sie ohne Kompression (in Blender: ohne Data &gt; Compression) oder als STL oder PLY</translation>
-    </message>
-    <message>
-        <source>export it without this extension, or as STL or PLY</source>
-        <translation>exportieren Sie sie ohne diese Erweiterung oder als STL oder PLY</translation>
-    </message>
-    <message>
-        <source>It holds %1, not VTK blocks (vtkMultiBlockDataSet)</source>
-        <translation>Sie enthält %1 und keine VTK-Blöcke (vtkMultiBlockDataSet)</translation>
     </message>
     <message>
         <source>save the surfaces as .vtp</source>
@@ -6099,16 +5911,8 @@
         <translation>Sie enthält mehrere Organe</translation>
     </message>
     <message>
-        <source>VTK XML multiblock data</source>
-        <translation>VTK-XML-Daten aus mehreren Blöcken</translation>
-    </message>
-    <message>
         <source>its voxels are in another folder (%1)</source>
         <translation>ihre Voxel liegen in einem anderen Ordner (%1)</translation>
-    </message>
-    <message>
-        <source>put both files into one folder, and name the other without a folder</source>
-        <translation>Legen Sie beide Dateien in einen Ordner und nennen Sie die andere ohne Ordner</translation>
     </message>
     <message>
         <source>it is an Analyze 7.5 image, which does not say where it lies: its axes are taken as %1, and left and right may be exchanged</source>
@@ -6151,360 +5955,12 @@
         <translation>Sie hat mehrere Ebenen einer Labelmap, nicht mehrere Phasen</translation>
     </message>
     <message>
-        <source>a FreeSurfer volume</source>
-        <translation>ein FreeSurfer-Volumen</translation>
-    </message>
-    <message>
-        <source>a GIPL image</source>
-        <translation>ein GIPL-Bild</translation>
-    </message>
-    <message>
-        <source>a MINC image</source>
-        <translation>ein MINC-Bild</translation>
-    </message>
-    <message>
-        <source>a MATLAB file</source>
-        <translation>eine MATLAB-Datei</translation>
-    </message>
-    <message>
-        <source>an Imaris image</source>
-        <translation>ein Imaris-Bild</translation>
-    </message>
-    <message>
-        <source>an HDF5 file</source>
-        <translation>eine HDF5-Datei</translation>
-    </message>
-    <message>
-        <source>a NetCDF file</source>
-        <translation>eine NetCDF-Datei</translation>
-    </message>
-    <message>
-        <source>a NumPy array</source>
-        <translation>ein NumPy-Array</translation>
-    </message>
-    <message>
-        <source>a NumPy archive</source>
-        <translation>ein NumPy-Archiv</translation>
-    </message>
-    <message>
-        <source>a TIFF image</source>
-        <translation>ein TIFF-Bild</translation>
-    </message>
-    <message>
-        <source>an AmiraMesh file</source>
-        <translation>eine AmiraMesh-Datei</translation>
-    </message>
-    <message>
-        <source>an Amira surface</source>
-        <translation>eine Amira-Oberfläche</translation>
-    </message>
-    <message>
-        <source>an Interfile image</source>
-        <translation>ein Interfile-Bild</translation>
-    </message>
-    <message>
-        <source>an ECAT image</source>
-        <translation>ein ECAT-Bild</translation>
-    </message>
-    <message>
-        <source>an MRtrix image</source>
-        <translation>ein MRtrix-Bild</translation>
-    </message>
-    <message>
-        <source>a Scanco image</source>
-        <translation>ein Scanco-Bild</translation>
-    </message>
-    <message>
-        <source>a Zeiss image</source>
-        <translation>ein Zeiss-Bild</translation>
-    </message>
-    <message>
-        <source>an MRC image</source>
-        <translation>ein MRC-Bild</translation>
-    </message>
-    <message>
-        <source>an AFNI image</source>
-        <translation>ein AFNI-Bild</translation>
-    </message>
-    <message>
-        <source>a Philips PAR/REC image</source>
-        <translation>ein PAR/REC-Bild von Philips</translation>
-    </message>
-    <message>
-        <source>a BrainVoyager image</source>
-        <translation>ein BrainVoyager-Bild</translation>
-    </message>
-    <message>
-        <source>a file of plain numbers</source>
-        <translation>eine Datei aus bloßen Zahlen</translation>
-    </message>
-    <message>
-        <source>convert it to .nrrd or .nii.gz with 3D Slicer</source>
-        <translation>Wandeln Sie sie mit 3D Slicer in .nrrd oder .nii.gz um</translation>
-    </message>
-    <message>
-        <source>save the array as .nii.gz with nibabel, together with its position</source>
-        <translation>Speichern Sie das Array samt seiner Lage mit nibabel als .nii.gz</translation>
-    </message>
-    <message>
-        <source>convert it with mnc2nii, and open the .nii</source>
-        <translation>Wandeln Sie sie mit mnc2nii um, und öffnen Sie die .nii</translation>
-    </message>
-    <message>
-        <source>write its volume with niftiwrite, and open the .nii</source>
-        <translation>Schreiben Sie ihr Volumen mit niftiwrite, und öffnen Sie die .nii</translation>
-    </message>
-    <message>
-        <source>export it from Imaris or Fiji, as .nrrd</source>
-        <translation>Exportieren Sie sie aus Imaris oder Fiji als .nrrd</translation>
-    </message>
-    <message>
-        <source>convert it to .nrrd with 3D Slicer or Fiji, with the size of its voxels</source>
-        <translation>Wandeln Sie sie mit 3D Slicer oder Fiji in .nrrd um, mit der Größe ihrer Voxel</translation>
-    </message>
-    <message>
-        <source>export it from Amira as .nrrd, or as DICOM</source>
-        <translation>Exportieren Sie sie aus Amira als .nrrd oder als DICOM</translation>
-    </message>
-    <message>
-        <source>export it from Amira as .stl or .ply</source>
-        <translation>Exportieren Sie sie aus Amira als .stl oder .ply</translation>
-    </message>
-    <message>
-        <source>convert it to .nii.gz with nibabel or dcm2niix</source>
-        <translation>Wandeln Sie sie mit nibabel oder dcm2niix in .nii.gz um</translation>
-    </message>
-    <message>
-        <source>convert it with mrconvert, and open the .nii.gz</source>
-        <translation>Wandeln Sie sie mit mrconvert um, und öffnen Sie die .nii.gz</translation>
-    </message>
-    <message>
-        <source>export it from Fiji, as .nrrd</source>
-        <translation>Exportieren Sie sie aus Fiji als .nrrd</translation>
-    </message>
-    <message>
-        <source>convert it with 3dAFNItoNIFTI, and open the .nii</source>
-        <translation>Wandeln Sie sie mit 3dAFNItoNIFTI um, und öffnen Sie die .nii</translation>
-    </message>
-    <message>
-        <source>convert it with dcm2niix, and open the .nii.gz</source>
-        <translation>Wandeln Sie sie mit dcm2niix um, und öffnen Sie die .nii.gz</translation>
-    </message>
-    <message>
-        <source>export it from BrainVoyager as .nii</source>
-        <translation>Exportieren Sie sie aus BrainVoyager als .nii</translation>
-    </message>
-    <message>
         <source>write a .nhdr or .mhd header for it, which says its size</source>
         <translation>Schreiben Sie dazu einen Kopf als .nhdr oder .mhd, der die Größe angibt</translation>
     </message>
     <message>
         <source>a segmentation</source>
         <translation>eine Segmentierung</translation>
-    </message>
-    <message>
-        <source>a label map segmentation</source>
-        <translation>eine Segmentierung als Labelmap</translation>
-    </message>
-    <message>
-        <source>an STL surface in a DICOM file</source>
-        <translation>eine STL-Oberfläche in einer DICOM-Datei</translation>
-    </message>
-    <message>
-        <source>an OBJ surface in a DICOM file</source>
-        <translation>eine OBJ-Oberfläche in einer DICOM-Datei</translation>
-    </message>
-    <message>
-        <source>a PDF document in a DICOM file</source>
-        <translation>ein PDF-Dokument in einer DICOM-Datei</translation>
-    </message>
-    <message>
-        <source>a text document (CDA) in a DICOM file</source>
-        <translation>ein Textdokument (CDA) in einer DICOM-Datei</translation>
-    </message>
-    <message>
-        <source>the materials of an OBJ surface in a DICOM file</source>
-        <translation>die Materialien einer OBJ-Oberfläche in einer DICOM-Datei</translation>
-    </message>
-    <message>
-        <source>open the DICOM file with the OBJ surface itself</source>
-        <translation>öffnen Sie die DICOM-Datei mit der OBJ-Oberfläche selbst</translation>
-    </message>
-    <message>
-        <source>a document in a DICOM file</source>
-        <translation>ein Dokument in einer DICOM-Datei</translation>
-    </message>
-    <message>
-        <source>a structure set of radiotherapy (RTSTRUCT): contours, without voxels or surfaces</source>
-        <translation>ein Struktursatz der Strahlentherapie (RTSTRUCT): Konturen, ohne Voxel und Oberflächen</translation>
-    </message>
-    <message>
-        <source>load it in 3D Slicer with its CT, convert it to a segmentation there, and save that as .seg.nrrd</source>
-        <translation>laden Sie ihn in 3D Slicer mit seinem CT, wandeln Sie ihn dort in eine Segmentierung um und speichern Sie diese als .seg.nrrd</translation>
-    </message>
-    <message>
-        <source>a projection image of radiotherapy</source>
-        <translation>eine Projektionsaufnahme der Strahlentherapie</translation>
-    </message>
-    <message>
-        <source>a dose of radiotherapy</source>
-        <translation>eine Dosis der Strahlentherapie</translation>
-    </message>
-    <message>
-        <source>a plan of radiotherapy (RTPLAN)</source>
-        <translation>ein Plan der Strahlentherapie (RTPLAN)</translation>
-    </message>
-    <message>
-        <source>a plan of radiotherapy with ions</source>
-        <translation>ein Plan der Strahlentherapie mit Ionen</translation>
-    </message>
-    <message>
-        <source>a record of radiotherapy</source>
-        <translation>eine Aufzeichnung der Strahlentherapie</translation>
-    </message>
-    <message>
-        <source>a list of selected images (Key Object Selection)</source>
-        <translation>eine Liste ausgewählter Bilder (Key Object Selection)</translation>
-    </message>
-    <message>
-        <source>a report of the radiation dose</source>
-        <translation>ein Bericht über die Strahlendosis</translation>
-    </message>
-    <message>
-        <source>a structured report (SR)</source>
-        <translation>ein strukturierter Bericht (SR)</translation>
-    </message>
-    <message>
-        <source>a presentation state, which says how to display images</source>
-        <translation>ein Anzeigezustand, der nur sagt, wie Bilder darzustellen sind</translation>
-    </message>
-    <message>
-        <source>an electrocardiogram (waveform)</source>
-        <translation>ein Elektrokardiogramm (Signalkurve)</translation>
-    </message>
-    <message>
-        <source>a sound recording (waveform)</source>
-        <translation>eine Tonaufnahme (Signalkurve)</translation>
-    </message>
-    <message>
-        <source>a recorded signal (waveform)</source>
-        <translation>ein aufgezeichnetes Signal (Signalkurve)</translation>
-    </message>
-    <message>
-        <source>a spatial registration, which only says how images lie to each other</source>
-        <translation>eine räumliche Registrierung, die nur sagt, wie Bilder zueinander liegen</translation>
-    </message>
-    <message>
-        <source>a list of reference points of images (spatial fiducials)</source>
-        <translation>eine Liste von Bezugspunkten in Bildern (Spatial Fiducials)</translation>
-    </message>
-    <message>
-        <source>load it in 3D Slicer, and save its points as .mrk.json</source>
-        <translation>laden Sie sie in 3D Slicer und speichern Sie ihre Punkte als .mrk.json</translation>
-    </message>
-    <message>
-        <source>a deformable registration, which only says how images lie to each other</source>
-        <translation>eine verformende Registrierung, die nur sagt, wie Bilder zueinander liegen</translation>
-    </message>
-    <message>
-        <source>a surface segmentation</source>
-        <translation>eine Oberflächensegmentierung</translation>
-    </message>
-    <message>
-        <source>open it in 3D Slicer, convert it to a segmentation there, and save that as .seg.nrrd</source>
-        <translation>öffnen Sie sie in 3D Slicer, wandeln Sie sie dort in eine Segmentierung um und speichern Sie diese als .seg.nrrd</translation>
-    </message>
-    <message>
-        <source>tracts of nerve fibres (tractography)</source>
-        <translation>Bahnen von Nervenfasern (Traktografie)</translation>
-    </message>
-    <message>
-        <source>load it in 3D Slicer, and save its fibre bundles as .vtk</source>
-        <translation>laden Sie sie in 3D Slicer und speichern Sie ihre Faserbündel als .vtk</translation>
-    </message>
-    <message>
-        <source>raw data of a scanner</source>
-        <translation>Rohdaten eines Geräts</translation>
-    </message>
-    <message>
-        <source>a mapping of image values to units</source>
-        <translation>eine Zuordnung von Bildwerten zu Einheiten</translation>
-    </message>
-    <message>
-        <source>a mesh of a surface scanner</source>
-        <translation>ein Netz eines Oberflächenscanners</translation>
-    </message>
-    <message>
-        <source>export the surface as STL, OBJ or PLY</source>
-        <translation>exportieren Sie die Oberfläche als STL, OBJ oder PLY</translation>
-    </message>
-    <message>
-        <source>a point cloud of a surface scanner</source>
-        <translation>eine Punktwolke eines Oberflächenscanners</translation>
-    </message>
-    <message>
-        <source>a tomogram of the eye</source>
-        <translation>ein Tomogramm des Auges</translation>
-    </message>
-    <message>
-        <source>a whole-slide image of microscopy</source>
-        <translation>ein Bild eines ganzen Objektträgers der Mikroskopie</translation>
-    </message>
-    <message>
-        <source>open it in a viewer for microscopy, such as QuPath</source>
-        <translation>öffnen Sie es in einem Programm für Mikroskopie wie QuPath</translation>
-    </message>
-    <message>
-        <source>a picture of endoscopy</source>
-        <translation>ein Bild der Endoskopie</translation>
-    </message>
-    <message>
-        <source>a photograph</source>
-        <translation>eine Fotografie</translation>
-    </message>
-    <message>
-        <source>a secondary capture (a picture of a screen or a page)</source>
-        <translation>eine Sekundäraufnahme (Bild eines Bildschirms oder einer Seite)</translation>
-    </message>
-    <message>
-        <source>an ultrasound image</source>
-        <translation>ein Ultraschallbild</translation>
-    </message>
-    <message>
-        <source>an ultrasound film</source>
-        <translation>ein Ultraschallfilm</translation>
-    </message>
-    <message>
-        <source>an ultrasound volume</source>
-        <translation>ein Ultraschallvolumen</translation>
-    </message>
-    <message>
-        <source>a projection image of X-rays</source>
-        <translation>eine Röntgen-Projektionsaufnahme</translation>
-    </message>
-    <message>
-        <source>a mammogram</source>
-        <translation>eine Mammografie</translation>
-    </message>
-    <message>
-        <source>a dental X-ray image</source>
-        <translation>eine Röntgenaufnahme der Zähne</translation>
-    </message>
-    <message>
-        <source>a tomogram of X-rays</source>
-        <translation>ein Röntgen-Tomogramm</translation>
-    </message>
-    <message>
-        <source>an image of nuclear medicine</source>
-        <translation>ein Bild der Nuklearmedizin</translation>
-    </message>
-    <message>
-        <source>a protocol of a scanner</source>
-        <translation>ein Protokoll eines Geräts</translation>
-    </message>
-    <message>
-        <source>settings of a device or a protocol of storage</source>
-        <translation>Einstellungen eines Geräts oder ein Protokoll der Speicherung</translation>
     </message>
     <message>
         <source>open the images or the segmentation of the same patient, which are other files</source>
@@ -6517,10 +5973,6 @@
     <message>
         <source>open the folder that it lists, %1</source>
         <translation>öffnen Sie den Ordner, den sie auflistet, %1</translation>
-    </message>
-    <message>
-        <source>It is %1, not a scan</source>
-        <translation>Es ist %1, kein Scan</translation>
     </message>
     <message>
         <source>open it as a label map</source>
@@ -6539,28 +5991,12 @@
         <translation>ein Objekt unbekannter Art</translation>
     </message>
     <message>
-        <source>is %1, which does not say where in the patient it lies</source>
-        <translation>ist %1, ohne Angabe der Lage im Patienten</translation>
-    </message>
-    <message>
-        <source>measurements of the eye</source>
-        <translation>Messungen des Auges</translation>
-    </message>
-    <message>
-        <source>a spectrum of magnetic resonance</source>
-        <translation>ein Spektrum der Magnetresonanz</translation>
-    </message>
-    <message>
         <source>its pixels are packed in a way that is not supported</source>
         <translation>ihre Pixel sind auf eine Weise gepackt, die nicht unterstützt wird</translation>
     </message>
     <message>
         <source>save it without compression</source>
         <translation>speichern Sie sie ohne Kompression</translation>
-    </message>
-    <message>
-        <source>is %1 in colour</source>
-        <translation>ist %1 in Farbe</translation>
     </message>
     <message>
         <source>It is a segmentation that %1</source>
@@ -6577,14 +6013,6 @@
     <message>
         <source>its pixels of one bit are packed in a way that is not supported (%1)</source>
         <translation>ihre Pixel von einem Bit sind auf eine Weise gepackt, die nicht unterstützt wird (%1)</translation>
-    </message>
-    <message>
-        <source>save it without compression, or as RLE</source>
-        <translation>speichern Sie sie ohne Kompression oder als RLE</translation>
-    </message>
-    <message>
-        <source>its unit &quot;%1&quot; is not known; its numbers were read as millimetres</source>
-        <translation>ihre Einheit „%1“ ist unbekannt; ihre Zahlen wurden als Millimeter gelesen</translation>
     </message>
     <message>
         <source>It is a DICOM image, not a surface</source>
@@ -6627,42 +6055,6 @@
         <source>copy its control points into a point list in Slicer's module Markups, and save the list</source>
         <translation>kopieren Sie die Kontrollpunkte in Slicers Modul Markups in eine Punktliste, und speichern Sie diese</translation>
     </message>
-    <message>
-        <source>a line</source>
-        <translation>eine Linie</translation>
-    </message>
-    <message>
-        <source>an angle</source>
-        <translation>einen Winkel</translation>
-    </message>
-    <message>
-        <source>a curve</source>
-        <translation>eine Kurve</translation>
-    </message>
-    <message>
-        <source>a closed curve</source>
-        <translation>eine geschlossene Kurve</translation>
-    </message>
-    <message>
-        <source>a plane</source>
-        <translation>eine Ebene</translation>
-    </message>
-    <message>
-        <source>a box (ROI)</source>
-        <translation>einen Quader (ROI)</translation>
-    </message>
-    <message>
-        <source>a markup of another kind</source>
-        <translation>eine Markierung anderer Art</translation>
-    </message>
-    <message>
-        <source>the file has the unit %1, which Viscera does not know; mm are assumed</source>
-        <translation>die Datei hat die Einheit %1, die Viscera nicht kennt; mm sind angenommen</translation>
-    </message>
-    <message>
-        <source>the file was converted from %1 to mm</source>
-        <translation>die Datei wurde von %1 in mm umgerechnet</translation>
-    </message>
     <message numerus="yes">
         <source>%n {object that the file does not place is|objects that the file does not place are} left out</source>
         <translation>
@@ -6698,18 +6090,6 @@
         <translation>entpacken Sie sie, und öffnen Sie die Dateien darin</translation>
     </message>
     <message>
-        <source>a 3MF model</source>
-        <translation>ein 3MF-Modell</translation>
-    </message>
-    <message>
-        <source>several surfaces are written as .glb or .3mf only</source>
-        <translation>mehrere Oberflächen werden nur als .glb oder .3mf geschrieben</translation>
-    </message>
-    <message>
-        <source>choose a name that ends in .glb or .3mf</source>
-        <translation>wählen Sie einen Namen, der auf .glb oder .3mf endet</translation>
-    </message>
-    <message>
         <source>the surface is too large for 3MF, whose parts end at 4 GB</source>
         <translation>die Oberfläche ist zu groß für 3MF, dessen Teile bei 4 GB enden</translation>
     </message>
@@ -6720,10 +6100,6 @@
     <message>
         <source>tetrahedra are written as .inp or .vtu only</source>
         <translation>Tetraeder werden nur als .inp oder .vtu geschrieben</translation>
-    </message>
-    <message>
-        <source>choose a name that ends in .inp or .vtu</source>
-        <translation>wählen Sie einen Namen, der auf .inp oder .vtu endet</translation>
     </message>
     <message>
         <source>the surface %1 is open (%2 boundary edges)</source>
@@ -6746,32 +6122,12 @@
         <translation>lassen Sie ihn weg, oder machen Sie ihn kleiner</translation>
     </message>
     <message>
-        <source>It has cells of VTK's type %1, which Viscera does not read</source>
-        <translation>Es hat Zellen von VTKs Typ %1, den Viscera nicht liest</translation>
-    </message>
-    <message>
-        <source>divide them into tetrahedra first (ParaView: Tetrahedralize)</source>
-        <translation>teilen Sie sie zuerst in Tetraeder (ParaView: Tetrahedralize)</translation>
-    </message>
-    <message>
-        <source>It is of gmsh's format 1, which Viscera does not read</source>
-        <translation>Sie ist im Format 1 von gmsh, das Viscera nicht liest</translation>
-    </message>
-    <message>
         <source>It is of gmsh's format %1, which Viscera does not read</source>
         <translation>Sie ist im Format %1 von gmsh, das Viscera nicht liest</translation>
     </message>
     <message>
         <source>open it with gmsh and save it as version 2 or 4</source>
         <translation>öffnen Sie sie mit gmsh und speichern Sie sie als Version 2 oder 4</translation>
-    </message>
-    <message>
-        <source>It has elements of gmsh's type %1, which Viscera does not read</source>
-        <translation>Sie hat Elemente von gmshs Typ %1, den Viscera nicht liest</translation>
-    </message>
-    <message>
-        <source>save the mesh with straight elements (gmsh -order 1)</source>
-        <translation>speichern Sie das Netz mit geraden Elementen (gmsh -order 1)</translation>
     </message>
     <message>
         <source>It is a plane mesh, of two dimensions</source>
@@ -6786,14 +6142,6 @@
         <translation>openCARP gibt Punkte in Mikrometern an: die Zahlen wurden durch 1000 geteilt</translation>
     </message>
     <message>
-        <source>The other half of the mesh, %1, is not beside it</source>
-        <translation>Die andere Hälfte des Netzes, %1, liegt nicht daneben</translation>
-    </message>
-    <message>
-        <source>copy %1 into its folder</source>
-        <translation>kopieren Sie %1 in den Ordner der Datei</translation>
-    </message>
-    <message>
         <source>%1 has more lines than the %2 points that it states; they were left out</source>
         <translation>%1 hat mehr Zeilen als die %2 Punkte, die angegeben sind; sie wurden weggelassen</translation>
     </message>
@@ -6804,10 +6152,6 @@
     <message>
         <source>save the mesh as tetrahedra</source>
         <translation>speichern Sie das Netz als Tetraeder</translation>
-    </message>
-    <message>
-        <source>It holds %1, not a mesh of cells (UnstructuredGrid)</source>
-        <translation>Sie enthält %1, kein Netz aus Zellen (UnstructuredGrid)</translation>
     </message>
     <message>
         <source>reduce the mesh first</source>
@@ -6922,32 +6266,277 @@
         <translation>ihre Matrix von %1 nach %2 wurde nicht angewendet</translation>
     </message>
     <message>
-        <source>a VTK XML mesh of cells</source>
-        <translation>ein Netz aus Zellen in VTK-XML</translation>
+        <source>save it as %1 with %2</source>
+        <translation>speichern Sie es mit %2 als %1</translation>
     </message>
     <message>
-        <source>a GIFTI surface</source>
-        <translation>eine GIFTI-Oberfläche</translation>
+        <source>load it in 3D Slicer with its images, convert it to a segmentation there, and save that as .seg.nrrd</source>
+        <translation>laden Sie es mit seinen Bildern in 3D Slicer, wandeln Sie es dort in eine Segmentierung um, und speichern Sie diese als .seg.nrrd</translation>
     </message>
     <message>
-        <source>a FreeSurfer surface</source>
-        <translation>eine FreeSurfer-Oberfläche</translation>
+        <source>It holds %1, not %2</source>
+        <translation>Sie enthält %1, nicht %2</translation>
     </message>
     <message>
-        <source>a gmsh mesh</source>
-        <translation>ein gmsh-Netz</translation>
+        <source>its unit %1 is not known; mm are assumed</source>
+        <translation>ihre Einheit %1 ist unbekannt; mm werden angenommen</translation>
     </message>
     <message>
-        <source>a medit mesh</source>
-        <translation>ein medit-Netz</translation>
+        <source>converted from %1 to mm</source>
+        <translation>von %1 in mm umgerechnet</translation>
     </message>
     <message>
-        <source>a CARTO map</source>
-        <translation>eine CARTO-Karte</translation>
+        <source>the other file that belongs to it, %1, is not beside it</source>
+        <translation>die andere Datei, die zu ihr gehört, %1, liegt nicht daneben</translation>
     </message>
     <message>
-        <source>an openCARP mesh</source>
-        <translation>ein openCARP-Netz</translation>
+        <source>this cannot be written as %1</source>
+        <translation>dies lässt sich nicht als %1 schreiben</translation>
+    </message>
+    <message>
+        <source>several surfaces cannot be written as %1</source>
+        <translation>mehrere Oberflächen lassen sich nicht als %1 schreiben</translation>
+    </message>
+    <message>
+        <source>let its name end in %1</source>
+        <translation>lassen Sie ihren Namen auf %1 enden</translation>
+    </message>
+    <message>
+        <source>rename it to end in %1</source>
+        <translation>benennen Sie sie um, sodass sie auf %1 endet</translation>
+    </message>
+    <message>
+        <source>a line</source>
+        <translation>eine Linie</translation>
+    </message>
+    <message>
+        <source>an angle</source>
+        <translation>einen Winkel</translation>
+    </message>
+    <message>
+        <source>a curve</source>
+        <translation>eine Kurve</translation>
+    </message>
+    <message>
+        <source>a closed curve</source>
+        <translation>eine geschlossene Kurve</translation>
+    </message>
+    <message>
+        <source>a plane</source>
+        <translation>eine Ebene</translation>
+    </message>
+    <message>
+        <source>a box (ROI)</source>
+        <translation>einen Quader (ROI)</translation>
+    </message>
+    <message>
+        <source>a markup of another kind</source>
+        <translation>eine Markierung anderer Art</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app</name>
+    <message>
+        <source>Undo</source>
+        <translation>Rückgängig</translation>
+    </message>
+    <message>
+        <source>Circulation</source>
+        <translation>Kreislauf</translation>
+    </message>
+    <message>
+        <source>Sample %1</source>
+        <translation>Beispiel %1</translation>
+    </message>
+    <message>
+        <source>Organs (%1)</source>
+        <translation>Organe (%1)</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Prescribe a volume</source>
+        <translation>Volumen vorgeben</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>Tiefe</translation>
+    </message>
+    <message>
+        <source>Cut away the front</source>
+        <translation>Vorderen Teil wegschneiden</translation>
+    </message>
+    <message>
+        <source>Cut away the upper part</source>
+        <translation>Oberen Teil wegschneiden</translation>
+    </message>
+    <message>
+        <source>Facing the viewer</source>
+        <translation>Zum Betrachter</translation>
+    </message>
+    <message>
+        <source>Deform</source>
+        <translation>Verformen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n handles</source>
+        <translation>
+            <numerusform>%n Griff</numerusform>
+            <numerusform>%n Griffe</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation>Volumen</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>Apply</source>
+        <translation>Anwenden</translation>
+    </message>
+    <message>
+        <source>Rest error</source>
+        <translation>Ruhefehler</translation>
+    </message>
+    <message>
+        <source>The largest distance of the bound organ at rest from the original</source>
+        <translation>Der größte Abstand des gebundenen Organs in Ruhe vom Original</translation>
+    </message>
+    <message>
+        <source>Smallest weight</source>
+        <translation>Kleinstes Gewicht</translation>
+    </message>
+    <message>
+        <source>Cut</source>
+        <translation>Schnitt</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>Surface</source>
+        <translation>Oberfläche</translation>
+    </message>
+    <message>
+        <source>Comma-separated values (*.csv)</source>
+        <translation>Kommagetrennte Werte (*.csv)</translation>
+    </message>
+    <message>
+        <source>There is no organ to export. Open one first.</source>
+        <translation>Kein Organ zum Exportieren vorhanden. Öffnen Sie zuerst eines.</translation>
+    </message>
+    <message>
+        <source>Exporting %1</source>
+        <translation>%1 wird exportiert</translation>
+    </message>
+    <message>
+        <source>Written to %1.</source>
+        <translation>In %1 geschrieben.</translation>
+    </message>
+    <message>
+        <source>Opening %1</source>
+        <translation>%1 wird geöffnet</translation>
+    </message>
+    <message>
+        <source>Look for files...</source>
+        <translation>Dateien suchen...</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Place the sequence&apos;s handles around the organ and play it</source>
+        <translation>Die Griffe der Sequenz um das Organ setzen und sie abspielen</translation>
+    </message>
+    <message>
+        <source>Groups</source>
+        <translation>Gruppen</translation>
+    </message>
+    <message>
+        <source>Colour...</source>
+        <translation>Farbe...</translation>
+    </message>
+    <message numerus="yes">
+        <source>Move %n handles</source>
+        <translation>
+            <numerusform>%n Griff bewegen</numerusform>
+            <numerusform>%n Griffe bewegen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Move handle %1</source>
+        <translation>Griff %1 bewegen</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>Stress</source>
+        <translation>Stress</translation>
+    </message>
+    <message>
+        <source>Import</source>
+        <translation>Importieren</translation>
+    </message>
+    <message>
+        <source>Duration of one cycle</source>
+        <translation>Dauer eines Zyklus</translation>
+    </message>
+    <message>
+        <source>%1 %2 ml</source>
+        <translation>%1 %2 ml</translation>
+    </message>
+    <message>
+        <source>Export lesson</source>
+        <translation>Lektion exportieren</translation>
+    </message>
+    <message>
+        <source>Motion from a series</source>
+        <translation>Bewegung aus einer Serie</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>now</source>
+        <translation>jetzt</translation>
+    </message>
+    <message>
+        <source>before</source>
+        <translation>vorher</translation>
+    </message>
+    <message>
+        <source>Phase</source>
+        <translation>Phase</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <translation>, </translation>
+    </message>
+    <message>
+        <source>Close (Esc)</source>
+        <translation>Schließen (Esc)</translation>
+    </message>
+    <message>
+        <source>Time in the cycle</source>
+        <translation>Zeit im Zyklus</translation>
     </message>
 </context>
 </TS>

@@ -1273,14 +1273,6 @@
         <translation>Debe ser positivo</translation>
     </message>
     <message>
-        <source>It holds %1, not a VTK surface (PolyData)</source>
-        <translation>Contiene %1, no una superficie VTK (PolyData)</translation>
-    </message>
-    <message>
-        <source>It holds a VTK dataset of type %1, not a surface (POLYDATA)</source>
-        <translation>Contiene un conjunto de datos VTK de tipo %1, no una superficie (POLYDATA)</translation>
-    </message>
-    <message>
         <source>It holds an image, not labels: it has more than %1 different values</source>
         <translation>Contiene una imagen, no etiquetas: tiene más de %1 valores distintos</translation>
     </message>
@@ -1315,14 +1307,6 @@
     <message>
         <source>It holds only empty masks</source>
         <translation>Solo contiene máscaras vacías</translation>
-    </message>
-    <message>
-        <source>It holds only the header of a NIfTI image in two files; the file with the voxels, %1, is not beside it</source>
-        <translation>Solo contiene la cabecera de una imagen NIfTI de dos archivos; el archivo con los vóxeles, %1, no está al lado</translation>
-    </message>
-    <message>
-        <source>It holds only the voxels of a NIfTI image in two files; the file with the header, %1, is not beside it</source>
-        <translation>Solo contiene los vóxeles de una imagen NIfTI de dos archivos; el archivo con la cabecera, %1, no está al lado</translation>
     </message>
     <message>
         <source>It holds points, but no faces</source>
@@ -2647,40 +2631,16 @@
         <translation>una tabla de fiduciales de 3D Slicer</translation>
     </message>
     <message>
-        <source>a 3D Slicer markups file</source>
-        <translation>un archivo de marcas de 3D Slicer</translation>
-    </message>
-    <message>
-        <source>a DICOM file</source>
-        <translation>un archivo DICOM</translation>
-    </message>
-    <message>
         <source>a JSON file</source>
         <translation>un archivo JSON</translation>
-    </message>
-    <message>
-        <source>a NIfTI image</source>
-        <translation>una imagen NIfTI</translation>
-    </message>
-    <message>
-        <source>a PLY surface</source>
-        <translation>una superficie PLY</translation>
     </message>
     <message>
         <source>a VTK XML file that holds no surface</source>
         <translation>un archivo VTK XML sin superficie</translation>
     </message>
     <message>
-        <source>a VTK XML surface</source>
-        <translation>una superficie VTK XML</translation>
-    </message>
-    <message>
         <source>a ZIP archive</source>
         <translation>un archivo ZIP</translation>
-    </message>
-    <message>
-        <source>a binary glTF scene</source>
-        <translation>una escena glTF binaria</translation>
     </message>
     <message>
         <source>a buffer is at %1, but only files beside it are read</source>
@@ -2695,10 +2655,6 @@
         <translation>una vesícula biliar</translation>
     </message>
     <message>
-        <source>a glTF scene</source>
-        <translation>una escena glTF</translation>
-    </message>
-    <message>
         <source>a gzip-compressed file</source>
         <translation>un archivo comprimido con gzip</translation>
     </message>
@@ -2709,10 +2665,6 @@
     <message>
         <source>a kidney</source>
         <translation>un riñón</translation>
-    </message>
-    <message>
-        <source>a legacy VTK file</source>
-        <translation>un archivo VTK antiguo</translation>
     </message>
     <message>
         <source>a liver</source>
@@ -2809,22 +2761,6 @@
     <message>
         <source>all points lie in one plane</source>
         <translation>todos los puntos están en un plano</translation>
-    </message>
-    <message>
-        <source>an NRRD image</source>
-        <translation>una imagen NRRD</translation>
-    </message>
-    <message>
-        <source>an OBJ surface</source>
-        <translation>una superficie OBJ</translation>
-    </message>
-    <message>
-        <source>an OFF surface</source>
-        <translation>una superficie OFF</translation>
-    </message>
-    <message>
-        <source>an STL surface</source>
-        <translation>una superficie STL</translation>
     </message>
     <message>
         <source>an error without a message</source>
@@ -2999,18 +2935,6 @@
         <translation>elija una carpeta que exista, en la que se pueda escribir y que tenga espacio</translation>
     </message>
     <message>
-        <source>choose a name that ends in .glb</source>
-        <translation>elija un nombre que termine en .glb</translation>
-    </message>
-    <message>
-        <source>choose a name that ends in .vtp</source>
-        <translation>elija un nombre que termine en .vtp</translation>
-    </message>
-    <message>
-        <source>choose a name that ends in .vtu</source>
-        <translation>elija un nombre que termine en .vtu</translation>
-    </message>
-    <message>
         <source>choose a surface that has some</source>
         <translation>elija una superficie que los tenga</translation>
     </message>
@@ -3099,14 +3023,6 @@
         <translation>diástole</translation>
     </message>
     <message>
-        <source>displacement fields cannot be written as &quot;%1&quot;</source>
-        <translation>los campos de desplazamientos no se pueden escribir como «%1»</translation>
-    </message>
-    <message>
-        <source>displacements are written as .vtp only</source>
-        <translation>los desplazamientos solo se escriben como .vtp</translation>
-    </message>
-    <message>
         <source>distance</source>
         <translation>distancia</translation>
     </message>
@@ -3169,10 +3085,6 @@
     <message>
         <source>export it as pixels of 16 bits</source>
         <translation>expórtelo con píxeles de 16 bits</translation>
-    </message>
-    <message>
-        <source>export it as text, or as STL or PLY</source>
-        <translation>expórtelo como texto, o como STL o PLY</translation>
     </message>
     <message>
         <source>export it little-endian</source>
@@ -3303,10 +3215,6 @@
         <translation>tiradores %1 y %2</translation>
     </message>
     <message>
-        <source>handles cannot be written as &quot;%1&quot;</source>
-        <translation>los tiradores no se pueden escribir como «%1»</translation>
-    </message>
-    <message>
         <source>harmonic coordinates</source>
         <translation>coordenadas armónicas</translation>
     </message>
@@ -3344,10 +3252,6 @@
     <message>
         <source>if it is not a whole cycle, say that it is to be played once (--once); else add the phases that are missing</source>
         <translation>si no es un ciclo completo, indique que se reproduzca una vez (--once); si lo es, añada las fases que faltan</translation>
-    </message>
-    <message>
-        <source>images cannot be written as &quot;%1&quot;</source>
-        <translation>las imágenes no se pueden escribir como «%1»</translation>
     </message>
     <message>
         <source>in</source>
@@ -3422,10 +3326,6 @@
     <message>
         <source>it does not say where the patient's sides are; axes are taken as right, front and up</source>
         <translation>no indica dónde están los lados del paciente; los ejes se toman como derecha, delante y arriba</translation>
-    </message>
-    <message>
-        <source>it does not say which axes it uses; LPS is assumed</source>
-        <translation>no indica qué ejes usa; se supone LPS</translation>
     </message>
     <message>
         <source>it follows no handles, so nothing can change its volume</source>
@@ -3515,14 +3415,6 @@
         <translation>sus dos extremos están en fragmentos separados</translation>
     </message>
     <message>
-        <source>its unit is the metre; converted to mm</source>
-        <translation>su unidad es el metro; convertido a mm</translation>
-    </message>
-    <message>
-        <source>its unit is the micrometre; converted to mm</source>
-        <translation>su unidad es el micrómetro; convertido a mm</translation>
-    </message>
-    <message>
         <source>its volume can be kept only after it is bound to the present handles</source>
         <translation>su volumen solo se puede mantener después de vincularlo a los tiradores presentes</translation>
     </message>
@@ -3595,18 +3487,6 @@
         <translation>que empiece por «time_s» para segundos, o por «fraction» para partes del ciclo</translation>
     </message>
     <message>
-        <source>let its name end in .mrk.json or .fcsv</source>
-        <translation>haga que su nombre termine en .mrk.json o .fcsv</translation>
-    </message>
-    <message>
-        <source>let its name end in .nii.gz, .nii or .nrrd</source>
-        <translation>haga que su nombre termine en .nii.gz, .nii o .nrrd</translation>
-    </message>
-    <message>
-        <source>let its name end in .nrrd or .mha</source>
-        <translation>haga que su nombre termine en .nrrd o .mha</translation>
-    </message>
-    <message>
         <source>let more handles compensate, or ask for a volume nearer to the present one</source>
         <translation>deje que compensen más tiradores, o pida un volumen más cercano al actual</translation>
     </message>
@@ -3617,14 +3497,6 @@
     <message>
         <source>linear</source>
         <translation>lineal</translation>
-    </message>
-    <message>
-        <source>list %1 has the unit %2, which Viscera does not know; mm are assumed</source>
-        <translation>la lista %1 tiene la unidad %2, que Viscera no conoce; se suponen mm</translation>
-    </message>
-    <message>
-        <source>list %1 was converted from %2 to mm</source>
-        <translation>la lista %1 se ha convertido de %2 a mm</translation>
     </message>
     <message>
         <source>load a closed surface</source>
@@ -3751,10 +3623,6 @@
         <translation>indique la carpeta de una serie de TC o RM</translation>
     </message>
     <message>
-        <source>name the folder of a CT or MR series, or one of its files</source>
-        <translation>indique la carpeta de una serie de TC o RM, o uno de sus archivos</translation>
-    </message>
-    <message>
         <source>name the folder of one patient</source>
         <translation>indique la carpeta de un solo paciente</translation>
     </message>
@@ -3832,10 +3700,6 @@
     <message>
         <source>open the segmentation that was made from it</source>
         <translation>abra la segmentación hecha a partir de él</translation>
-    </message>
-    <message>
-        <source>open the segmentation that was made from the image</source>
-        <translation>abra la segmentación hecha a partir de la imagen</translation>
     </message>
     <message>
         <source>organ</source>
@@ -3966,10 +3830,6 @@
         <translation>quite uno de ellos del archivo</translation>
     </message>
     <message>
-        <source>rename it to end in %1</source>
-        <translation>cámbiele el nombre para que termine en %1</translation>
-    </message>
-    <message>
         <source>repair the surface</source>
         <translation>repare la superficie</translation>
     </message>
@@ -4062,10 +3922,6 @@
         <translation>suave</translation>
     </message>
     <message>
-        <source>solids are written as .vtu only</source>
-        <translation>los sólidos solo se escriben como .vtu</translation>
-    </message>
-    <message>
         <source>sort the lines by their instants</source>
         <translation>ordene las líneas por sus instantes</translation>
     </message>
@@ -4084,10 +3940,6 @@
     <message>
         <source>surfaces at rest</source>
         <translation>superficies en reposo</translation>
-    </message>
-    <message>
-        <source>surfaces cannot be written as &quot;%1&quot;</source>
-        <translation>las superficies no se pueden escribir como «%1»</translation>
     </message>
     <message>
         <source>system parameters</source>
@@ -4162,20 +4014,12 @@
         <translation>el archivo puede estar en RAS o reflejado</translation>
     </message>
     <message>
-        <source>the file says that its axes are %1, which Viscera does not know; LPS is assumed</source>
-        <translation>el archivo indica que sus ejes son %1, que Viscera no conoce; se supone LPS</translation>
-    </message>
-    <message>
         <source>the file states its axes: %1</source>
         <translation>el archivo indica sus ejes: %1</translation>
     </message>
     <message>
         <source>the file with its voxels, %1, cannot be read: %2</source>
         <translation>el archivo con sus vóxeles, %1, no se puede leer: %2</translation>
-    </message>
-    <message>
-        <source>the file with its voxels, %1, cannot be used: %2</source>
-        <translation>el archivo con sus vóxeles, %1, no se puede usar: %2</translation>
     </message>
     <message>
         <source>the first one is 0</source>
@@ -4662,20 +4506,8 @@
         <translation>mujeres y hombres tienen de media de %1 a %2 ml</translation>
     </message>
     <message>
-        <source>write PLY or VTP</source>
-        <translation>escriba PLY o VTP</translation>
-    </message>
-    <message>
         <source>write an .ogv instead</source>
         <translation>escriba un .ogv en su lugar</translation>
-    </message>
-    <message>
-        <source>write it as .nrrd</source>
-        <translation>escríbala como .nrrd</translation>
-    </message>
-    <message>
-        <source>write it as .seg.nrrd</source>
-        <translation>escríbala como .seg.nrrd</translation>
     </message>
     <message>
         <source>write lines of the instant and the volume in ml</source>
@@ -5948,24 +5780,12 @@
         <translation>una tabla</translation>
     </message>
     <message>
-        <source>a Viscera sequence</source>
-        <translation>una secuencia de Viscera</translation>
-    </message>
-    <message>
-        <source>a Viscera session</source>
-        <translation>una sesión de Viscera</translation>
-    </message>
-    <message>
         <source>export it as STL, OBJ, PLY or GLB</source>
         <translation>expórtelo como STL, OBJ, PLY o GLB</translation>
     </message>
     <message>
         <source>unpack it first</source>
         <translation>descomprímalo primero</translation>
-    </message>
-    <message>
-        <source>unpack it first, and open what is inside</source>
-        <translation>descomprímalo primero y abra su contenido</translation>
     </message>
     <message>
         <source>open the images that it was made from: a DICOM series, NIfTI, NRRD or MetaImage</source>
@@ -6016,14 +5836,6 @@
     <message>
         <source>export it without compression (in Blender: leave out Data &gt; Compression), or as STL or PLY</source>
         <translation>expórtelo sin compresión (en Blender: sin Data &gt; Compression), o como STL o PLY</translation>
-    </message>
-    <message>
-        <source>export it without this extension, or as STL or PLY</source>
-        <translation>expórtelo sin esta extensión, o como STL o PLY</translation>
-    </message>
-    <message>
-        <source>It holds %1, not VTK blocks (vtkMultiBlockDataSet)</source>
-        <translation>Contiene %1 y no bloques de VTK (vtkMultiBlockDataSet)</translation>
     </message>
     <message>
         <source>save the surfaces as .vtp</source>
@@ -6099,16 +5911,8 @@
         <translation>Contiene varios órganos</translation>
     </message>
     <message>
-        <source>VTK XML multiblock data</source>
-        <translation>datos multibloque VTK XML</translation>
-    </message>
-    <message>
         <source>its voxels are in another folder (%1)</source>
         <translation>sus vóxeles están en otra carpeta (%1)</translation>
-    </message>
-    <message>
-        <source>put both files into one folder, and name the other without a folder</source>
-        <translation>ponga los dos archivos en una carpeta y nombre el otro sin carpeta</translation>
     </message>
     <message>
         <source>it is an Analyze 7.5 image, which does not say where it lies: its axes are taken as %1, and left and right may be exchanged</source>
@@ -6151,360 +5955,12 @@
         <translation>Contiene varias capas de un mapa de etiquetas, no varias fases</translation>
     </message>
     <message>
-        <source>a FreeSurfer volume</source>
-        <translation>un volumen de FreeSurfer</translation>
-    </message>
-    <message>
-        <source>a GIPL image</source>
-        <translation>una imagen GIPL</translation>
-    </message>
-    <message>
-        <source>a MINC image</source>
-        <translation>una imagen MINC</translation>
-    </message>
-    <message>
-        <source>a MATLAB file</source>
-        <translation>un archivo de MATLAB</translation>
-    </message>
-    <message>
-        <source>an Imaris image</source>
-        <translation>una imagen de Imaris</translation>
-    </message>
-    <message>
-        <source>an HDF5 file</source>
-        <translation>un archivo HDF5</translation>
-    </message>
-    <message>
-        <source>a NetCDF file</source>
-        <translation>un archivo NetCDF</translation>
-    </message>
-    <message>
-        <source>a NumPy array</source>
-        <translation>una matriz de NumPy</translation>
-    </message>
-    <message>
-        <source>a NumPy archive</source>
-        <translation>un archivo comprimido de NumPy</translation>
-    </message>
-    <message>
-        <source>a TIFF image</source>
-        <translation>una imagen TIFF</translation>
-    </message>
-    <message>
-        <source>an AmiraMesh file</source>
-        <translation>un archivo AmiraMesh</translation>
-    </message>
-    <message>
-        <source>an Amira surface</source>
-        <translation>una superficie de Amira</translation>
-    </message>
-    <message>
-        <source>an Interfile image</source>
-        <translation>una imagen Interfile</translation>
-    </message>
-    <message>
-        <source>an ECAT image</source>
-        <translation>una imagen ECAT</translation>
-    </message>
-    <message>
-        <source>an MRtrix image</source>
-        <translation>una imagen de MRtrix</translation>
-    </message>
-    <message>
-        <source>a Scanco image</source>
-        <translation>una imagen de Scanco</translation>
-    </message>
-    <message>
-        <source>a Zeiss image</source>
-        <translation>una imagen de Zeiss</translation>
-    </message>
-    <message>
-        <source>an MRC image</source>
-        <translation>una imagen MRC</translation>
-    </message>
-    <message>
-        <source>an AFNI image</source>
-        <translation>una imagen de AFNI</translation>
-    </message>
-    <message>
-        <source>a Philips PAR/REC image</source>
-        <translation>una imagen PAR/REC de Philips</translation>
-    </message>
-    <message>
-        <source>a BrainVoyager image</source>
-        <translation>una imagen de BrainVoyager</translation>
-    </message>
-    <message>
-        <source>a file of plain numbers</source>
-        <translation>un archivo de números sin más</translation>
-    </message>
-    <message>
-        <source>convert it to .nrrd or .nii.gz with 3D Slicer</source>
-        <translation>conviértalo a .nrrd o .nii.gz con 3D Slicer</translation>
-    </message>
-    <message>
-        <source>save the array as .nii.gz with nibabel, together with its position</source>
-        <translation>guarde la matriz con su posición como .nii.gz con nibabel</translation>
-    </message>
-    <message>
-        <source>convert it with mnc2nii, and open the .nii</source>
-        <translation>conviértalo con mnc2nii y abra el .nii</translation>
-    </message>
-    <message>
-        <source>write its volume with niftiwrite, and open the .nii</source>
-        <translation>escriba su volumen con niftiwrite y abra el .nii</translation>
-    </message>
-    <message>
-        <source>export it from Imaris or Fiji, as .nrrd</source>
-        <translation>expórtelo desde Imaris o Fiji como .nrrd</translation>
-    </message>
-    <message>
-        <source>convert it to .nrrd with 3D Slicer or Fiji, with the size of its voxels</source>
-        <translation>conviértalo a .nrrd con 3D Slicer o Fiji, con el tamaño de sus vóxeles</translation>
-    </message>
-    <message>
-        <source>export it from Amira as .nrrd, or as DICOM</source>
-        <translation>expórtelo desde Amira como .nrrd o como DICOM</translation>
-    </message>
-    <message>
-        <source>export it from Amira as .stl or .ply</source>
-        <translation>expórtelo desde Amira como .stl o .ply</translation>
-    </message>
-    <message>
-        <source>convert it to .nii.gz with nibabel or dcm2niix</source>
-        <translation>conviértalo a .nii.gz con nibabel o dcm2niix</translation>
-    </message>
-    <message>
-        <source>convert it with mrconvert, and open the .nii.gz</source>
-        <translation>conviértalo con mrconvert y abra el .nii.gz</translation>
-    </message>
-    <message>
-        <source>export it from Fiji, as .nrrd</source>
-        <translation>expórtelo desde Fiji como .nrrd</translation>
-    </message>
-    <message>
-        <source>convert it with 3dAFNItoNIFTI, and open the .nii</source>
-        <translation>conviértalo con 3dAFNItoNIFTI y abra el .nii</translation>
-    </message>
-    <message>
-        <source>convert it with dcm2niix, and open the .nii.gz</source>
-        <translation>conviértalo con dcm2niix y abra el .nii.gz</translation>
-    </message>
-    <message>
-        <source>export it from BrainVoyager as .nii</source>
-        <translation>expórtelo desde BrainVoyager como .nii</translation>
-    </message>
-    <message>
         <source>write a .nhdr or .mhd header for it, which says its size</source>
         <translation>escriba para él una cabecera .nhdr o .mhd, que diga su tamaño</translation>
     </message>
     <message>
         <source>a segmentation</source>
         <translation>una segmentación</translation>
-    </message>
-    <message>
-        <source>a label map segmentation</source>
-        <translation>una segmentación como mapa de etiquetas</translation>
-    </message>
-    <message>
-        <source>an STL surface in a DICOM file</source>
-        <translation>una superficie STL en un archivo DICOM</translation>
-    </message>
-    <message>
-        <source>an OBJ surface in a DICOM file</source>
-        <translation>una superficie OBJ en un archivo DICOM</translation>
-    </message>
-    <message>
-        <source>a PDF document in a DICOM file</source>
-        <translation>un documento PDF en un archivo DICOM</translation>
-    </message>
-    <message>
-        <source>a text document (CDA) in a DICOM file</source>
-        <translation>un documento de texto (CDA) en un archivo DICOM</translation>
-    </message>
-    <message>
-        <source>the materials of an OBJ surface in a DICOM file</source>
-        <translation>los materiales de una superficie OBJ en un archivo DICOM</translation>
-    </message>
-    <message>
-        <source>open the DICOM file with the OBJ surface itself</source>
-        <translation>abra el archivo DICOM que contiene la superficie OBJ</translation>
-    </message>
-    <message>
-        <source>a document in a DICOM file</source>
-        <translation>un documento en un archivo DICOM</translation>
-    </message>
-    <message>
-        <source>a structure set of radiotherapy (RTSTRUCT): contours, without voxels or surfaces</source>
-        <translation>un conjunto de estructuras de radioterapia (RTSTRUCT): contornos, sin vóxeles ni superficies</translation>
-    </message>
-    <message>
-        <source>load it in 3D Slicer with its CT, convert it to a segmentation there, and save that as .seg.nrrd</source>
-        <translation>cárguelo en 3D Slicer con su TC, conviértalo en una segmentación y guárdela como .seg.nrrd</translation>
-    </message>
-    <message>
-        <source>a projection image of radiotherapy</source>
-        <translation>una imagen de proyección de radioterapia</translation>
-    </message>
-    <message>
-        <source>a dose of radiotherapy</source>
-        <translation>una dosis de radioterapia</translation>
-    </message>
-    <message>
-        <source>a plan of radiotherapy (RTPLAN)</source>
-        <translation>un plan de radioterapia (RTPLAN)</translation>
-    </message>
-    <message>
-        <source>a plan of radiotherapy with ions</source>
-        <translation>un plan de radioterapia con iones</translation>
-    </message>
-    <message>
-        <source>a record of radiotherapy</source>
-        <translation>un registro de radioterapia</translation>
-    </message>
-    <message>
-        <source>a list of selected images (Key Object Selection)</source>
-        <translation>una lista de imágenes seleccionadas (Key Object Selection)</translation>
-    </message>
-    <message>
-        <source>a report of the radiation dose</source>
-        <translation>un informe de la dosis de radiación</translation>
-    </message>
-    <message>
-        <source>a structured report (SR)</source>
-        <translation>un informe estructurado (SR)</translation>
-    </message>
-    <message>
-        <source>a presentation state, which says how to display images</source>
-        <translation>un estado de presentación, que solo dice cómo mostrar imágenes</translation>
-    </message>
-    <message>
-        <source>an electrocardiogram (waveform)</source>
-        <translation>un electrocardiograma (señal)</translation>
-    </message>
-    <message>
-        <source>a sound recording (waveform)</source>
-        <translation>una grabación de sonido (señal)</translation>
-    </message>
-    <message>
-        <source>a recorded signal (waveform)</source>
-        <translation>una señal registrada</translation>
-    </message>
-    <message>
-        <source>a spatial registration, which only says how images lie to each other</source>
-        <translation>un registro espacial, que solo dice cómo se sitúan unas imágenes respecto a otras</translation>
-    </message>
-    <message>
-        <source>a list of reference points of images (spatial fiducials)</source>
-        <translation>una lista de puntos de referencia de imágenes (spatial fiducials)</translation>
-    </message>
-    <message>
-        <source>load it in 3D Slicer, and save its points as .mrk.json</source>
-        <translation>cárguela en 3D Slicer y guarde sus puntos como .mrk.json</translation>
-    </message>
-    <message>
-        <source>a deformable registration, which only says how images lie to each other</source>
-        <translation>un registro deformable, que solo dice cómo se sitúan unas imágenes respecto a otras</translation>
-    </message>
-    <message>
-        <source>a surface segmentation</source>
-        <translation>una segmentación por superficies</translation>
-    </message>
-    <message>
-        <source>open it in 3D Slicer, convert it to a segmentation there, and save that as .seg.nrrd</source>
-        <translation>ábrala en 3D Slicer, conviértala en una segmentación y guárdela como .seg.nrrd</translation>
-    </message>
-    <message>
-        <source>tracts of nerve fibres (tractography)</source>
-        <translation>tractos de fibras nerviosas (tractografía)</translation>
-    </message>
-    <message>
-        <source>load it in 3D Slicer, and save its fibre bundles as .vtk</source>
-        <translation>cárguela en 3D Slicer y guarde sus haces de fibras como .vtk</translation>
-    </message>
-    <message>
-        <source>raw data of a scanner</source>
-        <translation>datos en bruto de un equipo</translation>
-    </message>
-    <message>
-        <source>a mapping of image values to units</source>
-        <translation>una correspondencia de valores de imagen con unidades</translation>
-    </message>
-    <message>
-        <source>a mesh of a surface scanner</source>
-        <translation>una malla de un escáner de superficies</translation>
-    </message>
-    <message>
-        <source>export the surface as STL, OBJ or PLY</source>
-        <translation>exporte la superficie como STL, OBJ o PLY</translation>
-    </message>
-    <message>
-        <source>a point cloud of a surface scanner</source>
-        <translation>una nube de puntos de un escáner de superficies</translation>
-    </message>
-    <message>
-        <source>a tomogram of the eye</source>
-        <translation>un tomograma del ojo</translation>
-    </message>
-    <message>
-        <source>a whole-slide image of microscopy</source>
-        <translation>una imagen de portaobjetos completo de microscopía</translation>
-    </message>
-    <message>
-        <source>open it in a viewer for microscopy, such as QuPath</source>
-        <translation>ábrala en un visor de microscopía como QuPath</translation>
-    </message>
-    <message>
-        <source>a picture of endoscopy</source>
-        <translation>una imagen de endoscopia</translation>
-    </message>
-    <message>
-        <source>a photograph</source>
-        <translation>una fotografía</translation>
-    </message>
-    <message>
-        <source>a secondary capture (a picture of a screen or a page)</source>
-        <translation>una captura secundaria (imagen de una pantalla o de una página)</translation>
-    </message>
-    <message>
-        <source>an ultrasound image</source>
-        <translation>una imagen de ecografía</translation>
-    </message>
-    <message>
-        <source>an ultrasound film</source>
-        <translation>una película de ecografía</translation>
-    </message>
-    <message>
-        <source>an ultrasound volume</source>
-        <translation>un volumen de ecografía</translation>
-    </message>
-    <message>
-        <source>a projection image of X-rays</source>
-        <translation>una imagen de proyección de rayos X</translation>
-    </message>
-    <message>
-        <source>a mammogram</source>
-        <translation>una mamografía</translation>
-    </message>
-    <message>
-        <source>a dental X-ray image</source>
-        <translation>una radiografía dental</translation>
-    </message>
-    <message>
-        <source>a tomogram of X-rays</source>
-        <translation>un tomograma de rayos X</translation>
-    </message>
-    <message>
-        <source>an image of nuclear medicine</source>
-        <translation>una imagen de medicina nuclear</translation>
-    </message>
-    <message>
-        <source>a protocol of a scanner</source>
-        <translation>un protocolo de un equipo</translation>
-    </message>
-    <message>
-        <source>settings of a device or a protocol of storage</source>
-        <translation>ajustes de un dispositivo o un protocolo de almacenamiento</translation>
     </message>
     <message>
         <source>open the images or the segmentation of the same patient, which are other files</source>
@@ -6517,10 +5973,6 @@
     <message>
         <source>open the folder that it lists, %1</source>
         <translation>abra la carpeta que describe, %1</translation>
-    </message>
-    <message>
-        <source>It is %1, not a scan</source>
-        <translation>Es %1, no un estudio</translation>
     </message>
     <message>
         <source>open it as a label map</source>
@@ -6539,28 +5991,12 @@
         <translation>un objeto de un tipo desconocido</translation>
     </message>
     <message>
-        <source>is %1, which does not say where in the patient it lies</source>
-        <translation>es %1, que no indica dónde está en el paciente</translation>
-    </message>
-    <message>
-        <source>measurements of the eye</source>
-        <translation>mediciones del ojo</translation>
-    </message>
-    <message>
-        <source>a spectrum of magnetic resonance</source>
-        <translation>un espectro de resonancia magnética</translation>
-    </message>
-    <message>
         <source>its pixels are packed in a way that is not supported</source>
         <translation>sus píxeles están comprimidos de una forma no admitida</translation>
     </message>
     <message>
         <source>save it without compression</source>
         <translation>guárdelo sin compresión</translation>
-    </message>
-    <message>
-        <source>is %1 in colour</source>
-        <translation>es %1 en color</translation>
     </message>
     <message>
         <source>It is a segmentation that %1</source>
@@ -6577,14 +6013,6 @@
     <message>
         <source>its pixels of one bit are packed in a way that is not supported (%1)</source>
         <translation>sus píxeles de un bit están comprimidos de una forma no admitida (%1)</translation>
-    </message>
-    <message>
-        <source>save it without compression, or as RLE</source>
-        <translation>guárdelo sin compresión o como RLE</translation>
-    </message>
-    <message>
-        <source>its unit &quot;%1&quot; is not known; its numbers were read as millimetres</source>
-        <translation>su unidad «%1» es desconocida; sus números se han leído como milímetros</translation>
     </message>
     <message>
         <source>It is a DICOM image, not a surface</source>
@@ -6627,42 +6055,6 @@
         <source>copy its control points into a point list in Slicer's module Markups, and save the list</source>
         <translation>copie sus puntos de control en una lista de puntos del módulo Markups de Slicer y guarde la lista</translation>
     </message>
-    <message>
-        <source>a line</source>
-        <translation>una línea</translation>
-    </message>
-    <message>
-        <source>an angle</source>
-        <translation>un ángulo</translation>
-    </message>
-    <message>
-        <source>a curve</source>
-        <translation>una curva</translation>
-    </message>
-    <message>
-        <source>a closed curve</source>
-        <translation>una curva cerrada</translation>
-    </message>
-    <message>
-        <source>a plane</source>
-        <translation>un plano</translation>
-    </message>
-    <message>
-        <source>a box (ROI)</source>
-        <translation>una caja (ROI)</translation>
-    </message>
-    <message>
-        <source>a markup of another kind</source>
-        <translation>una marca de otro tipo</translation>
-    </message>
-    <message>
-        <source>the file has the unit %1, which Viscera does not know; mm are assumed</source>
-        <translation>el archivo tiene la unidad %1, que Viscera no conoce; se suponen mm</translation>
-    </message>
-    <message>
-        <source>the file was converted from %1 to mm</source>
-        <translation>el archivo se convirtió de %1 a mm</translation>
-    </message>
     <message numerus="yes">
         <source>%n {object that the file does not place is|objects that the file does not place are} left out</source>
         <translation>
@@ -6698,18 +6090,6 @@
         <translation>descomprímalo y abra los archivos que contiene</translation>
     </message>
     <message>
-        <source>a 3MF model</source>
-        <translation>un modelo 3MF</translation>
-    </message>
-    <message>
-        <source>several surfaces are written as .glb or .3mf only</source>
-        <translation>varias superficies solo se escriben como .glb o .3mf</translation>
-    </message>
-    <message>
-        <source>choose a name that ends in .glb or .3mf</source>
-        <translation>elija un nombre que termine en .glb o .3mf</translation>
-    </message>
-    <message>
         <source>the surface is too large for 3MF, whose parts end at 4 GB</source>
         <translation>la superficie es demasiado grande para 3MF, cuyas partes acaban en 4 GB</translation>
     </message>
@@ -6720,10 +6100,6 @@
     <message>
         <source>tetrahedra are written as .inp or .vtu only</source>
         <translation>los tetraedros solo se escriben como .inp o .vtu</translation>
-    </message>
-    <message>
-        <source>choose a name that ends in .inp or .vtu</source>
-        <translation>elija un nombre que termine en .inp o .vtu</translation>
     </message>
     <message>
         <source>the surface %1 is open (%2 boundary edges)</source>
@@ -6746,32 +6122,12 @@
         <translation>omítala o hágala más pequeña</translation>
     </message>
     <message>
-        <source>It has cells of VTK's type %1, which Viscera does not read</source>
-        <translation>Tiene celdas del tipo %1 de VTK, que Viscera no lee</translation>
-    </message>
-    <message>
-        <source>divide them into tetrahedra first (ParaView: Tetrahedralize)</source>
-        <translation>divídalas primero en tetraedros (ParaView: Tetrahedralize)</translation>
-    </message>
-    <message>
-        <source>It is of gmsh's format 1, which Viscera does not read</source>
-        <translation>Es del formato 1 de gmsh, que Viscera no lee</translation>
-    </message>
-    <message>
         <source>It is of gmsh's format %1, which Viscera does not read</source>
         <translation>Es del formato %1 de gmsh, que Viscera no lee</translation>
     </message>
     <message>
         <source>open it with gmsh and save it as version 2 or 4</source>
         <translation>ábralo con gmsh y guárdelo como versión 2 o 4</translation>
-    </message>
-    <message>
-        <source>It has elements of gmsh's type %1, which Viscera does not read</source>
-        <translation>Tiene elementos del tipo %1 de gmsh, que Viscera no lee</translation>
-    </message>
-    <message>
-        <source>save the mesh with straight elements (gmsh -order 1)</source>
-        <translation>guarde la malla con elementos rectos (gmsh -order 1)</translation>
     </message>
     <message>
         <source>It is a plane mesh, of two dimensions</source>
@@ -6786,14 +6142,6 @@
         <translation>openCARP indica los puntos en micrómetros: sus números se han dividido por 1000</translation>
     </message>
     <message>
-        <source>The other half of the mesh, %1, is not beside it</source>
-        <translation>La otra mitad de la malla, %1, no está a su lado</translation>
-    </message>
-    <message>
-        <source>copy %1 into its folder</source>
-        <translation>copie %1 en su carpeta</translation>
-    </message>
-    <message>
         <source>%1 has more lines than the %2 points that it states; they were left out</source>
         <translation>%1 tiene más líneas que los %2 puntos que indica; se han omitido</translation>
     </message>
@@ -6804,10 +6152,6 @@
     <message>
         <source>save the mesh as tetrahedra</source>
         <translation>guarde la malla como tetraedros</translation>
-    </message>
-    <message>
-        <source>It holds %1, not a mesh of cells (UnstructuredGrid)</source>
-        <translation>Contiene %1, no una malla de celdas (UnstructuredGrid)</translation>
     </message>
     <message>
         <source>reduce the mesh first</source>
@@ -6922,32 +6266,277 @@
         <translation>su matriz de %1 a %2 no se ha aplicado</translation>
     </message>
     <message>
-        <source>a VTK XML mesh of cells</source>
-        <translation>una malla de celdas VTK XML</translation>
+        <source>save it as %1 with %2</source>
+        <translation>guárdelo como %1 con %2</translation>
     </message>
     <message>
-        <source>a GIFTI surface</source>
-        <translation>una superficie GIFTI</translation>
+        <source>load it in 3D Slicer with its images, convert it to a segmentation there, and save that as .seg.nrrd</source>
+        <translation>cárguelo en 3D Slicer con sus imágenes, conviértalo allí en una segmentación y guárdela como .seg.nrrd</translation>
     </message>
     <message>
-        <source>a FreeSurfer surface</source>
-        <translation>una superficie FreeSurfer</translation>
+        <source>It holds %1, not %2</source>
+        <translation>Contiene %1, no %2</translation>
     </message>
     <message>
-        <source>a gmsh mesh</source>
-        <translation>una malla gmsh</translation>
+        <source>its unit %1 is not known; mm are assumed</source>
+        <translation>su unidad %1 es desconocida; se suponen mm</translation>
     </message>
     <message>
-        <source>a medit mesh</source>
-        <translation>una malla medit</translation>
+        <source>converted from %1 to mm</source>
+        <translation>convertido de %1 a mm</translation>
     </message>
     <message>
-        <source>a CARTO map</source>
-        <translation>un mapa CARTO</translation>
+        <source>the other file that belongs to it, %1, is not beside it</source>
+        <translation>el otro archivo que le corresponde, %1, no está a su lado</translation>
     </message>
     <message>
-        <source>an openCARP mesh</source>
-        <translation>una malla openCARP</translation>
+        <source>this cannot be written as %1</source>
+        <translation>esto no se puede escribir como %1</translation>
+    </message>
+    <message>
+        <source>several surfaces cannot be written as %1</source>
+        <translation>varias superficies no se pueden escribir como %1</translation>
+    </message>
+    <message>
+        <source>let its name end in %1</source>
+        <translation>haga que su nombre termine en %1</translation>
+    </message>
+    <message>
+        <source>rename it to end in %1</source>
+        <translation>cámbiele el nombre para que termine en %1</translation>
+    </message>
+    <message>
+        <source>a line</source>
+        <translation>una línea</translation>
+    </message>
+    <message>
+        <source>an angle</source>
+        <translation>un ángulo</translation>
+    </message>
+    <message>
+        <source>a curve</source>
+        <translation>una curva</translation>
+    </message>
+    <message>
+        <source>a closed curve</source>
+        <translation>una curva cerrada</translation>
+    </message>
+    <message>
+        <source>a plane</source>
+        <translation>un plano</translation>
+    </message>
+    <message>
+        <source>a box (ROI)</source>
+        <translation>una caja (ROI)</translation>
+    </message>
+    <message>
+        <source>a markup of another kind</source>
+        <translation>una marca de otro tipo</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app</name>
+    <message>
+        <source>Undo</source>
+        <translation>Deshacer</translation>
+    </message>
+    <message>
+        <source>Circulation</source>
+        <translation>Circulación</translation>
+    </message>
+    <message>
+        <source>Sample %1</source>
+        <translation>Muestra: %1</translation>
+    </message>
+    <message>
+        <source>Organs (%1)</source>
+        <translation>Órganos (%1)</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Quitar</translation>
+    </message>
+    <message>
+        <source>Prescribe a volume</source>
+        <translation>Prescribir un volumen</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>Profundidad</translation>
+    </message>
+    <message>
+        <source>Cut away the front</source>
+        <translation>Retirar la parte anterior</translation>
+    </message>
+    <message>
+        <source>Cut away the upper part</source>
+        <translation>Retirar la parte superior</translation>
+    </message>
+    <message>
+        <source>Facing the viewer</source>
+        <translation>Frente al observador</translation>
+    </message>
+    <message>
+        <source>Deform</source>
+        <translation>Deformar</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n handles</source>
+        <translation>
+            <numerusform>%n tirador</numerusform>
+            <numerusform>%n tiradores</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation>Volumen</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 de %2</translation>
+    </message>
+    <message>
+        <source>Apply</source>
+        <translation>Aplicar</translation>
+    </message>
+    <message>
+        <source>Rest error</source>
+        <translation>Error en reposo</translation>
+    </message>
+    <message>
+        <source>The largest distance of the bound organ at rest from the original</source>
+        <translation>La mayor distancia entre el órgano vinculado en reposo y el original</translation>
+    </message>
+    <message>
+        <source>Smallest weight</source>
+        <translation>Peso mínimo</translation>
+    </message>
+    <message>
+        <source>Cut</source>
+        <translation>Sección</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Tamaño</translation>
+    </message>
+    <message>
+        <source>Surface</source>
+        <translation>Superficie</translation>
+    </message>
+    <message>
+        <source>Comma-separated values (*.csv)</source>
+        <translation>Valores separados por comas (*.csv)</translation>
+    </message>
+    <message>
+        <source>There is no organ to export. Open one first.</source>
+        <translation>No hay ningún órgano que exportar. Abra uno primero.</translation>
+    </message>
+    <message>
+        <source>Exporting %1</source>
+        <translation>Exportando %1</translation>
+    </message>
+    <message>
+        <source>Written to %1.</source>
+        <translation>Guardado en %1.</translation>
+    </message>
+    <message>
+        <source>Opening %1</source>
+        <translation>Abriendo %1</translation>
+    </message>
+    <message>
+        <source>Look for files...</source>
+        <translation>Buscar archivos...</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Place the sequence&apos;s handles around the organ and play it</source>
+        <translation>Colocar los tiradores de la secuencia en torno al órgano y reproducirla</translation>
+    </message>
+    <message>
+        <source>Groups</source>
+        <translation>Grupos</translation>
+    </message>
+    <message>
+        <source>Colour...</source>
+        <translation>Color...</translation>
+    </message>
+    <message numerus="yes">
+        <source>Move %n handles</source>
+        <translation>
+            <numerusform>Mover %n tirador</numerusform>
+            <numerusform>Mover %n tiradores</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Move handle %1</source>
+        <translation>Mover tirador %1</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Tiempo</translation>
+    </message>
+    <message>
+        <source>Stress</source>
+        <translation>Estrés</translation>
+    </message>
+    <message>
+        <source>Import</source>
+        <translation>Importar</translation>
+    </message>
+    <message>
+        <source>Duration of one cycle</source>
+        <translation>Duración de un ciclo</translation>
+    </message>
+    <message>
+        <source>%1 %2 ml</source>
+        <translation>%1 %2 ml</translation>
+    </message>
+    <message>
+        <source>Export lesson</source>
+        <translation>Exportar lección</translation>
+    </message>
+    <message>
+        <source>Motion from a series</source>
+        <translation>Movimiento de una serie</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Cerrar</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>now</source>
+        <translation>ahora</translation>
+    </message>
+    <message>
+        <source>before</source>
+        <translation>antes</translation>
+    </message>
+    <message>
+        <source>Phase</source>
+        <translation>Fase</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <translation>, </translation>
+    </message>
+    <message>
+        <source>Close (Esc)</source>
+        <translation>Cerrar (Esc)</translation>
+    </message>
+    <message>
+        <source>Time in the cycle</source>
+        <translation>Tiempo en el ciclo</translation>
     </message>
 </context>
 </TS>

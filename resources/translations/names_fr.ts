@@ -1273,14 +1273,6 @@
         <translation>La valeur doit être positive</translation>
     </message>
     <message>
-        <source>It holds %1, not a VTK surface (PolyData)</source>
-        <translation>Il contient %1, non une surface VTK (PolyData)</translation>
-    </message>
-    <message>
-        <source>It holds a VTK dataset of type %1, not a surface (POLYDATA)</source>
-        <translation>Il contient un jeu de données VTK de type %1, non une surface (POLYDATA)</translation>
-    </message>
-    <message>
         <source>It holds an image, not labels: it has more than %1 different values</source>
         <translation>Il contient une image, non des étiquettes&#xa0;: il a plus de %1 valeurs différentes</translation>
     </message>
@@ -1315,14 +1307,6 @@
     <message>
         <source>It holds only empty masks</source>
         <translation>Il ne contient que des masques vides</translation>
-    </message>
-    <message>
-        <source>It holds only the header of a NIfTI image in two files; the file with the voxels, %1, is not beside it</source>
-        <translation>Il ne contient que l’en-tête d’une image NIfTI en deux fichiers&#x202f;; le fichier avec les voxels, %1, n’est pas à côté</translation>
-    </message>
-    <message>
-        <source>It holds only the voxels of a NIfTI image in two files; the file with the header, %1, is not beside it</source>
-        <translation>Il ne contient que les voxels d’une image NIfTI en deux fichiers&#x202f;; le fichier avec l’en-tête, %1, n’est pas à côté</translation>
     </message>
     <message>
         <source>It holds points, but no faces</source>
@@ -2647,40 +2631,16 @@
         <translation>un tableau de repères de 3D Slicer</translation>
     </message>
     <message>
-        <source>a 3D Slicer markups file</source>
-        <translation>un fichier de markups de 3D Slicer</translation>
-    </message>
-    <message>
-        <source>a DICOM file</source>
-        <translation>un fichier DICOM</translation>
-    </message>
-    <message>
         <source>a JSON file</source>
         <translation>un fichier JSON</translation>
-    </message>
-    <message>
-        <source>a NIfTI image</source>
-        <translation>une image NIfTI</translation>
-    </message>
-    <message>
-        <source>a PLY surface</source>
-        <translation>une surface PLY</translation>
     </message>
     <message>
         <source>a VTK XML file that holds no surface</source>
         <translation>un fichier VTK XML sans surface</translation>
     </message>
     <message>
-        <source>a VTK XML surface</source>
-        <translation>une surface VTK XML</translation>
-    </message>
-    <message>
         <source>a ZIP archive</source>
         <translation>une archive ZIP</translation>
-    </message>
-    <message>
-        <source>a binary glTF scene</source>
-        <translation>une scène glTF binaire</translation>
     </message>
     <message>
         <source>a buffer is at %1, but only files beside it are read</source>
@@ -2695,10 +2655,6 @@
         <translation>une vésicule biliaire</translation>
     </message>
     <message>
-        <source>a glTF scene</source>
-        <translation>une scène glTF</translation>
-    </message>
-    <message>
         <source>a gzip-compressed file</source>
         <translation>un fichier compressé avec gzip</translation>
     </message>
@@ -2709,10 +2665,6 @@
     <message>
         <source>a kidney</source>
         <translation>un rein</translation>
-    </message>
-    <message>
-        <source>a legacy VTK file</source>
-        <translation>un ancien fichier VTK</translation>
     </message>
     <message>
         <source>a liver</source>
@@ -2809,22 +2761,6 @@
     <message>
         <source>all points lie in one plane</source>
         <translation>tous les points sont dans un même plan</translation>
-    </message>
-    <message>
-        <source>an NRRD image</source>
-        <translation>une image NRRD</translation>
-    </message>
-    <message>
-        <source>an OBJ surface</source>
-        <translation>une surface OBJ</translation>
-    </message>
-    <message>
-        <source>an OFF surface</source>
-        <translation>une surface OFF</translation>
-    </message>
-    <message>
-        <source>an STL surface</source>
-        <translation>une surface STL</translation>
     </message>
     <message>
         <source>an error without a message</source>
@@ -2999,18 +2935,6 @@
         <translation>choisissez un dossier qui existe, où l’on peut écrire et qui a de la place</translation>
     </message>
     <message>
-        <source>choose a name that ends in .glb</source>
-        <translation>choisissez un nom qui finit par .glb</translation>
-    </message>
-    <message>
-        <source>choose a name that ends in .vtp</source>
-        <translation>choisissez un nom qui finit par .vtp</translation>
-    </message>
-    <message>
-        <source>choose a name that ends in .vtu</source>
-        <translation>choisissez un nom qui finit par .vtu</translation>
-    </message>
-    <message>
         <source>choose a surface that has some</source>
         <translation>choisissez une surface qui en a</translation>
     </message>
@@ -3099,14 +3023,6 @@
         <translation>diastole</translation>
     </message>
     <message>
-        <source>displacement fields cannot be written as &quot;%1&quot;</source>
-        <translation>les champs de déplacements ne peuvent pas être écrits en «&#xa0;%1&#xa0;»</translation>
-    </message>
-    <message>
-        <source>displacements are written as .vtp only</source>
-        <translation>les déplacements ne sont écrits qu’en .vtp</translation>
-    </message>
-    <message>
         <source>distance</source>
         <translation>distance</translation>
     </message>
@@ -3169,10 +3085,6 @@
     <message>
         <source>export it as pixels of 16 bits</source>
         <translation>exportez-le en pixels de 16 bits</translation>
-    </message>
-    <message>
-        <source>export it as text, or as STL or PLY</source>
-        <translation>exportez-le en texte, ou en STL ou PLY</translation>
     </message>
     <message>
         <source>export it little-endian</source>
@@ -3303,10 +3215,6 @@
         <translation>poignées %1 et %2</translation>
     </message>
     <message>
-        <source>handles cannot be written as &quot;%1&quot;</source>
-        <translation>les poignées ne peuvent pas être écrites en «&#xa0;%1&#xa0;»</translation>
-    </message>
-    <message>
         <source>harmonic coordinates</source>
         <translation>coordonnées harmoniques</translation>
     </message>
@@ -3344,10 +3252,6 @@
     <message>
         <source>if it is not a whole cycle, say that it is to be played once (--once); else add the phases that are missing</source>
         <translation>si ce n’est pas un cycle entier, indiquez qu’il doit être lu une fois (--once)&#x202f;; sinon ajoutez les phases qui manquent</translation>
-    </message>
-    <message>
-        <source>images cannot be written as &quot;%1&quot;</source>
-        <translation>les images ne peuvent pas être écrites en «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>in</source>
@@ -3422,10 +3326,6 @@
     <message>
         <source>it does not say where the patient's sides are; axes are taken as right, front and up</source>
         <translation>il n’indique pas où sont les côtés du patient&#x202f;; les axes sont pris comme droite, avant et haut</translation>
-    </message>
-    <message>
-        <source>it does not say which axes it uses; LPS is assumed</source>
-        <translation>ses axes ne sont pas indiqués&#x202f;; LPS est supposé</translation>
     </message>
     <message>
         <source>it follows no handles, so nothing can change its volume</source>
@@ -3515,14 +3415,6 @@
         <translation>ses deux extrémités sont sur des morceaux séparés</translation>
     </message>
     <message>
-        <source>its unit is the metre; converted to mm</source>
-        <translation>son unité est le mètre&#x202f;; converti en mm</translation>
-    </message>
-    <message>
-        <source>its unit is the micrometre; converted to mm</source>
-        <translation>son unité est le micromètre&#x202f;; converti en mm</translation>
-    </message>
-    <message>
         <source>its volume can be kept only after it is bound to the present handles</source>
         <translation>son volume ne peut être gardé qu’après sa liaison aux poignées présentes</translation>
     </message>
@@ -3595,18 +3487,6 @@
         <translation>faites-le commencer par «&#xa0;time_s&#xa0;» pour des secondes, ou par «&#xa0;fraction&#xa0;» pour des parties du cycle</translation>
     </message>
     <message>
-        <source>let its name end in .mrk.json or .fcsv</source>
-        <translation>faites finir son nom par .mrk.json ou .fcsv</translation>
-    </message>
-    <message>
-        <source>let its name end in .nii.gz, .nii or .nrrd</source>
-        <translation>faites finir son nom par .nii.gz, .nii ou .nrrd</translation>
-    </message>
-    <message>
-        <source>let its name end in .nrrd or .mha</source>
-        <translation>faites finir son nom par .nrrd ou .mha</translation>
-    </message>
-    <message>
         <source>let more handles compensate, or ask for a volume nearer to the present one</source>
         <translation>laissez compenser plus de poignées, ou demandez un volume plus proche de l’actuel</translation>
     </message>
@@ -3617,14 +3497,6 @@
     <message>
         <source>linear</source>
         <translation>linéaire</translation>
-    </message>
-    <message>
-        <source>list %1 has the unit %2, which Viscera does not know; mm are assumed</source>
-        <translation>la liste %1 a l’unité %2, que Viscera ne connaît pas&#x202f;; le mm est supposé</translation>
-    </message>
-    <message>
-        <source>list %1 was converted from %2 to mm</source>
-        <translation>la liste %1 a été convertie de %2 en mm</translation>
     </message>
     <message>
         <source>load a closed surface</source>
@@ -3751,10 +3623,6 @@
         <translation>indiquez le dossier d’une série de TDM ou d’IRM</translation>
     </message>
     <message>
-        <source>name the folder of a CT or MR series, or one of its files</source>
-        <translation>indiquez le dossier d’une série de TDM ou d’IRM, ou l’un de ses fichiers</translation>
-    </message>
-    <message>
         <source>name the folder of one patient</source>
         <translation>indiquez le dossier d’un seul patient</translation>
     </message>
@@ -3832,10 +3700,6 @@
     <message>
         <source>open the segmentation that was made from it</source>
         <translation>ouvrez la segmentation qui en a été faite</translation>
-    </message>
-    <message>
-        <source>open the segmentation that was made from the image</source>
-        <translation>ouvrez la segmentation faite à partir de l’image</translation>
     </message>
     <message>
         <source>organ</source>
@@ -3966,10 +3830,6 @@
         <translation>retirez l’une d’elles du fichier</translation>
     </message>
     <message>
-        <source>rename it to end in %1</source>
-        <translation>renommez-le pour qu’il se termine par %1</translation>
-    </message>
-    <message>
         <source>repair the surface</source>
         <translation>réparez la surface</translation>
     </message>
@@ -4062,10 +3922,6 @@
         <translation>douce</translation>
     </message>
     <message>
-        <source>solids are written as .vtu only</source>
-        <translation>les solides ne sont écrits qu’en .vtu</translation>
-    </message>
-    <message>
         <source>sort the lines by their instants</source>
         <translation>triez les lignes par instant</translation>
     </message>
@@ -4084,10 +3940,6 @@
     <message>
         <source>surfaces at rest</source>
         <translation>surfaces au repos</translation>
-    </message>
-    <message>
-        <source>surfaces cannot be written as &quot;%1&quot;</source>
-        <translation>les surfaces ne peuvent pas être écrites en «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>system parameters</source>
@@ -4162,20 +4014,12 @@
         <translation>le fichier est peut-être en RAS, ou en miroir</translation>
     </message>
     <message>
-        <source>the file says that its axes are %1, which Viscera does not know; LPS is assumed</source>
-        <translation>le fichier indique les axes %1, que Viscera ne connaît pas&#x202f;; LPS est supposé</translation>
-    </message>
-    <message>
         <source>the file states its axes: %1</source>
         <translation>le fichier indique ses axes&#xa0;: %1</translation>
     </message>
     <message>
         <source>the file with its voxels, %1, cannot be read: %2</source>
         <translation>le fichier de ses voxels, %1, ne peut pas être lu&#xa0;: %2</translation>
-    </message>
-    <message>
-        <source>the file with its voxels, %1, cannot be used: %2</source>
-        <translation>le fichier de ses voxels, %1, ne peut pas être utilisé&#xa0;: %2</translation>
     </message>
     <message>
         <source>the first one is 0</source>
@@ -4662,20 +4506,8 @@
         <translation>femmes et hommes ont en moyenne de %1 à %2 ml</translation>
     </message>
     <message>
-        <source>write PLY or VTP</source>
-        <translation>écrivez du PLY ou du VTP</translation>
-    </message>
-    <message>
         <source>write an .ogv instead</source>
         <translation>écrivez plutôt un .ogv</translation>
-    </message>
-    <message>
-        <source>write it as .nrrd</source>
-        <translation>écrivez-la en .nrrd</translation>
-    </message>
-    <message>
-        <source>write it as .seg.nrrd</source>
-        <translation>écrivez-la en .seg.nrrd</translation>
     </message>
     <message>
         <source>write lines of the instant and the volume in ml</source>
@@ -5948,24 +5780,12 @@
         <translation>un tableau</translation>
     </message>
     <message>
-        <source>a Viscera sequence</source>
-        <translation>une séquence de Viscera</translation>
-    </message>
-    <message>
-        <source>a Viscera session</source>
-        <translation>une session de Viscera</translation>
-    </message>
-    <message>
         <source>export it as STL, OBJ, PLY or GLB</source>
         <translation>exportez-le en STL, OBJ, PLY ou GLB</translation>
     </message>
     <message>
         <source>unpack it first</source>
         <translation>décompressez-le d’abord</translation>
-    </message>
-    <message>
-        <source>unpack it first, and open what is inside</source>
-        <translation>décompressez-le d’abord, puis ouvrez son contenu</translation>
     </message>
     <message>
         <source>open the images that it was made from: a DICOM series, NIfTI, NRRD or MetaImage</source>
@@ -6016,14 +5836,6 @@
     <message>
         <source>export it without compression (in Blender: leave out Data &gt; Compression), or as STL or PLY</source>
         <translation>exportez-le sans compression (dans Blender : sans Data &gt; Compression), ou en STL ou PLY</translation>
-    </message>
-    <message>
-        <source>export it without this extension, or as STL or PLY</source>
-        <translation>exportez-le sans cette extension, ou en STL ou PLY</translation>
-    </message>
-    <message>
-        <source>It holds %1, not VTK blocks (vtkMultiBlockDataSet)</source>
-        <translation>Il contient %1 et non des blocs VTK (vtkMultiBlockDataSet)</translation>
     </message>
     <message>
         <source>save the surfaces as .vtp</source>
@@ -6099,16 +5911,8 @@
         <translation>Il contient plusieurs organes</translation>
     </message>
     <message>
-        <source>VTK XML multiblock data</source>
-        <translation>des données multiblocs VTK XML</translation>
-    </message>
-    <message>
         <source>its voxels are in another folder (%1)</source>
         <translation>ses voxels sont dans un autre dossier (%1)</translation>
-    </message>
-    <message>
-        <source>put both files into one folder, and name the other without a folder</source>
-        <translation>mettez les deux fichiers dans un même dossier et nommez l’autre sans dossier</translation>
     </message>
     <message>
         <source>it is an Analyze 7.5 image, which does not say where it lies: its axes are taken as %1, and left and right may be exchanged</source>
@@ -6151,360 +5955,12 @@
         <translation>Il contient plusieurs couches d’une carte d’étiquettes, et non plusieurs phases</translation>
     </message>
     <message>
-        <source>a FreeSurfer volume</source>
-        <translation>un volume FreeSurfer</translation>
-    </message>
-    <message>
-        <source>a GIPL image</source>
-        <translation>une image GIPL</translation>
-    </message>
-    <message>
-        <source>a MINC image</source>
-        <translation>une image MINC</translation>
-    </message>
-    <message>
-        <source>a MATLAB file</source>
-        <translation>un fichier MATLAB</translation>
-    </message>
-    <message>
-        <source>an Imaris image</source>
-        <translation>une image Imaris</translation>
-    </message>
-    <message>
-        <source>an HDF5 file</source>
-        <translation>un fichier HDF5</translation>
-    </message>
-    <message>
-        <source>a NetCDF file</source>
-        <translation>un fichier NetCDF</translation>
-    </message>
-    <message>
-        <source>a NumPy array</source>
-        <translation>un tableau NumPy</translation>
-    </message>
-    <message>
-        <source>a NumPy archive</source>
-        <translation>une archive NumPy</translation>
-    </message>
-    <message>
-        <source>a TIFF image</source>
-        <translation>une image TIFF</translation>
-    </message>
-    <message>
-        <source>an AmiraMesh file</source>
-        <translation>un fichier AmiraMesh</translation>
-    </message>
-    <message>
-        <source>an Amira surface</source>
-        <translation>une surface Amira</translation>
-    </message>
-    <message>
-        <source>an Interfile image</source>
-        <translation>une image Interfile</translation>
-    </message>
-    <message>
-        <source>an ECAT image</source>
-        <translation>une image ECAT</translation>
-    </message>
-    <message>
-        <source>an MRtrix image</source>
-        <translation>une image MRtrix</translation>
-    </message>
-    <message>
-        <source>a Scanco image</source>
-        <translation>une image Scanco</translation>
-    </message>
-    <message>
-        <source>a Zeiss image</source>
-        <translation>une image Zeiss</translation>
-    </message>
-    <message>
-        <source>an MRC image</source>
-        <translation>une image MRC</translation>
-    </message>
-    <message>
-        <source>an AFNI image</source>
-        <translation>une image AFNI</translation>
-    </message>
-    <message>
-        <source>a Philips PAR/REC image</source>
-        <translation>une image PAR/REC de Philips</translation>
-    </message>
-    <message>
-        <source>a BrainVoyager image</source>
-        <translation>une image BrainVoyager</translation>
-    </message>
-    <message>
-        <source>a file of plain numbers</source>
-        <translation>un fichier de nombres bruts</translation>
-    </message>
-    <message>
-        <source>convert it to .nrrd or .nii.gz with 3D Slicer</source>
-        <translation>convertissez-le en .nrrd ou .nii.gz avec 3D Slicer</translation>
-    </message>
-    <message>
-        <source>save the array as .nii.gz with nibabel, together with its position</source>
-        <translation>enregistrez le tableau avec sa position en .nii.gz avec nibabel</translation>
-    </message>
-    <message>
-        <source>convert it with mnc2nii, and open the .nii</source>
-        <translation>convertissez-le avec mnc2nii, et ouvrez le .nii</translation>
-    </message>
-    <message>
-        <source>write its volume with niftiwrite, and open the .nii</source>
-        <translation>écrivez son volume avec niftiwrite, et ouvrez le .nii</translation>
-    </message>
-    <message>
-        <source>export it from Imaris or Fiji, as .nrrd</source>
-        <translation>exportez-le d’Imaris ou de Fiji en .nrrd</translation>
-    </message>
-    <message>
-        <source>convert it to .nrrd with 3D Slicer or Fiji, with the size of its voxels</source>
-        <translation>convertissez-le en .nrrd avec 3D Slicer ou Fiji, avec la taille de ses voxels</translation>
-    </message>
-    <message>
-        <source>export it from Amira as .nrrd, or as DICOM</source>
-        <translation>exportez-le d’Amira en .nrrd, ou en DICOM</translation>
-    </message>
-    <message>
-        <source>export it from Amira as .stl or .ply</source>
-        <translation>exportez-le d’Amira en .stl ou .ply</translation>
-    </message>
-    <message>
-        <source>convert it to .nii.gz with nibabel or dcm2niix</source>
-        <translation>convertissez-le en .nii.gz avec nibabel ou dcm2niix</translation>
-    </message>
-    <message>
-        <source>convert it with mrconvert, and open the .nii.gz</source>
-        <translation>convertissez-le avec mrconvert, et ouvrez le .nii.gz</translation>
-    </message>
-    <message>
-        <source>export it from Fiji, as .nrrd</source>
-        <translation>exportez-le de Fiji en .nrrd</translation>
-    </message>
-    <message>
-        <source>convert it with 3dAFNItoNIFTI, and open the .nii</source>
-        <translation>convertissez-le avec 3dAFNItoNIFTI, et ouvrez le .nii</translation>
-    </message>
-    <message>
-        <source>convert it with dcm2niix, and open the .nii.gz</source>
-        <translation>convertissez-le avec dcm2niix, et ouvrez le .nii.gz</translation>
-    </message>
-    <message>
-        <source>export it from BrainVoyager as .nii</source>
-        <translation>exportez-le de BrainVoyager en .nii</translation>
-    </message>
-    <message>
         <source>write a .nhdr or .mhd header for it, which says its size</source>
         <translation>écrivez pour lui un en-tête .nhdr ou .mhd, qui dit sa taille</translation>
     </message>
     <message>
         <source>a segmentation</source>
         <translation>une segmentation</translation>
-    </message>
-    <message>
-        <source>a label map segmentation</source>
-        <translation>une segmentation en carte d’étiquettes</translation>
-    </message>
-    <message>
-        <source>an STL surface in a DICOM file</source>
-        <translation>une surface STL dans un fichier DICOM</translation>
-    </message>
-    <message>
-        <source>an OBJ surface in a DICOM file</source>
-        <translation>une surface OBJ dans un fichier DICOM</translation>
-    </message>
-    <message>
-        <source>a PDF document in a DICOM file</source>
-        <translation>un document PDF dans un fichier DICOM</translation>
-    </message>
-    <message>
-        <source>a text document (CDA) in a DICOM file</source>
-        <translation>un document texte (CDA) dans un fichier DICOM</translation>
-    </message>
-    <message>
-        <source>the materials of an OBJ surface in a DICOM file</source>
-        <translation>les matériaux d’une surface OBJ dans un fichier DICOM</translation>
-    </message>
-    <message>
-        <source>open the DICOM file with the OBJ surface itself</source>
-        <translation>ouvrez le fichier DICOM qui contient la surface OBJ elle-même</translation>
-    </message>
-    <message>
-        <source>a document in a DICOM file</source>
-        <translation>un document dans un fichier DICOM</translation>
-    </message>
-    <message>
-        <source>a structure set of radiotherapy (RTSTRUCT): contours, without voxels or surfaces</source>
-        <translation>un ensemble de structures de radiothérapie (RTSTRUCT) : des contours, sans voxels ni surfaces</translation>
-    </message>
-    <message>
-        <source>load it in 3D Slicer with its CT, convert it to a segmentation there, and save that as .seg.nrrd</source>
-        <translation>chargez-le dans 3D Slicer avec son scanner, convertissez-le en segmentation et enregistrez-la en .seg.nrrd</translation>
-    </message>
-    <message>
-        <source>a projection image of radiotherapy</source>
-        <translation>une image de projection de radiothérapie</translation>
-    </message>
-    <message>
-        <source>a dose of radiotherapy</source>
-        <translation>une dose de radiothérapie</translation>
-    </message>
-    <message>
-        <source>a plan of radiotherapy (RTPLAN)</source>
-        <translation>un plan de radiothérapie (RTPLAN)</translation>
-    </message>
-    <message>
-        <source>a plan of radiotherapy with ions</source>
-        <translation>un plan de radiothérapie par ions</translation>
-    </message>
-    <message>
-        <source>a record of radiotherapy</source>
-        <translation>un enregistrement de radiothérapie</translation>
-    </message>
-    <message>
-        <source>a list of selected images (Key Object Selection)</source>
-        <translation>une liste d’images choisies (Key Object Selection)</translation>
-    </message>
-    <message>
-        <source>a report of the radiation dose</source>
-        <translation>un rapport de dose de rayonnement</translation>
-    </message>
-    <message>
-        <source>a structured report (SR)</source>
-        <translation>un rapport structuré (SR)</translation>
-    </message>
-    <message>
-        <source>a presentation state, which says how to display images</source>
-        <translation>un état de présentation, qui dit seulement comment afficher des images</translation>
-    </message>
-    <message>
-        <source>an electrocardiogram (waveform)</source>
-        <translation>un électrocardiogramme (signal)</translation>
-    </message>
-    <message>
-        <source>a sound recording (waveform)</source>
-        <translation>un enregistrement sonore (signal)</translation>
-    </message>
-    <message>
-        <source>a recorded signal (waveform)</source>
-        <translation>un signal enregistré</translation>
-    </message>
-    <message>
-        <source>a spatial registration, which only says how images lie to each other</source>
-        <translation>un recalage spatial, qui dit seulement comment des images se situent entre elles</translation>
-    </message>
-    <message>
-        <source>a list of reference points of images (spatial fiducials)</source>
-        <translation>une liste de points de repère d’images (spatial fiducials)</translation>
-    </message>
-    <message>
-        <source>load it in 3D Slicer, and save its points as .mrk.json</source>
-        <translation>chargez-la dans 3D Slicer et enregistrez ses points en .mrk.json</translation>
-    </message>
-    <message>
-        <source>a deformable registration, which only says how images lie to each other</source>
-        <translation>un recalage déformable, qui dit seulement comment des images se situent entre elles</translation>
-    </message>
-    <message>
-        <source>a surface segmentation</source>
-        <translation>une segmentation par surfaces</translation>
-    </message>
-    <message>
-        <source>open it in 3D Slicer, convert it to a segmentation there, and save that as .seg.nrrd</source>
-        <translation>ouvrez-la dans 3D Slicer, convertissez-la en segmentation et enregistrez-la en .seg.nrrd</translation>
-    </message>
-    <message>
-        <source>tracts of nerve fibres (tractography)</source>
-        <translation>des faisceaux de fibres nerveuses (tractographie)</translation>
-    </message>
-    <message>
-        <source>load it in 3D Slicer, and save its fibre bundles as .vtk</source>
-        <translation>chargez-la dans 3D Slicer et enregistrez ses faisceaux en .vtk</translation>
-    </message>
-    <message>
-        <source>raw data of a scanner</source>
-        <translation>des données brutes d’un appareil</translation>
-    </message>
-    <message>
-        <source>a mapping of image values to units</source>
-        <translation>une correspondance de valeurs d’image à des unités</translation>
-    </message>
-    <message>
-        <source>a mesh of a surface scanner</source>
-        <translation>un maillage d’un scanner de surface</translation>
-    </message>
-    <message>
-        <source>export the surface as STL, OBJ or PLY</source>
-        <translation>exportez la surface en STL, OBJ ou PLY</translation>
-    </message>
-    <message>
-        <source>a point cloud of a surface scanner</source>
-        <translation>un nuage de points d’un scanner de surface</translation>
-    </message>
-    <message>
-        <source>a tomogram of the eye</source>
-        <translation>une tomographie de l’œil</translation>
-    </message>
-    <message>
-        <source>a whole-slide image of microscopy</source>
-        <translation>une image de lame entière de microscopie</translation>
-    </message>
-    <message>
-        <source>open it in a viewer for microscopy, such as QuPath</source>
-        <translation>ouvrez-la dans un logiciel de microscopie comme QuPath</translation>
-    </message>
-    <message>
-        <source>a picture of endoscopy</source>
-        <translation>une image d’endoscopie</translation>
-    </message>
-    <message>
-        <source>a photograph</source>
-        <translation>une photographie</translation>
-    </message>
-    <message>
-        <source>a secondary capture (a picture of a screen or a page)</source>
-        <translation>une capture secondaire (image d’un écran ou d’une page)</translation>
-    </message>
-    <message>
-        <source>an ultrasound image</source>
-        <translation>une image d’échographie</translation>
-    </message>
-    <message>
-        <source>an ultrasound film</source>
-        <translation>un film d’échographie</translation>
-    </message>
-    <message>
-        <source>an ultrasound volume</source>
-        <translation>un volume d’échographie</translation>
-    </message>
-    <message>
-        <source>a projection image of X-rays</source>
-        <translation>une image de projection de rayons X</translation>
-    </message>
-    <message>
-        <source>a mammogram</source>
-        <translation>une mammographie</translation>
-    </message>
-    <message>
-        <source>a dental X-ray image</source>
-        <translation>une radiographie dentaire</translation>
-    </message>
-    <message>
-        <source>a tomogram of X-rays</source>
-        <translation>une tomographie de rayons X</translation>
-    </message>
-    <message>
-        <source>an image of nuclear medicine</source>
-        <translation>une image de médecine nucléaire</translation>
-    </message>
-    <message>
-        <source>a protocol of a scanner</source>
-        <translation>un protocole d’un appareil</translation>
-    </message>
-    <message>
-        <source>settings of a device or a protocol of storage</source>
-        <translation>des réglages d’un appareil ou un protocole de stockage</translation>
     </message>
     <message>
         <source>open the images or the segmentation of the same patient, which are other files</source>
@@ -6517,10 +5973,6 @@
     <message>
         <source>open the folder that it lists, %1</source>
         <translation>ouvrez le dossier qu’elle décrit, %1</translation>
-    </message>
-    <message>
-        <source>It is %1, not a scan</source>
-        <translation>C’est %1, pas un examen</translation>
     </message>
     <message>
         <source>open it as a label map</source>
@@ -6539,28 +5991,12 @@
         <translation>un objet d’un type inconnu</translation>
     </message>
     <message>
-        <source>is %1, which does not say where in the patient it lies</source>
-        <translation>est %1, sans indication de sa position dans le patient</translation>
-    </message>
-    <message>
-        <source>measurements of the eye</source>
-        <translation>des mesures de l’œil</translation>
-    </message>
-    <message>
-        <source>a spectrum of magnetic resonance</source>
-        <translation>un spectre de résonance magnétique</translation>
-    </message>
-    <message>
         <source>its pixels are packed in a way that is not supported</source>
         <translation>ses pixels sont compressés d’une manière non prise en charge</translation>
     </message>
     <message>
         <source>save it without compression</source>
         <translation>enregistrez-le sans compression</translation>
-    </message>
-    <message>
-        <source>is %1 in colour</source>
-        <translation>est %1 en couleur</translation>
     </message>
     <message>
         <source>It is a segmentation that %1</source>
@@ -6577,14 +6013,6 @@
     <message>
         <source>its pixels of one bit are packed in a way that is not supported (%1)</source>
         <translation>ses pixels d’un bit sont compressés d’une manière non prise en charge (%1)</translation>
-    </message>
-    <message>
-        <source>save it without compression, or as RLE</source>
-        <translation>enregistrez-le sans compression, ou en RLE</translation>
-    </message>
-    <message>
-        <source>its unit &quot;%1&quot; is not known; its numbers were read as millimetres</source>
-        <translation>son unité « %1 » est inconnue ; ses nombres ont été lus comme des millimètres</translation>
     </message>
     <message>
         <source>It is a DICOM image, not a surface</source>
@@ -6627,42 +6055,6 @@
         <source>copy its control points into a point list in Slicer's module Markups, and save the list</source>
         <translation>copiez ses points de contrôle dans une liste de points du module Markups de Slicer, et enregistrez la liste</translation>
     </message>
-    <message>
-        <source>a line</source>
-        <translation>une ligne</translation>
-    </message>
-    <message>
-        <source>an angle</source>
-        <translation>un angle</translation>
-    </message>
-    <message>
-        <source>a curve</source>
-        <translation>une courbe</translation>
-    </message>
-    <message>
-        <source>a closed curve</source>
-        <translation>une courbe fermée</translation>
-    </message>
-    <message>
-        <source>a plane</source>
-        <translation>un plan</translation>
-    </message>
-    <message>
-        <source>a box (ROI)</source>
-        <translation>une boîte (ROI)</translation>
-    </message>
-    <message>
-        <source>a markup of another kind</source>
-        <translation>un marquage d’un autre type</translation>
-    </message>
-    <message>
-        <source>the file has the unit %1, which Viscera does not know; mm are assumed</source>
-        <translation>le fichier a l’unité %1, que Viscera ne connaît pas ; les mm sont supposés</translation>
-    </message>
-    <message>
-        <source>the file was converted from %1 to mm</source>
-        <translation>le fichier a été converti de %1 en mm</translation>
-    </message>
     <message numerus="yes">
         <source>%n {object that the file does not place is|objects that the file does not place are} left out</source>
         <translation>
@@ -6698,18 +6090,6 @@
         <translation>décompressez-la et ouvrez les fichiers qu’elle contient</translation>
     </message>
     <message>
-        <source>a 3MF model</source>
-        <translation>un modèle 3MF</translation>
-    </message>
-    <message>
-        <source>several surfaces are written as .glb or .3mf only</source>
-        <translation>plusieurs surfaces ne s’écrivent qu’en .glb ou .3mf</translation>
-    </message>
-    <message>
-        <source>choose a name that ends in .glb or .3mf</source>
-        <translation>choisissez un nom qui se termine par .glb ou .3mf</translation>
-    </message>
-    <message>
         <source>the surface is too large for 3MF, whose parts end at 4 GB</source>
         <translation>la surface est trop grande pour 3MF, dont les parties s’arrêtent à 4 Go</translation>
     </message>
@@ -6720,10 +6100,6 @@
     <message>
         <source>tetrahedra are written as .inp or .vtu only</source>
         <translation>les tétraèdres ne s’écrivent qu’en .inp ou .vtu</translation>
-    </message>
-    <message>
-        <source>choose a name that ends in .inp or .vtu</source>
-        <translation>choisissez un nom qui se termine par .inp ou .vtu</translation>
     </message>
     <message>
         <source>the surface %1 is open (%2 boundary edges)</source>
@@ -6746,32 +6122,12 @@
         <translation>omettez-la ou rendez-la plus petite</translation>
     </message>
     <message>
-        <source>It has cells of VTK's type %1, which Viscera does not read</source>
-        <translation>Il a des cellules du type %1 de VTK, que Viscera ne lit pas</translation>
-    </message>
-    <message>
-        <source>divide them into tetrahedra first (ParaView: Tetrahedralize)</source>
-        <translation>divisez-les d’abord en tétraèdres (ParaView : Tetrahedralize)</translation>
-    </message>
-    <message>
-        <source>It is of gmsh's format 1, which Viscera does not read</source>
-        <translation>Il est au format 1 de gmsh, que Viscera ne lit pas</translation>
-    </message>
-    <message>
         <source>It is of gmsh's format %1, which Viscera does not read</source>
         <translation>Il est au format %1 de gmsh, que Viscera ne lit pas</translation>
     </message>
     <message>
         <source>open it with gmsh and save it as version 2 or 4</source>
         <translation>ouvrez-le avec gmsh et enregistrez-le en version 2 ou 4</translation>
-    </message>
-    <message>
-        <source>It has elements of gmsh's type %1, which Viscera does not read</source>
-        <translation>Il a des éléments du type %1 de gmsh, que Viscera ne lit pas</translation>
-    </message>
-    <message>
-        <source>save the mesh with straight elements (gmsh -order 1)</source>
-        <translation>enregistrez le maillage avec des éléments droits (gmsh -order 1)</translation>
     </message>
     <message>
         <source>It is a plane mesh, of two dimensions</source>
@@ -6786,14 +6142,6 @@
         <translation>openCARP donne les points en micromètres : ses nombres ont été divisés par 1000</translation>
     </message>
     <message>
-        <source>The other half of the mesh, %1, is not beside it</source>
-        <translation>L’autre moitié du maillage, %1, n’est pas à côté</translation>
-    </message>
-    <message>
-        <source>copy %1 into its folder</source>
-        <translation>copiez %1 dans son dossier</translation>
-    </message>
-    <message>
         <source>%1 has more lines than the %2 points that it states; they were left out</source>
         <translation>%1 a plus de lignes que les %2 points annoncés ; elles ont été omises</translation>
     </message>
@@ -6804,10 +6152,6 @@
     <message>
         <source>save the mesh as tetrahedra</source>
         <translation>enregistrez le maillage en tétraèdres</translation>
-    </message>
-    <message>
-        <source>It holds %1, not a mesh of cells (UnstructuredGrid)</source>
-        <translation>Il contient %1, pas un maillage de cellules (UnstructuredGrid)</translation>
     </message>
     <message>
         <source>reduce the mesh first</source>
@@ -6922,32 +6266,277 @@
         <translation>sa matrice de %1 à %2 n’a pas été appliquée</translation>
     </message>
     <message>
-        <source>a VTK XML mesh of cells</source>
-        <translation>un maillage de cellules VTK XML</translation>
+        <source>save it as %1 with %2</source>
+        <translation>enregistrez-le en %1 avec %2</translation>
     </message>
     <message>
-        <source>a GIFTI surface</source>
-        <translation>une surface GIFTI</translation>
+        <source>load it in 3D Slicer with its images, convert it to a segmentation there, and save that as .seg.nrrd</source>
+        <translation>chargez-le dans 3D Slicer avec ses images, convertissez-le en segmentation et enregistrez celle-ci en .seg.nrrd</translation>
     </message>
     <message>
-        <source>a FreeSurfer surface</source>
-        <translation>une surface FreeSurfer</translation>
+        <source>It holds %1, not %2</source>
+        <translation>Il contient %1, pas %2</translation>
     </message>
     <message>
-        <source>a gmsh mesh</source>
-        <translation>un maillage gmsh</translation>
+        <source>its unit %1 is not known; mm are assumed</source>
+        <translation>son unité %1 est inconnue ; des mm sont supposés</translation>
     </message>
     <message>
-        <source>a medit mesh</source>
-        <translation>un maillage medit</translation>
+        <source>converted from %1 to mm</source>
+        <translation>converti de %1 en mm</translation>
     </message>
     <message>
-        <source>a CARTO map</source>
-        <translation>une carte CARTO</translation>
+        <source>the other file that belongs to it, %1, is not beside it</source>
+        <translation>l’autre fichier qui va avec, %1, n’est pas à côté</translation>
     </message>
     <message>
-        <source>an openCARP mesh</source>
-        <translation>un maillage openCARP</translation>
+        <source>this cannot be written as %1</source>
+        <translation>ceci ne peut pas être écrit en %1</translation>
+    </message>
+    <message>
+        <source>several surfaces cannot be written as %1</source>
+        <translation>plusieurs surfaces ne peuvent pas être écrites en %1</translation>
+    </message>
+    <message>
+        <source>let its name end in %1</source>
+        <translation>faites finir son nom par %1</translation>
+    </message>
+    <message>
+        <source>rename it to end in %1</source>
+        <translation>renommez-le pour qu’il se termine par %1</translation>
+    </message>
+    <message>
+        <source>a line</source>
+        <translation>une ligne</translation>
+    </message>
+    <message>
+        <source>an angle</source>
+        <translation>un angle</translation>
+    </message>
+    <message>
+        <source>a curve</source>
+        <translation>une courbe</translation>
+    </message>
+    <message>
+        <source>a closed curve</source>
+        <translation>une courbe fermée</translation>
+    </message>
+    <message>
+        <source>a plane</source>
+        <translation>un plan</translation>
+    </message>
+    <message>
+        <source>a box (ROI)</source>
+        <translation>une boîte (ROI)</translation>
+    </message>
+    <message>
+        <source>a markup of another kind</source>
+        <translation>un marquage d’un autre type</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app</name>
+    <message>
+        <source>Undo</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>Circulation</source>
+        <translation>Circulation</translation>
+    </message>
+    <message>
+        <source>Sample %1</source>
+        <translation>Organe type&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>Organs (%1)</source>
+        <translation>Organes (%1)</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Supprimer</translation>
+    </message>
+    <message>
+        <source>Prescribe a volume</source>
+        <translation>Imposer un volume</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>Profondeur</translation>
+    </message>
+    <message>
+        <source>Cut away the front</source>
+        <translation>Retirer la partie avant</translation>
+    </message>
+    <message>
+        <source>Cut away the upper part</source>
+        <translation>Retirer la partie supérieure</translation>
+    </message>
+    <message>
+        <source>Facing the viewer</source>
+        <translation>Face à l’observateur</translation>
+    </message>
+    <message>
+        <source>Deform</source>
+        <translation>Déformer</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n handles</source>
+        <translation>
+            <numerusform>%n poignée</numerusform>
+            <numerusform>%n poignées</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation>Volume</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 sur %2</translation>
+    </message>
+    <message>
+        <source>Apply</source>
+        <translation>Appliquer</translation>
+    </message>
+    <message>
+        <source>Rest error</source>
+        <translation>Erreur au repos</translation>
+    </message>
+    <message>
+        <source>The largest distance of the bound organ at rest from the original</source>
+        <translation>La plus grande distance entre l’organe lié au repos et l’original</translation>
+    </message>
+    <message>
+        <source>Smallest weight</source>
+        <translation>Plus petit poids</translation>
+    </message>
+    <message>
+        <source>Cut</source>
+        <translation>Section</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Taille</translation>
+    </message>
+    <message>
+        <source>Surface</source>
+        <translation>Surface</translation>
+    </message>
+    <message>
+        <source>Comma-separated values (*.csv)</source>
+        <translation>Valeurs séparées par des virgules (*.csv)</translation>
+    </message>
+    <message>
+        <source>There is no organ to export. Open one first.</source>
+        <translation>Il n’y a pas d’organe à exporter. Ouvrez-en un d’abord.</translation>
+    </message>
+    <message>
+        <source>Exporting %1</source>
+        <translation>Exportation&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>Written to %1.</source>
+        <translation>Écrit dans %1.</translation>
+    </message>
+    <message>
+        <source>Opening %1</source>
+        <translation>Ouverture de %1</translation>
+    </message>
+    <message>
+        <source>Look for files...</source>
+        <translation>Chercher les fichiers...</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Place the sequence&apos;s handles around the organ and play it</source>
+        <translation>Placer les poignées de la séquence autour de l’organe et la lire</translation>
+    </message>
+    <message>
+        <source>Groups</source>
+        <translation>Groupes</translation>
+    </message>
+    <message>
+        <source>Colour...</source>
+        <translation>Couleur...</translation>
+    </message>
+    <message numerus="yes">
+        <source>Move %n handles</source>
+        <translation>
+            <numerusform>Déplacer %n poignée</numerusform>
+            <numerusform>Déplacer %n poignées</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Move handle %1</source>
+        <translation>Déplacer la poignée %1</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Temps</translation>
+    </message>
+    <message>
+        <source>Stress</source>
+        <translation>Contrainte</translation>
+    </message>
+    <message>
+        <source>Import</source>
+        <translation>Importer</translation>
+    </message>
+    <message>
+        <source>Duration of one cycle</source>
+        <translation>Durée d’un cycle</translation>
+    </message>
+    <message>
+        <source>%1 %2 ml</source>
+        <translation>%1 %2 ml</translation>
+    </message>
+    <message>
+        <source>Export lesson</source>
+        <translation>Exporter la leçon</translation>
+    </message>
+    <message>
+        <source>Motion from a series</source>
+        <translation>Mouvement d’une série</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Fermer</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>now</source>
+        <translation>actuel</translation>
+    </message>
+    <message>
+        <source>before</source>
+        <translation>avant</translation>
+    </message>
+    <message>
+        <source>Phase</source>
+        <translation>Phase</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <translation>, </translation>
+    </message>
+    <message>
+        <source>Close (Esc)</source>
+        <translation>Fermer (Échap)</translation>
+    </message>
+    <message>
+        <source>Time in the cycle</source>
+        <translation>Temps dans le cycle</translation>
     </message>
 </context>
 </TS>

@@ -444,14 +444,6 @@ N: noms, H: tiradors, X: paret, R: restableix, T: clar o fosc, Inici: principi</
         <translation>S2</translation>
     </message>
     <message>
-        <source>Mitral valve</source>
-        <translation>Vàlvula mitral</translation>
-    </message>
-    <message>
-        <source>Aortic valve</source>
-        <translation>Vàlvula aòrtica</translation>
-    </message>
-    <message>
         <source>Tricuspid valve</source>
         <translation>Vàlvula tricúspide</translation>
     </message>
@@ -477,14 +469,6 @@ N: noms, H: tiradors, X: paret, R: restableix, T: clar o fosc, Inici: principi</
             <numerusform>%n vèrtexs de %1 no tenen coordenades a la gàbia.</numerusform>
         </translation>
     </message>
-    <message>
-        <source>Use the hull as the cage</source>
-        <translation>Fes servir l’envolupant com a gàbia</translation>
-    </message>
-    <message>
-        <source>Undo</source>
-        <translation>Desfés</translation>
-    </message>
     <message numerus="yes">
         <source>%n vertices of %1 lie in no group&apos;s region.</source>
         <translation>
@@ -492,20 +476,12 @@ N: noms, H: tiradors, X: paret, R: restableix, T: clar o fosc, Inici: principi</
             <numerusform>%n vèrtexs de %1 no són a la regió de cap grup.</numerusform>
         </translation>
     </message>
-    <message>
-        <source>Add enclosing group</source>
-        <translation>Afegeix un grup envoltant</translation>
-    </message>
     <message numerus="yes">
         <source>%n vertices of %1 lie outside the handles&apos; hull.</source>
         <translation>
             <numerusform>%n vèrtex de %1 és fora de l’envolupant dels tiradors.</numerusform>
             <numerusform>%n vèrtexs de %1 són fora de l’envolupant dels tiradors.</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>Add enclosing handles</source>
-        <translation>Afegeix tiradors envoltants</translation>
     </message>
 </context>
 <context>
@@ -555,10 +531,6 @@ N: noms, H: tiradors, X: paret, R: restableix, T: clar o fosc, Inici: principi</
         <translation>Volums d’adults sans durant un batec a aquesta freqüència</translation>
     </message>
     <message>
-        <source>Circulation</source>
-        <translation>Circulació</translation>
-    </message>
-    <message>
         <source>A model of heart and vessels: pressures, pressure-volume loops, valves and sounds</source>
         <translation>Un model del cor i els vasos: pressions, bucles pressió-volum, vàlvules i sorolls</translation>
     </message>
@@ -585,10 +557,6 @@ N: noms, H: tiradors, X: paret, R: restableix, T: clar o fosc, Inici: principi</
 </context>
 <context>
     <name>viscera::app::CirculationModel</name>
-    <message>
-        <source>Circulation</source>
-        <translation>Circulació</translation>
-    </message>
     <message>
         <source>Heart of the circulation</source>
         <translation>Cor de la circulació</translation>
@@ -628,10 +596,6 @@ N: noms, H: tiradors, X: paret, R: restableix, T: clar o fosc, Inici: principi</
         <translation>El mateix òrgan amb altres coordenades</translation>
     </message>
     <message>
-        <source>Sample %1</source>
-        <translation>Mostra: %1</translation>
-    </message>
-    <message>
         <source>Open files...</source>
         <translation>Obre fitxers...</translation>
     </message>
@@ -642,10 +606,6 @@ N: noms, H: tiradors, X: paret, R: restableix, T: clar o fosc, Inici: principi</
     <message>
         <source>Open beside the first organ</source>
         <translation>Obre al costat del primer òrgan</translation>
-    </message>
-    <message>
-        <source>Organs (%1)</source>
-        <translation>Òrgans (%1)</translation>
     </message>
     <message>
         <source>No organ yet</source>
@@ -679,10 +639,6 @@ N: noms, H: tiradors, X: paret, R: restableix, T: clar o fosc, Inici: principi</
         <translation>Corba...</translation>
     </message>
     <message>
-        <source>Remove</source>
-        <translation>Elimina</translation>
-    </message>
-    <message>
         <source>Organ whose volume is prescribed</source>
         <translation>Òrgan del qual es prescriu el volum</translation>
     </message>
@@ -693,10 +649,6 @@ N: noms, H: tiradors, X: paret, R: restableix, T: clar o fosc, Inici: principi</
     <message>
         <source>Let the sequence alone determine the volume again</source>
         <translation>Deixa que només la seqüència torni a determinar el volum</translation>
-    </message>
-    <message>
-        <source>Prescribe a volume</source>
-        <translation>Prescriu un volum</translation>
     </message>
     <message>
         <source>Volume curves (*.csv *.txt *.tsv)</source>
@@ -710,16 +662,8 @@ N: noms, H: tiradors, X: paret, R: restableix, T: clar o fosc, Inici: principi</
 <context>
     <name>viscera::app::CutBox</name>
     <message>
-        <source>Depth</source>
-        <translation>Profunditat</translation>
-    </message>
-    <message>
         <source>Coronal</source>
         <translation>Coronal</translation>
-    </message>
-    <message>
-        <source>Cut away the front</source>
-        <translation>Retalla la part anterior</translation>
     </message>
     <message>
         <source>Sagittal</source>
@@ -734,14 +678,6 @@ N: noms, H: tiradors, X: paret, R: restableix, T: clar o fosc, Inici: principi</
         <translation>Axial</translation>
     </message>
     <message>
-        <source>Cut away the upper part</source>
-        <translation>Retalla la part superior</translation>
-    </message>
-    <message>
-        <source>Facing the viewer</source>
-        <translation>De cara a l’observador</translation>
-    </message>
-    <message>
         <source>Cut away the part nearest to the viewer</source>
         <translation>Retalla el que és més a prop de l’observador</translation>
     </message>
@@ -752,10 +688,6 @@ N: noms, H: tiradors, X: paret, R: restableix, T: clar o fosc, Inici: principi</
 </context>
 <context>
     <name>viscera::app::DeformMode</name>
-    <message>
-        <source>Deform</source>
-        <translation>Deforma</translation>
-    </message>
     <message>
         <source>Drag a handle and the organ follows; K locks the volume, T turns and scales, M mirrors</source>
         <translation>Arrossegueu un tirador i l’òrgan el segueix; K bloqueja el volum, T gira i escala, M reflecteix</translation>
@@ -839,33 +771,6 @@ N: noms, H: tiradors, X: paret, R: restableix, T: clar o fosc, Inici: principi</
 </context>
 <context>
     <name>viscera::app::DeformPage</name>
-    <message numerus="yes">
-        <source>%n handles</source>
-        <translation>
-            <numerusform>%n tirador</numerusform>
-            <numerusform>%n tiradors</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Volume</source>
-        <translation>Volum</translation>
-    </message>
-    <message>
-        <source>Organ</source>
-        <translation>Òrgan</translation>
-    </message>
-    <message>
-        <source>Now</source>
-        <translation>Ara</translation>
-    </message>
-    <message>
-        <source>Rest shape</source>
-        <translation>Forma en repòs</translation>
-    </message>
-    <message>
-        <source>Change</source>
-        <translation>Canvi</translation>
-    </message>
     <message>
         <source>Largest shift</source>
         <translation>Desplaçament màxim</translation>
@@ -927,18 +832,6 @@ N: noms, H: tiradors, X: paret, R: restableix, T: clar o fosc, Inici: principi</
         <translation>També es mou</translation>
     </message>
     <message>
-        <source>%1 (%2)</source>
-        <translation>%1 (%2)</translation>
-    </message>
-    <message>
-        <source>%1 mm</source>
-        <translation>%1 mm</translation>
-    </message>
-    <message>
-        <source>%1 of %2</source>
-        <translation>%1 de %2</translation>
-    </message>
-    <message>
         <source>no handle is near the mirror image</source>
         <translation>no hi ha cap tirador prop de la imatge simètrica</translation>
     </message>
@@ -956,10 +849,6 @@ N: noms, H: tiradors, X: paret, R: restableix, T: clar o fosc, Inici: principi</
 </context>
 <context>
     <name>viscera::app::DisplacementBox</name>
-    <message>
-        <source>Apply</source>
-        <translation>Aplica</translation>
-    </message>
     <message>
         <source>Right to left</source>
         <translation>De dreta a esquerra</translation>
@@ -996,24 +885,12 @@ N: noms, H: tiradors, X: paret, R: restableix, T: clar o fosc, Inici: principi</
 <context>
     <name>viscera::app::ErrorTable</name>
     <message>
-        <source>Rest error</source>
-        <translation>Error en repòs</translation>
-    </message>
-    <message>
-        <source>The largest distance of the bound organ at rest from the original</source>
-        <translation>La distància màxima entre l’òrgan vinculat en repòs i l’original</translation>
-    </message>
-    <message>
         <source>Unity error</source>
         <translation>Error de la suma</translation>
     </message>
     <message>
         <source>The largest distance of a vertex&apos;s weights&apos; sum from 1</source>
         <translation>La distància màxima entre 1 i la suma dels pesos d’un vèrtex</translation>
-    </message>
-    <message>
-        <source>Smallest weight</source>
-        <translation>Pes mínim</translation>
     </message>
     <message>
         <source>Negative where the system is not positive</source>
@@ -1030,10 +907,6 @@ N: noms, H: tiradors, X: paret, R: restableix, T: clar o fosc, Inici: principi</
     <message>
         <source>Binding time</source>
         <translation>Temps de vinculació</translation>
-    </message>
-    <message>
-        <source>%1 mm</source>
-        <translation>%1 mm</translation>
     </message>
     <message>
         <source>%1 ms</source>
@@ -1162,10 +1035,6 @@ N: noms, H: tiradors, X: paret, R: restableix, T: clar o fosc, Inici: principi</
         <translation>Vista des de</translation>
     </message>
     <message>
-        <source>Cut</source>
-        <translation>Secció</translation>
-    </message>
-    <message>
         <source>Measure</source>
         <translation>Mesura</translation>
     </message>
@@ -1174,36 +1043,8 @@ N: noms, H: tiradors, X: paret, R: restableix, T: clar o fosc, Inici: principi</
         <translation>Parts</translation>
     </message>
     <message>
-        <source>Show</source>
-        <translation>Mostra</translation>
-    </message>
-    <message>
-        <source>Organ</source>
-        <translation>Òrgan</translation>
-    </message>
-    <message>
-        <source>Name</source>
-        <translation>Nom</translation>
-    </message>
-    <message>
         <source>Rest volume</source>
         <translation>Volum en repòs</translation>
-    </message>
-    <message>
-        <source>Size</source>
-        <translation>Mida</translation>
-    </message>
-    <message>
-        <source>Triangles</source>
-        <translation>Triangles</translation>
-    </message>
-    <message>
-        <source>Surface</source>
-        <translation>Superfície</translation>
-    </message>
-    <message>
-        <source>File</source>
-        <translation>Fitxer</translation>
     </message>
     <message>
         <source>Scan</source>
@@ -1227,10 +1068,6 @@ N: noms, H: tiradors, X: paret, R: restableix, T: clar o fosc, Inici: principi</
             <numerusform>oberta, %n aresta</numerusform>
             <numerusform>oberta, %n arestes</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>%1 x %2 x %3 mm</source>
-        <translation>%1 x %2 x %3 mm</translation>
     </message>
     <message>
         <source>%1 x %2 x %3</source>
@@ -1324,10 +1161,6 @@ N: noms, H: tiradors, X: paret, R: restableix, T: clar o fosc, Inici: principi</
         <translation>volumes.csv</translation>
     </message>
     <message>
-        <source>Comma-separated values (*.csv)</source>
-        <translation>Valors separats per comes (*.csv)</translation>
-    </message>
-    <message>
         <source>Export &amp;measurements...</source>
         <translation>Exporta les &amp;mesures...</translation>
     </message>
@@ -1346,18 +1179,6 @@ N: noms, H: tiradors, X: paret, R: restableix, T: clar o fosc, Inici: principi</
     <message>
         <source>measurements.csv</source>
         <translation>measurements.csv</translation>
-    </message>
-    <message>
-        <source>There is no organ to export. Open one first.</source>
-        <translation>No hi ha cap òrgan per exportar. Obriu-ne primer un.</translation>
-    </message>
-    <message>
-        <source>Exporting %1</source>
-        <translation>S’exporta: %1</translation>
-    </message>
-    <message>
-        <source>Written to %1.</source>
-        <translation>S’ha escrit a %1.</translation>
     </message>
     <message>
         <source>all organs</source>
@@ -1450,10 +1271,6 @@ N: noms, H: tiradors, X: paret, R: restableix, T: clar o fosc, Inici: principi</
         <translation>Òrgans, mapes d’etiquetes i tiradors (%1 %2 %3)</translation>
     </message>
     <message>
-        <source>Organs (%1)</source>
-        <translation>Òrgans (%1)</translation>
-    </message>
-    <message>
         <source>Label maps (%1)</source>
         <translation>Mapes d’etiquetes (%1)</translation>
     </message>
@@ -1466,16 +1283,8 @@ N: noms, H: tiradors, X: paret, R: restableix, T: clar o fosc, Inici: principi</
         <translation>Tots els fitxers (*)</translation>
     </message>
     <message>
-        <source>Open</source>
-        <translation>Obre</translation>
-    </message>
-    <message>
         <source>Open a folder with one mask for each organ</source>
         <translation>Obre una carpeta amb una màscara per a cada òrgan</translation>
-    </message>
-    <message>
-        <source>Opening %1</source>
-        <translation>S’obre %1</translation>
     </message>
     <message numerus="yes">
         <source>Opening %n files</source>
@@ -1485,20 +1294,12 @@ N: noms, H: tiradors, X: paret, R: restableix, T: clar o fosc, Inici: principi</
         </translation>
     </message>
     <message>
-        <source>Open %1</source>
-        <translation>Obre %1</translation>
-    </message>
-    <message>
         <source>Save handles</source>
         <translation>Desa els tiradors</translation>
     </message>
     <message>
         <source>Slicer markups (*%1 *.fcsv)</source>
         <translation>Marques de Slicer (*%1 *.fcsv)</translation>
-    </message>
-    <message>
-        <source>Handles</source>
-        <translation>Tiradors</translation>
     </message>
     <message>
         <source>Load a cage</source>
@@ -1524,24 +1325,12 @@ N: noms, H: tiradors, X: paret, R: restableix, T: clar o fosc, Inici: principi</
         </translation>
     </message>
     <message>
-        <source>There is no organ to export. Open one first.</source>
-        <translation>No hi ha cap òrgan per exportar. Obriu-ne primer un.</translation>
-    </message>
-    <message>
         <source>Surfaces (%1)</source>
         <translation>Superfícies (%1)</translation>
     </message>
     <message>
-        <source>Exporting %1</source>
-        <translation>S’exporta: %1</translation>
-    </message>
-    <message>
         <source>%1 written to %2</source>
         <translation>S’ha escrit %1 a %2</translation>
-    </message>
-    <message>
-        <source>Look for files...</source>
-        <translation>Cerca els fitxers...</translation>
     </message>
     <message>
         <source>%1 was not found.</source>
@@ -1560,10 +1349,6 @@ N: noms, H: tiradors, X: paret, R: restableix, T: clar o fosc, Inici: principi</
     <message>
         <source>Side of the body</source>
         <translation>Costat del cos</translation>
-    </message>
-    <message>
-        <source>Size</source>
-        <translation>Mida</translation>
     </message>
     <message>
         <source>Open surface</source>
@@ -1612,20 +1397,8 @@ N: noms, H: tiradors, X: paret, R: restableix, T: clar o fosc, Inici: principi</
         <translation>Seqüència per ajustar</translation>
     </message>
     <message>
-        <source> %</source>
-        <translation> %</translation>
-    </message>
-    <message>
         <source>Of the left ventricle. The right one ejects as much blood, and the muscle keeps its volume</source>
         <translation>Del ventricle esquerre. El dret expulsa la mateixa sang i el múscul conserva el volum</translation>
-    </message>
-    <message>
-        <source>Ejection fraction</source>
-        <translation>Fracció d’ejecció</translation>
-    </message>
-    <message>
-        <source>Place the sequence&apos;s handles around the organ and play it</source>
-        <translation>Col·loca els tiradors de la seqüència al voltant de l’òrgan i la reprodueix</translation>
     </message>
     <message>
         <source>%1: click its place in the view</source>
@@ -1683,10 +1456,6 @@ N: noms, H: tiradors, X: paret, R: restableix, T: clar o fosc, Inici: principi</
         <translation>Ajusta-la a %1</translation>
     </message>
     <message>
-        <source>Place the sequence&apos;s handles around the organ and play it</source>
-        <translation>Col·loca els tiradors de la seqüència al voltant de l’òrgan i la reprodueix</translation>
-    </message>
-    <message>
         <source>%1 is open; a sequence needs a closed surface</source>
         <translation>%1 és una superfície oberta; una seqüència en necessita una de tancada</translation>
     </message>
@@ -1700,10 +1469,6 @@ N: noms, H: tiradors, X: paret, R: restableix, T: clar o fosc, Inici: principi</
     <message>
         <source>No groups: all handles act everywhere. Select handles and make a group of them, or make groups automatically below.</source>
         <translation>No hi ha grups: tots els tiradors actuen pertot. Seleccioneu tiradors i feu-ne un grup, o creeu grups automàticament a sota.</translation>
-    </message>
-    <message>
-        <source>Groups</source>
-        <translation>Grups</translation>
     </message>
     <message>
         <source>New group</source>
@@ -1730,16 +1495,8 @@ N: noms, H: tiradors, X: paret, R: restableix, T: clar o fosc, Inici: principi</
         <translation>Afegeix els tiradors seleccionats al grup triat</translation>
     </message>
     <message>
-        <source>Colour...</source>
-        <translation>Color...</translation>
-    </message>
-    <message>
         <source>Choose the colour of the chosen group</source>
         <translation>Tria el color del grup triat</translation>
-    </message>
-    <message>
-        <source>Remove group</source>
-        <translation>Elimina el grup</translation>
     </message>
     <message>
         <source>Remove the chosen group; its handles stay</source>
@@ -1764,10 +1521,6 @@ N: noms, H: tiradors, X: paret, R: restableix, T: clar o fosc, Inici: principi</
     <message>
         <source>How many groups</source>
         <translation>Nombre de grups</translation>
-    </message>
-    <message>
-        <source>Group automatically</source>
-        <translation>Agrupa automàticament</translation>
     </message>
     <message>
         <source>Replace the present groups. Where handles do not surround a group&apos;s part of the organ, the corners of a box are added.</source>
@@ -1823,17 +1576,6 @@ N: noms, H: tiradors, X: paret, R: restableix, T: clar o fosc, Inici: principi</
 <context>
     <name>viscera::app::HandleController</name>
     <message numerus="yes">
-        <source>Move %n handles</source>
-        <translation>
-            <numerusform>Mou %n tirador</numerusform>
-            <numerusform>Mou %n tiradors</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Move handle %1</source>
-        <translation>Mou el tirador %1</translation>
-    </message>
-    <message numerus="yes">
         <source>Turn %n handles</source>
         <translation>
             <numerusform>Gira %n tirador</numerusform>
@@ -1853,10 +1595,6 @@ N: noms, H: tiradors, X: paret, R: restableix, T: clar o fosc, Inici: principi</
     <message>
         <source>Handle</source>
         <translation>Tirador</translation>
-    </message>
-    <message>
-        <source>Groups</source>
-        <translation>Grups</translation>
     </message>
     <message>
         <source>Rest L</source>
@@ -1916,14 +1654,6 @@ Moveu el lliscador de dalt per col·locar-ne, o feu clic a l’òrgan en el mode
         <translation>Vuit dels tiradors són els cantons d’una capsa al voltant de l’òrgan, de manera que tot hi queda dins</translation>
     </message>
     <message>
-        <source>Handles</source>
-        <translation>Tiradors</translation>
-    </message>
-    <message>
-        <source>%1 (%2)</source>
-        <translation>%1 (%2)</translation>
-    </message>
-    <message>
         <source>F2 renames, Delete removes</source>
         <translation>F2 canvia el nom, Supr elimina</translation>
     </message>
@@ -1933,14 +1663,6 @@ Moveu el lliscador de dalt per col·locar-ne, o feu clic a l’òrgan en el mode
     <message>
         <source>Place handles</source>
         <translation>Col·loca tiradors</translation>
-    </message>
-    <message>
-        <source>Enclosing</source>
-        <translation>Envoltants</translation>
-    </message>
-    <message>
-        <source>Surface</source>
-        <translation>Superfície</translation>
     </message>
 </context>
 <context>
@@ -1988,10 +1710,6 @@ Moveu el lliscador de dalt per col·locar-ne, o feu clic a l’òrgan en el mode
 </context>
 <context>
     <name>viscera::app::HandlesMode</name>
-    <message>
-        <source>Handles</source>
-        <translation>Tiradors</translation>
-    </message>
     <message>
         <source>Click the organ to add a handle, drag to move it, Delete removes it; the rest shape stays</source>
         <translation>Feu clic a l’òrgan per afegir un tirador, arrossegueu per moure’l, Supr l’elimina; la forma en repòs es manté</translation>
@@ -2103,36 +1821,12 @@ Moveu el lliscador de dalt per col·locar-ne, o feu clic a l’òrgan en el mode
         <translation>no és possible</translation>
     </message>
     <message>
-        <source>Coordinates</source>
-        <translation>Coordenades</translation>
-    </message>
-    <message>
-        <source>Groups</source>
-        <translation>Grups</translation>
-    </message>
-    <message>
         <source>Binding</source>
         <translation>Vinculació</translation>
     </message>
     <message>
         <source>State</source>
         <translation>Estat</translation>
-    </message>
-    <message>
-        <source>Time</source>
-        <translation>Temps</translation>
-    </message>
-    <message>
-        <source>Rest error</source>
-        <translation>Error en repòs</translation>
-    </message>
-    <message>
-        <source>The largest distance of the bound organ at rest from the original</source>
-        <translation>La distància màxima entre l’òrgan vinculat en repòs i l’original</translation>
-    </message>
-    <message>
-        <source>Smallest weight</source>
-        <translation>Pes mínim</translation>
     </message>
     <message>
         <source>Handle at rest</source>
@@ -2152,14 +1846,6 @@ Moveu el lliscador de dalt per col·locar-ne, o feu clic a l’òrgan en el mode
             <numerusform>%1 ms, %n fil</numerusform>
             <numerusform>%1 ms, %n fils</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>%1 mm</source>
-        <translation>%1 mm</translation>
-    </message>
-    <message>
-        <source>Organ</source>
-        <translation>Òrgan</translation>
     </message>
 </context>
 <context>
@@ -2205,24 +1891,12 @@ Moveu el lliscador de dalt per col·locar-ne, o feu clic a l’òrgan en el mode
         <translation>Espai reprodueix i posa en pausa. La línia de temps mostra les fases del cicle: arrossegueu-la per veure un instant. A sota es dibuixen els volums a mesura que canvien.</translation>
     </message>
     <message>
-        <source>Handles</source>
-        <translation>Tiradors</translation>
-    </message>
-    <message>
         <source>Organs follow handles around them. Here you edit them at rest: click the organ to add one, drag to move it, Delete to remove it. The organ is bound again at once. I shows how far a handle reaches.</source>
         <translation>Els òrgans segueixen els tiradors que els envolten. Aquí els editeu en repòs: feu clic a l’òrgan per afegir-ne un, arrossegueu-lo per moure’l, Supr per eliminar-lo. L’òrgan es torna a vincular de seguida. I mostra fins on arriba un tirador.</translation>
     </message>
     <message>
-        <source>Deform</source>
-        <translation>Deforma</translation>
-    </message>
-    <message>
         <source>Drag a handle and the organ follows; its volume is in the status bar. The padlock in the list on the left (K) keeps the volume whatever you do. T turns and scales selected handles, M mirrors drags. Ctrl+Z undoes any change, G shows the rest shape as an outline.</source>
         <translation>Arrossegueu un tirador i l’òrgan el segueix; el volum és a la barra d’estat. El cadenat de la llista de l’esquerra (K) manté el volum feu el que feu. T gira i escala els tiradors seleccionats, M fa simètric l’arrossegament. Ctrl+Z desfà qualsevol canvi, G mostra el contorn de la forma en repòs.</translation>
-    </message>
-    <message>
-        <source>Stress</source>
-        <translation>Tensió</translation>
     </message>
     <message>
         <source>The colours say how much the pose distorts the tissue inside. Click the organ to read the values of a point, C cuts it open, M shows the next map. Space plays the sequence, and the map follows.</source>
@@ -2301,10 +1975,6 @@ Moveu el lliscador de dalt per col·locar-ne, o feu clic a l’òrgan en el mode
         <translation>%1: %2 de %3 òrgans</translation>
     </message>
     <message>
-        <source>Import</source>
-        <translation>Importa</translation>
-    </message>
-    <message>
         <source>Cancel</source>
         <translation>Cancel·la</translation>
     </message>
@@ -2354,10 +2024,6 @@ Moveu el lliscador de dalt per col·locar-ne, o feu clic a l’òrgan en el mode
     <message>
         <source>To check</source>
         <translation>Per revisar</translation>
-    </message>
-    <message>
-        <source>%1 (%2)</source>
-        <translation>%1 (%2)</translation>
     </message>
 </context>
 <context>
@@ -2411,10 +2077,6 @@ Moveu el lliscador de dalt per col·locar-ne, o feu clic a l’òrgan en el mode
         <translation>Desa la postura actual en aquesta clau</translation>
     </message>
     <message>
-        <source>Remove</source>
-        <translation>Elimina</translation>
-    </message>
-    <message>
         <source>Remove this key</source>
         <translation>Elimina aquesta clau</translation>
     </message>
@@ -2445,10 +2107,6 @@ Moveu el lliscador de dalt per col·locar-ne, o feu clic a l’òrgan en el mode
     <message>
         <source>Duration </source>
         <translation>Durada </translation>
-    </message>
-    <message>
-        <source>Duration of one cycle</source>
-        <translation>Durada d’un cicle</translation>
     </message>
     <message>
         <source>Sequences (*%1)</source>
@@ -2492,20 +2150,12 @@ Moveu el lliscador de dalt per col·locar-ne, o feu clic a l’òrgan en el mode
         <source>&amp;Darken the screen</source>
         <translation>&amp;Enfosqueix la pantalla</translation>
     </message>
-    <message>
-        <source>%1 %2 ml</source>
-        <translation>%1 %2 ml</translation>
-    </message>
 </context>
 <context>
     <name>viscera::app::LessonDialog</name>
     <message>
         <source>Handles that a reader can drag</source>
         <translation>Tiradors que el lector pot arrossegar</translation>
-    </message>
-    <message>
-        <source>Export lesson</source>
-        <translation>Exporta la lliçó</translation>
     </message>
     <message>
         <source>Web page for any browser (.html)</source>
@@ -2559,10 +2209,6 @@ Moveu el lliscador de dalt per col·locar-ne, o feu clic a l’òrgan en el mode
         <source>Language of the window</source>
         <translation>Llengua de la finestra</translation>
     </message>
-    <message>
-        <source>Kind</source>
-        <translation>Tipus</translation>
-    </message>
 </context>
 <context>
     <name>viscera::app::LessonExport</name>
@@ -2573,10 +2219,6 @@ Moveu el lliscador de dalt per col·locar-ne, o feu clic a l’òrgan en el mode
     <message>
         <source>Write the organs and their motion as one page that opens in any browser</source>
         <translation>Escriu els òrgans i el seu moviment en una pàgina que s’obre en qualsevol navegador</translation>
-    </message>
-    <message>
-        <source>Export lesson</source>
-        <translation>Exporta la lliçó</translation>
     </message>
     <message>
         <source>lesson.html</source>
@@ -2665,10 +2307,6 @@ Moveu el lliscador de dalt per col·locar-ne, o feu clic a l’òrgan en el mode
         <translation>Perfil</translation>
     </message>
     <message>
-        <source>Remove</source>
-        <translation>Elimina</translation>
-    </message>
-    <message>
         <source>Draw the values along the straight line at rest between two chosen probes, or between the last two</source>
         <translation>Dibuixa els valors al llarg de la recta en repòs entre dues sondes triades, o entre les dues últimes</translation>
     </message>
@@ -2685,16 +2323,8 @@ Moveu el lliscador de dalt per col·locar-ne, o feu clic a l’òrgan en el mode
         <translation>Núm.</translation>
     </message>
     <message>
-        <source>Place (mm)</source>
-        <translation>Lloc (mm)</translation>
-    </message>
-    <message>
         <source>Value</source>
         <translation>Valor</translation>
-    </message>
-    <message>
-        <source>Organ</source>
-        <translation>Òrgan</translation>
     </message>
     <message>
         <source>Place in the pose, in the patient&apos;s axes: positive towards the left, the back and the head</source>
@@ -2709,10 +2339,6 @@ Moveu el lliscador de dalt per col·locar-ne, o feu clic a l’òrgan en el mode
         <translation>sense teixit</translation>
     </message>
     <message>
-        <source>folded</source>
-        <translation>plegat</translation>
-    </message>
-    <message>
         <source>%1 mm long</source>
         <translation>%1 mm de llarg</translation>
     </message>
@@ -2724,10 +2350,6 @@ Moveu el lliscador de dalt per col·locar-ne, o feu clic a l’òrgan en el mode
 <context>
     <name>viscera::app::MeasureBox</name>
     <message>
-        <source>Remove</source>
-        <translation>Elimina</translation>
-    </message>
-    <message>
         <source>Remove the chosen measurement (Delete in the list)</source>
         <translation>Elimina la mesura triada (Supr a la llista)</translation>
     </message>
@@ -2738,22 +2360,6 @@ Moveu el lliscador de dalt per col·locar-ne, o feu clic a l’òrgan en el mode
     <message>
         <source>Export CSV...</source>
         <translation>Exporta CSV...</translation>
-    </message>
-    <message>
-        <source>Measurements</source>
-        <translation>Mesures</translation>
-    </message>
-    <message>
-        <source>Name</source>
-        <translation>Nom</translation>
-    </message>
-    <message>
-        <source>Now</source>
-        <translation>Ara</translation>
-    </message>
-    <message>
-        <source>Rest shape</source>
-        <translation>Forma en repòs</translation>
     </message>
     <message>
         <source>Points stay on the organ while it moves, and can be dragged along it; those on a slice stay there.</source>
@@ -2788,10 +2394,6 @@ Moveu el lliscador de dalt per col·locar-ne, o feu clic a l’òrgan en el mode
             <numerusform>Moviment de %n fase. Distància mitjana a les superfícies mesurades: %1.</numerusform>
             <numerusform>Moviment de %n fases. Distància mitjana a les superfícies mesurades: %1.</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>Motion from a series</source>
-        <translation>Moviment a partir d’una sèrie</translation>
     </message>
     <message>
         <source>The series does not show how points move along a wall. The mean and the 95th percentile over the beat are reliable, the local pattern of this map is not.</source>
@@ -2974,10 +2576,6 @@ Moveu el lliscador de dalt per col·locar-ne, o feu clic a l’òrgan en el mode
 <context>
     <name>viscera::app::MotionDialog</name>
     <message>
-        <source>Cavity</source>
-        <translation>Cavitat</translation>
-    </message>
-    <message>
         <source>Tissue around cavities</source>
         <translation>Teixit al voltant de cavitats</translation>
     </message>
@@ -2990,16 +2588,8 @@ Moveu el lliscador de dalt per col·locar-ne, o feu clic a l’òrgan en el mode
         <translation>Omet</translation>
     </message>
     <message>
-        <source>Motion from a series</source>
-        <translation>Moviment a partir d’una sèrie</translation>
-    </message>
-    <message>
         <source>More</source>
         <translation>Més</translation>
-    </message>
-    <message>
-        <source>Close</source>
-        <translation>Tanca</translation>
     </message>
     <message>
         <source>Find the motion</source>
@@ -3030,10 +2620,6 @@ Moveu el lliscador de dalt per col·locar-ne, o feu clic a l’òrgan en el mode
         <translation>Durada d’un cicle sencer: el nombre de fases per l’interval entre elles</translation>
     </message>
     <message>
-        <source>Duration of one cycle</source>
-        <translation>Durada d’un cicle</translation>
-    </message>
-    <message>
         <source>The last phase leads back to the first</source>
         <translation>L’última fase torna a la primera</translation>
     </message>
@@ -3042,16 +2628,8 @@ Moveu el lliscador de dalt per col·locar-ne, o feu clic a l’òrgan en el mode
         <translation>60 per a una superfície, 120 per a diverses. Amb més se segueixen millor les superfícies</translation>
     </message>
     <message>
-        <source>Handles</source>
-        <translation>Tiradors</translation>
-    </message>
-    <message>
         <source>Keep the measured volumes exactly</source>
         <translation>Mantén exactament els volums mesurats</translation>
-    </message>
-    <message>
-        <source> mm</source>
-        <translation> mm</translation>
     </message>
     <message>
         <source>Larger distances count less: for label maps with outliers</source>
@@ -3084,10 +2662,6 @@ Moveu el lliscador de dalt per col·locar-ne, o feu clic a l’òrgan en el mode
     <message>
         <source>Label</source>
         <translation>Etiqueta</translation>
-    </message>
-    <message>
-        <source>Surface</source>
-        <translation>Superfície</translation>
     </message>
     <message>
         <source>Label %1; a double click gives the surface another name</source>
@@ -3130,10 +2704,6 @@ Moveu el lliscador de dalt per col·locar-ne, o feu clic a l’òrgan en el mode
     <message>
         <source>Enter the duration of one cycle first</source>
         <translation>Introduïu primer la durada d’un cicle</translation>
-    </message>
-    <message>
-        <source>Heart</source>
-        <translation>Cor</translation>
     </message>
     <message>
         <source>Outer surface</source>
@@ -3183,24 +2753,12 @@ Moveu el lliscador de dalt per col·locar-ne, o feu clic a l’òrgan en el mode
 <context>
     <name>viscera::app::MovieBox</name>
     <message>
-        <source>Kind</source>
-        <translation>Tipus</translation>
-    </message>
-    <message>
         <source>Choose a destination</source>
         <translation>Tria la destinació</translation>
     </message>
     <message>
-        <source>File</source>
-        <translation>Fitxer</translation>
-    </message>
-    <message>
         <source>%1 x %2</source>
         <translation>%1 x %2</translation>
-    </message>
-    <message>
-        <source>Size</source>
-        <translation>Mida</translation>
     </message>
     <message>
         <source> / s</source>
@@ -3295,39 +2853,15 @@ Moveu el lliscador de dalt per col·locar-ne, o feu clic a l’òrgan en el mode
         <translation>Valors de la circulació</translation>
     </message>
     <message>
-        <source>now</source>
-        <translation>ara</translation>
-    </message>
-    <message>
-        <source>before</source>
-        <translation>abans</translation>
-    </message>
-    <message>
         <source>normal</source>
         <translation>normal</translation>
-    </message>
-    <message>
-        <source>from %1</source>
-        <translation>des de %1</translation>
-    </message>
-    <message>
-        <source>up to %1</source>
-        <translation>fins a %1</translation>
     </message>
 </context>
 <context>
     <name>viscera::app::OrganCheck</name>
     <message>
-        <source>%1 x %2 x %3 mm</source>
-        <translation>%1 x %2 x %3 mm</translation>
-    </message>
-    <message>
         <source>%1, open</source>
         <translation>%1, oberta</translation>
-    </message>
-    <message>
-        <source>%1, %2</source>
-        <translation>%1, %2</translation>
     </message>
     <message>
         <source>Import this organ</source>
@@ -3372,10 +2906,6 @@ Moveu el lliscador de dalt per col·locar-ne, o feu clic a l’òrgan en el mode
         <translation>Manté constant el volum de l’òrgan en el mode Deforma; en un òrgan amb cavitats, el volum dins de la superfície externa</translation>
     </message>
     <message>
-        <source>Colour...</source>
-        <translation>Color...</translation>
-    </message>
-    <message>
         <source>The organ&apos;s own colours</source>
         <translation>Colors propis de l’òrgan</translation>
     </message>
@@ -3389,10 +2919,6 @@ Moveu el lliscador de dalt per col·locar-ne, o feu clic a l’òrgan en el mode
     <message>
         <source>Opacity</source>
         <translation>Opacitat</translation>
-    </message>
-    <message>
-        <source> %</source>
-        <translation> %</translation>
     </message>
     <message>
         <source>No organ yet.
@@ -3423,10 +2949,6 @@ Obriu un fitxer (Ctrl+O), deixeu-ne anar un aquí o agafeu un òrgan de mostra d
     <message>
         <source>Hide the chosen organs</source>
         <translation>Amaga els òrgans triats</translation>
-    </message>
-    <message>
-        <source>Hide</source>
-        <translation>Amaga</translation>
     </message>
     <message>
         <source>Show &amp;all</source>
@@ -3523,10 +3045,6 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
     <message>
         <source>%1 at rest, %2 (%3) now</source>
         <translation>%1 en repòs, %2 (%3) ara</translation>
-    </message>
-    <message>
-        <source>Show</source>
-        <translation>Mostra</translation>
     </message>
     <message numerus="yes">
         <source>%n organs removed</source>
@@ -3839,18 +3357,6 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
         <translation>Aspecte</translation>
     </message>
     <message>
-        <source>Sequence</source>
-        <translation>Seqüència</translation>
-    </message>
-    <message>
-        <source>Rate</source>
-        <translation>Freqüència</translation>
-    </message>
-    <message>
-        <source>Phase</source>
-        <translation>Fase</translation>
-    </message>
-    <message>
         <source>Source of the motion</source>
         <translation>Origen del moviment</translation>
     </message>
@@ -3879,18 +3385,6 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
         <translation>Volums en ml. VS és el volum sistòlic, FE la fracció d’ejecció.</translation>
     </message>
     <message>
-        <source>Ejection fraction</source>
-        <translation>Fracció d’ejecció</translation>
-    </message>
-    <message>
-        <source>Stroke volume</source>
-        <translation>Volum sistòlic</translation>
-    </message>
-    <message>
-        <source>Cardiac output</source>
-        <translation>Cabal cardíac</translation>
-    </message>
-    <message>
         <source>Circulation of this heart</source>
         <translation>Circulació d’aquest cor</translation>
     </message>
@@ -3901,10 +3395,6 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
     <message>
         <source>Record a movie</source>
         <translation>Enregistra una pel·lícula</translation>
-    </message>
-    <message>
-        <source>Prescribe a volume</source>
-        <translation>Prescriu un volum</translation>
     </message>
     <message>
         <source>Key sequence</source>
@@ -3958,14 +3448,6 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
         <source>Normal for %1: %2.</source>
         <translation>Normal per a %1: %2.</translation>
     </message>
-    <message>
-        <source>, </source>
-        <translation>, </translation>
-    </message>
-    <message>
-        <source>at rest</source>
-        <translation>en repòs</translation>
-    </message>
 </context>
 <context>
     <name>viscera::app::Playback</name>
@@ -3984,17 +3466,6 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
 </context>
 <context>
     <name>viscera::app::PoseEditor</name>
-    <message>
-        <source>Move handle %1</source>
-        <translation>Mou el tirador %1</translation>
-    </message>
-    <message numerus="yes">
-        <source>Move %n handles</source>
-        <translation>
-            <numerusform>Mou %n tirador</numerusform>
-            <numerusform>Mou %n tiradors</numerusform>
-        </translation>
-    </message>
     <message numerus="yes">
         <source>Reset %n handles</source>
         <translation>
@@ -4033,10 +3504,6 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
 <context>
     <name>viscera::app::PositionBox</name>
     <message>
-        <source> mm</source>
-        <translation> mm</translation>
-    </message>
-    <message>
         <source>Left</source>
         <translation>Esquerra</translation>
     </message>
@@ -4067,14 +3534,6 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
 </context>
 <context>
     <name>viscera::app::ProbeCard</name>
-    <message>
-        <source>Close (Esc)</source>
-        <translation>Tanca (Esc)</translation>
-    </message>
-    <message>
-        <source>Close</source>
-        <translation>Tanca</translation>
-    </message>
     <message>
         <source>In the patient&apos;s axes, mm: positive towards the left, the back and the head</source>
         <translation>En els eixos del pacient, mm: positiu cap a l’esquerra, l’esquena i el cap</translation>
@@ -4120,10 +3579,6 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
         <translation>no</translation>
     </message>
     <message>
-        <source>%1 %2</source>
-        <translation>%1 %2</translation>
-    </message>
-    <message>
         <source>Witness point %1</source>
         <translation>Punt testimoni %1</translation>
     </message>
@@ -4133,14 +3588,6 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
     <message>
         <source>Profile along the line</source>
         <translation>Perfil al llarg de la línia</translation>
-    </message>
-    <message>
-        <source>Distance at rest (mm)</source>
-        <translation>Distància en repòs (mm)</translation>
-    </message>
-    <message>
-        <source>%1 (%2)</source>
-        <translation>%1 (%2)</translation>
     </message>
 </context>
 <context>
@@ -4159,10 +3606,6 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
             <numerusform>S’han trobat totes (%1), amb %n error.</numerusform>
             <numerusform>S’han trobat totes (%1), amb %n errors.</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>%1 of %2</source>
-        <translation>%1 de %2</translation>
     </message>
     <message>
         <source>Right: %1</source>
@@ -4272,18 +3715,6 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
         <translation>volum mínim</translation>
     </message>
     <message>
-        <source>stroke volume</source>
-        <translation>volum sistòlic</translation>
-    </message>
-    <message>
-        <source>ejection fraction</source>
-        <translation>fracció d’ejecció</translation>
-    </message>
-    <message>
-        <source>cardiac output</source>
-        <translation>cabal cardíac</translation>
-    </message>
-    <message>
         <source>Surface whose fit is shown</source>
         <translation>Superfície de la qual es mostra l’ajust</translation>
     </message>
@@ -4298,10 +3729,6 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
     <message>
         <source>Fit of the motion, phase by phase</source>
         <translation>Ajust del moviment, fase per fase</translation>
-    </message>
-    <message>
-        <source>Phase</source>
-        <translation>Fase</translation>
     </message>
     <message>
         <source>ms</source>
@@ -4392,14 +3819,6 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
         <translation>Què canvia respecte a la sèrie anterior</translation>
     </message>
     <message>
-        <source>before</source>
-        <translation>abans</translation>
-    </message>
-    <message>
-        <source>now</source>
-        <translation>ara</translation>
-    </message>
-    <message>
         <source>difference</source>
         <translation>diferència</translation>
     </message>
@@ -4442,13 +3861,6 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
     <message>
         <source>Show the measured surfaces of the nearest phase, translucent</source>
         <translation>Mostra les superfícies mesurades de la fase més propera, translúcides</translation>
-    </message>
-</context>
-<context>
-    <name>viscera::app::SampleLoader</name>
-    <message>
-        <source>Sample %1</source>
-        <translation>Mostra: %1</translation>
     </message>
 </context>
 <context>
@@ -4640,10 +4052,6 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
         <source>The folder has several scans. Which one?</source>
         <translation>La carpeta té diverses exploracions. Quina?</translation>
     </message>
-    <message>
-        <source>Opening %1</source>
-        <translation>S’obre %1</translation>
-    </message>
     <message numerus="yes">
         <source>%n more: see Scan on the page of Explore.</source>
         <translation>
@@ -4757,10 +4165,6 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
         <source>&amp;Cancel</source>
         <translation>&amp;Cancel·la</translation>
     </message>
-    <message>
-        <source>Opening %1</source>
-        <translation>S’obre %1</translation>
-    </message>
     <message numerus="yes">
         <source>And %n more.</source>
         <translation>
@@ -4779,10 +4183,6 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
     <message>
         <source>Discard</source>
         <translation>Descarta</translation>
-    </message>
-    <message>
-        <source>Look for files...</source>
-        <translation>Cerca els fitxers...</translation>
     </message>
     <message>
         <source>Choose the folder with the missing files</source>
@@ -4805,14 +4205,6 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
     <message>
         <source>Mouse and keys</source>
         <translation>Ratolí i tecles</translation>
-    </message>
-    <message>
-        <source>Close (Esc)</source>
-        <translation>Tanca (Esc)</translation>
-    </message>
-    <message>
-        <source>Close</source>
-        <translation>Tanca</translation>
     </message>
     <message>
         <source>Left drag</source>
@@ -4950,13 +4342,6 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
         <source>no handles</source>
         <translation>sense tiradors</translation>
     </message>
-    <message numerus="yes">
-        <source>%n handles</source>
-        <translation>
-            <numerusform>%n tirador</numerusform>
-            <numerusform>%n tiradors</numerusform>
-        </translation>
-    </message>
     <message>
         <source>, binding...</source>
         <translation>, es vincula...</translation>
@@ -4977,24 +4362,12 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
         <source>%1, %2 of tissue folded by the pose</source>
         <translation>%1, %2 de teixit plegats per la postura</translation>
     </message>
-    <message>
-        <source>%1: %2</source>
-        <translation>%1: %2</translation>
-    </message>
 </context>
 <context>
     <name>viscera::app::StressChart</name>
     <message>
-        <source>Rotational stress</source>
-        <translation>Tensió rotacional</translation>
-    </message>
-    <message>
         <source>maximum</source>
         <translation>màxima</translation>
-    </message>
-    <message>
-        <source>95th percentile</source>
-        <translation>Percentil 95</translation>
     </message>
     <message>
         <source>mean</source>
@@ -5004,17 +4377,9 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
         <source>The stress over one cycle of the sequence is drawn here as soon as it is computed.</source>
         <translation>La tensió durant un cicle de la seqüència es dibuixa aquí tan bon punt s’ha calculat.</translation>
     </message>
-    <message>
-        <source>Time in the cycle</source>
-        <translation>Temps en el cicle</translation>
-    </message>
 </context>
 <context>
     <name>viscera::app::StressExport</name>
-    <message>
-        <source>Comma-separated values (*.csv)</source>
-        <translation>Valors separats per comes (*.csv)</translation>
-    </message>
     <message>
         <source>Export stress &amp;map...</source>
         <translation>Exporta el &amp;mapa de tensió...</translation>
@@ -5084,14 +4449,6 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
         <translation>curve.csv</translation>
     </message>
     <message>
-        <source>Exporting %1</source>
-        <translation>S’exporta: %1</translation>
-    </message>
-    <message>
-        <source>Written to %1.</source>
-        <translation>S’ha escrit a %1.</translation>
-    </message>
-    <message>
         <source>the stress map</source>
         <translation>el mapa de tensió</translation>
     </message>
@@ -5150,10 +4507,6 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
 </context>
 <context>
     <name>viscera::app::StressMode</name>
-    <message>
-        <source>Stress</source>
-        <translation>Tensió</translation>
-    </message>
     <message>
         <source>How much the pose distorts the tissue (rotational stress): click the organ to read the values of a point; C cuts it open; the map follows while you drag a handle</source>
         <translation>Fins a quin punt la postura distorsiona el teixit (tensió rotacional): feu clic a l’òrgan per llegir els valors d’un punt; C el secciona; el mapa s’actualitza mentre arrossegueu un tirador</translation>
@@ -5290,10 +4643,6 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
 <context>
     <name>viscera::app::StressModel</name>
     <message>
-        <source>%1 %2</source>
-        <translation>%1 %2</translation>
-    </message>
-    <message>
         <source>This point is probe %1 already.</source>
         <translation>Aquest punt ja és la sonda %1.</translation>
     </message>
@@ -5329,10 +4678,6 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
         <translation>El mapa de la vostra postura; es poden arrossegar tiradors</translation>
     </message>
     <message>
-        <source>Sequence</source>
-        <translation>Seqüència</translation>
-    </message>
-    <message>
         <source>The map of the sequence at the timeline&apos;s instant; Space plays</source>
         <translation>El mapa de la seqüència a l’instant de la línia de temps; Espai reprodueix</translation>
     </message>
@@ -5341,32 +4686,8 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
         <translation>Valors</translation>
     </message>
     <message>
-        <source>Minimum</source>
-        <translation>Mínim</translation>
-    </message>
-    <message>
-        <source>Mean</source>
-        <translation>Mitjana</translation>
-    </message>
-    <message>
-        <source>95th percentile</source>
-        <translation>Percentil 95</translation>
-    </message>
-    <message>
-        <source>Maximum</source>
-        <translation>Màxim</translation>
-    </message>
-    <message>
-        <source>Folded</source>
-        <translation>Plegats</translation>
-    </message>
-    <message>
         <source>Export</source>
         <translation>Exporta</translation>
-    </message>
-    <message>
-        <source>Cut</source>
-        <translation>Secció</translation>
     </message>
     <message>
         <source>Smooth: through the tetrahedra</source>
@@ -5375,14 +4696,6 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
     <message>
         <source>Crinkle: whole tetrahedra</source>
         <translation>Irregular: tetràedres sencers</translation>
-    </message>
-    <message>
-        <source>Depth</source>
-        <translation>Profunditat</translation>
-    </message>
-    <message>
-        <source> %</source>
-        <translation> %</translation>
     </message>
     <message>
         <source>Distance of the cut from the organ&apos;s middle; the arrow in the view moves it, the rim tilts it</source>
@@ -5413,10 +4726,6 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
         <translation>Coronal</translation>
     </message>
     <message>
-        <source>Cut away the front</source>
-        <translation>Retalla la part anterior</translation>
-    </message>
-    <message>
         <source>Sagittal</source>
         <translation>Sagital</translation>
     </message>
@@ -5427,14 +4736,6 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
     <message>
         <source>Axial</source>
         <translation>Axial</translation>
-    </message>
-    <message>
-        <source>Cut away the upper part</source>
-        <translation>Retalla la part superior</translation>
-    </message>
-    <message>
-        <source>Facing the viewer</source>
-        <translation>De cara a l’observador</translation>
     </message>
     <message>
         <source>Cut through the middle, across the line of sight</source>
@@ -5453,20 +4754,8 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
         <translation>Més punts mostren més detall i triguen més; fins a 20.000 el mapa segueix l’arrossegament</translation>
     </message>
     <message>
-        <source>Witness points</source>
-        <translation>Punts testimoni</translation>
-    </message>
-    <message>
         <source>Source</source>
         <translation>Font</translation>
-    </message>
-    <message>
-        <source>Points</source>
-        <translation>Punts</translation>
-    </message>
-    <message>
-        <source>Derivatives</source>
-        <translation>Derivades</translation>
     </message>
     <message>
         <source>Try again</source>
@@ -5487,10 +4776,6 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
     <message>
         <source>Cancelled. Press Try again to go on.</source>
         <translation>Cancel·lat. Premeu Torna-ho a provar per continuar.</translation>
-    </message>
-    <message>
-        <source>%1 in %2 tetrahedra</source>
-        <translation>%1 en %2 tetràedres</translation>
     </message>
     <message>
         <source>closed form</source>
@@ -5554,10 +4839,6 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
 </context>
 <context>
     <name>viscera::app::SystemBox</name>
-    <message>
-        <source>Coordinates</source>
-        <translation>Coordenades</translation>
-    </message>
     <message>
         <source>Coordinate system that binds the organs to the handles</source>
         <translation>Sistema de coordenades que vincula els òrgans als tiradors</translation>
@@ -5637,10 +4918,6 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
     <message>
         <source>Fills the organ with tetrahedra first</source>
         <translation>Primer omple l’òrgan de tetràedres</translation>
-    </message>
-    <message>
-        <source>%1 %2</source>
-        <translation>%1 %2</translation>
     </message>
     <message>
         <source>The value is set to %1 %2, but these handles allow at most %3, so %3 is used.</source>
@@ -5745,10 +5022,6 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
         <translation>Avança deu mil·lisegons en un batec, un fotograma en altres seqüències</translation>
     </message>
     <message>
-        <source>Rate</source>
-        <translation>Freqüència</translation>
-    </message>
-    <message>
         <source>Speed</source>
         <translation>Velocitat</translation>
     </message>
@@ -5784,10 +5057,6 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
         <source>%1 s into the cycle</source>
         <translation>a %1 s de l’inici del cicle</translation>
     </message>
-    <message>
-        <source>at rest</source>
-        <translation>en repòs</translation>
-    </message>
 </context>
 <context>
     <name>viscera::app::TourCard</name>
@@ -5798,10 +5067,6 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
     <message>
         <source>End the tour</source>
         <translation>Acaba la visita</translation>
-    </message>
-    <message>
-        <source>%1 of %2</source>
-        <translation>%1 de %2</translation>
     </message>
     <message>
         <source>Next</source>
@@ -5954,10 +5219,6 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
 <context>
     <name>viscera::app::VolumeBox</name>
     <message>
-        <source>Apply</source>
-        <translation>Aplica</translation>
-    </message>
-    <message>
         <source>Target</source>
         <translation>Objectiu</translation>
     </message>
@@ -5983,10 +5244,6 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
     <message>
         <source>Volumes over the cycle</source>
         <translation>Volums al llarg del cicle</translation>
-    </message>
-    <message>
-        <source>%1: %2</source>
-        <translation>%1: %2</translation>
     </message>
 </context>
 <context>
@@ -6032,20 +5289,8 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
         <translation>%1: mostra al gràfic què és normal</translation>
     </message>
     <message>
-        <source>%1 %2 ml</source>
-        <translation>%1 %2 ml</translation>
-    </message>
-    <message>
-        <source>%1: %2</source>
-        <translation>%1: %2</translation>
-    </message>
-    <message>
         <source>Shaded: normal for %1, %2. %3</source>
         <translation>Ombrejat: normal per a %1, %2. %3</translation>
-    </message>
-    <message>
-        <source>, </source>
-        <translation>, </translation>
     </message>
     <message>
         <source>EF %1 %  SV %2 ml</source>
@@ -6060,20 +5305,8 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
         <translation>Part del cicle</translation>
     </message>
     <message>
-        <source>Volume</source>
-        <translation>Volum</translation>
-    </message>
-    <message>
-        <source>Time in the cycle</source>
-        <translation>Temps en el cicle</translation>
-    </message>
-    <message>
         <source>Time while dragging</source>
         <translation>Temps d’arrossegament</translation>
-    </message>
-    <message>
-        <source>Time</source>
-        <translation>Temps</translation>
     </message>
 </context>
 <context>
@@ -6176,14 +5409,6 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
         <translation>Modes</translation>
     </message>
     <message>
-        <source>Organs</source>
-        <translation>Òrgans</translation>
-    </message>
-    <message>
-        <source>Handles</source>
-        <translation>Tiradors</translation>
-    </message>
-    <message>
         <source>Properties</source>
         <translation>Propietats</translation>
     </message>
@@ -6192,16 +5417,8 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
         <translation>Línia de temps</translation>
     </message>
     <message>
-        <source>Volumes</source>
-        <translation>Volums</translation>
-    </message>
-    <message>
         <source>Slides</source>
         <translation>Diapositives</translation>
-    </message>
-    <message>
-        <source>Import</source>
-        <translation>Importa</translation>
     </message>
     <message>
         <source>Move all panels to their default places</source>
@@ -6213,10 +5430,6 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
     <message>
         <source>Open folder</source>
         <translation>Obre la carpeta</translation>
-    </message>
-    <message>
-        <source>Undo</source>
-        <translation>Desfés</translation>
     </message>
 </context>
 </TS>

@@ -444,14 +444,6 @@ N: Namen, H: Griffe, X: Wand, R: zurück, T: hell oder dunkel, Pos1: Anfang</tra
         <translation>S2</translation>
     </message>
     <message>
-        <source>Mitral valve</source>
-        <translation>Mitralklappe</translation>
-    </message>
-    <message>
-        <source>Aortic valve</source>
-        <translation>Aortenklappe</translation>
-    </message>
-    <message>
         <source>Tricuspid valve</source>
         <translation>Trikuspidalklappe</translation>
     </message>
@@ -477,14 +469,6 @@ N: Namen, H: Griffe, X: Wand, R: zurück, T: hell oder dunkel, Pos1: Anfang</tra
             <numerusform>%n Eckpunkte von %1 haben keine Koordinaten im Käfig.</numerusform>
         </translation>
     </message>
-    <message>
-        <source>Use the hull as the cage</source>
-        <translation>Hülle als Käfig verwenden</translation>
-    </message>
-    <message>
-        <source>Undo</source>
-        <translation>Rückgängig</translation>
-    </message>
     <message numerus="yes">
         <source>%n vertices of %1 lie in no group&apos;s region.</source>
         <translation>
@@ -492,20 +476,12 @@ N: Namen, H: Griffe, X: Wand, R: zurück, T: hell oder dunkel, Pos1: Anfang</tra
             <numerusform>%n Eckpunkte von %1 liegen in keiner Region einer Gruppe.</numerusform>
         </translation>
     </message>
-    <message>
-        <source>Add enclosing group</source>
-        <translation>Umschließende Gruppe hinzufügen</translation>
-    </message>
     <message numerus="yes">
         <source>%n vertices of %1 lie outside the handles&apos; hull.</source>
         <translation>
             <numerusform>%n Eckpunkt von %1 liegt außerhalb der Hülle der Griffe.</numerusform>
             <numerusform>%n Eckpunkte von %1 liegen außerhalb der Hülle der Griffe.</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>Add enclosing handles</source>
-        <translation>Umschließende Griffe hinzufügen</translation>
     </message>
 </context>
 <context>
@@ -555,10 +531,6 @@ N: Namen, H: Griffe, X: Wand, R: zurück, T: hell oder dunkel, Pos1: Anfang</tra
         <translation>Volumina gesunder Erwachsener über einen Herzschlag bei dieser Frequenz</translation>
     </message>
     <message>
-        <source>Circulation</source>
-        <translation>Kreislauf</translation>
-    </message>
-    <message>
         <source>A model of heart and vessels: pressures, pressure-volume loops, valves and sounds</source>
         <translation>Ein Modell von Herz und Gefäßen: Drücke, Druck-Volumen-Schleifen, Klappen und Töne</translation>
     </message>
@@ -585,10 +557,6 @@ N: Namen, H: Griffe, X: Wand, R: zurück, T: hell oder dunkel, Pos1: Anfang</tra
 </context>
 <context>
     <name>viscera::app::CirculationModel</name>
-    <message>
-        <source>Circulation</source>
-        <translation>Kreislauf</translation>
-    </message>
     <message>
         <source>Heart of the circulation</source>
         <translation>Herz des Kreislaufs</translation>
@@ -628,10 +596,6 @@ N: Namen, H: Griffe, X: Wand, R: zurück, T: hell oder dunkel, Pos1: Anfang</tra
         <translation>Dasselbe Organ mit anderen Koordinaten</translation>
     </message>
     <message>
-        <source>Sample %1</source>
-        <translation>Beispiel %1</translation>
-    </message>
-    <message>
         <source>Open files...</source>
         <translation>Dateien öffnen...</translation>
     </message>
@@ -642,10 +606,6 @@ N: Namen, H: Griffe, X: Wand, R: zurück, T: hell oder dunkel, Pos1: Anfang</tra
     <message>
         <source>Open beside the first organ</source>
         <translation>Neben dem ersten Organ öffnen</translation>
-    </message>
-    <message>
-        <source>Organs (%1)</source>
-        <translation>Organe (%1)</translation>
     </message>
     <message>
         <source>No organ yet</source>
@@ -679,10 +639,6 @@ N: Namen, H: Griffe, X: Wand, R: zurück, T: hell oder dunkel, Pos1: Anfang</tra
         <translation>Kurve...</translation>
     </message>
     <message>
-        <source>Remove</source>
-        <translation>Entfernen</translation>
-    </message>
-    <message>
         <source>Organ whose volume is prescribed</source>
         <translation>Organ, dessen Volumen vorgegeben wird</translation>
     </message>
@@ -693,10 +649,6 @@ N: Namen, H: Griffe, X: Wand, R: zurück, T: hell oder dunkel, Pos1: Anfang</tra
     <message>
         <source>Let the sequence alone determine the volume again</source>
         <translation>Das Volumen wieder allein von der Sequenz bestimmen lassen</translation>
-    </message>
-    <message>
-        <source>Prescribe a volume</source>
-        <translation>Volumen vorgeben</translation>
     </message>
     <message>
         <source>Volume curves (*.csv *.txt *.tsv)</source>
@@ -710,16 +662,8 @@ N: Namen, H: Griffe, X: Wand, R: zurück, T: hell oder dunkel, Pos1: Anfang</tra
 <context>
     <name>viscera::app::CutBox</name>
     <message>
-        <source>Depth</source>
-        <translation>Tiefe</translation>
-    </message>
-    <message>
         <source>Coronal</source>
         <translation>Koronal</translation>
-    </message>
-    <message>
-        <source>Cut away the front</source>
-        <translation>Vorderen Teil wegschneiden</translation>
     </message>
     <message>
         <source>Sagittal</source>
@@ -734,14 +678,6 @@ N: Namen, H: Griffe, X: Wand, R: zurück, T: hell oder dunkel, Pos1: Anfang</tra
         <translation>Axial</translation>
     </message>
     <message>
-        <source>Cut away the upper part</source>
-        <translation>Oberen Teil wegschneiden</translation>
-    </message>
-    <message>
-        <source>Facing the viewer</source>
-        <translation>Zum Betrachter</translation>
-    </message>
-    <message>
         <source>Cut away the part nearest to the viewer</source>
         <translation>Wegschneiden, was dem Betrachter am nächsten ist</translation>
     </message>
@@ -752,10 +688,6 @@ N: Namen, H: Griffe, X: Wand, R: zurück, T: hell oder dunkel, Pos1: Anfang</tra
 </context>
 <context>
     <name>viscera::app::DeformMode</name>
-    <message>
-        <source>Deform</source>
-        <translation>Verformen</translation>
-    </message>
     <message>
         <source>Drag a handle and the organ follows; K locks the volume, T turns and scales, M mirrors</source>
         <translation>Ziehen Sie an einem Griff, und das Organ folgt; K sperrt das Volumen, T dreht und skaliert, M spiegelt</translation>
@@ -839,33 +771,6 @@ N: Namen, H: Griffe, X: Wand, R: zurück, T: hell oder dunkel, Pos1: Anfang</tra
 </context>
 <context>
     <name>viscera::app::DeformPage</name>
-    <message numerus="yes">
-        <source>%n handles</source>
-        <translation>
-            <numerusform>%n Griff</numerusform>
-            <numerusform>%n Griffe</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Volume</source>
-        <translation>Volumen</translation>
-    </message>
-    <message>
-        <source>Organ</source>
-        <translation>Organ</translation>
-    </message>
-    <message>
-        <source>Now</source>
-        <translation>Jetzt</translation>
-    </message>
-    <message>
-        <source>Rest shape</source>
-        <translation>Ruheform</translation>
-    </message>
-    <message>
-        <source>Change</source>
-        <translation>Änderung</translation>
-    </message>
     <message>
         <source>Largest shift</source>
         <translation>Größte Verschiebung</translation>
@@ -927,18 +832,6 @@ N: Namen, H: Griffe, X: Wand, R: zurück, T: hell oder dunkel, Pos1: Anfang</tra
         <translation>Bewegt sich mit</translation>
     </message>
     <message>
-        <source>%1 (%2)</source>
-        <translation>%1 (%2)</translation>
-    </message>
-    <message>
-        <source>%1 mm</source>
-        <translation>%1 mm</translation>
-    </message>
-    <message>
-        <source>%1 of %2</source>
-        <translation>%1 von %2</translation>
-    </message>
-    <message>
         <source>no handle is near the mirror image</source>
         <translation>kein Griff liegt nahe dem Spiegelbild</translation>
     </message>
@@ -956,10 +849,6 @@ N: Namen, H: Griffe, X: Wand, R: zurück, T: hell oder dunkel, Pos1: Anfang</tra
 </context>
 <context>
     <name>viscera::app::DisplacementBox</name>
-    <message>
-        <source>Apply</source>
-        <translation>Anwenden</translation>
-    </message>
     <message>
         <source>Right to left</source>
         <translation>Rechts nach links</translation>
@@ -996,24 +885,12 @@ N: Namen, H: Griffe, X: Wand, R: zurück, T: hell oder dunkel, Pos1: Anfang</tra
 <context>
     <name>viscera::app::ErrorTable</name>
     <message>
-        <source>Rest error</source>
-        <translation>Ruhefehler</translation>
-    </message>
-    <message>
-        <source>The largest distance of the bound organ at rest from the original</source>
-        <translation>Der größte Abstand des gebundenen Organs in Ruhe vom Original</translation>
-    </message>
-    <message>
         <source>Unity error</source>
         <translation>Summenfehler</translation>
     </message>
     <message>
         <source>The largest distance of a vertex&apos;s weights&apos; sum from 1</source>
         <translation>Der größte Abstand der Summe der Gewichte eines Eckpunkts von 1</translation>
-    </message>
-    <message>
-        <source>Smallest weight</source>
-        <translation>Kleinstes Gewicht</translation>
     </message>
     <message>
         <source>Negative where the system is not positive</source>
@@ -1030,10 +907,6 @@ N: Namen, H: Griffe, X: Wand, R: zurück, T: hell oder dunkel, Pos1: Anfang</tra
     <message>
         <source>Binding time</source>
         <translation>Bindezeit</translation>
-    </message>
-    <message>
-        <source>%1 mm</source>
-        <translation>%1 mm</translation>
     </message>
     <message>
         <source>%1 ms</source>
@@ -1162,10 +1035,6 @@ N: Namen, H: Griffe, X: Wand, R: zurück, T: hell oder dunkel, Pos1: Anfang</tra
         <translation>Ansicht von</translation>
     </message>
     <message>
-        <source>Cut</source>
-        <translation>Schnitt</translation>
-    </message>
-    <message>
         <source>Measure</source>
         <translation>Messen</translation>
     </message>
@@ -1174,36 +1043,8 @@ N: Namen, H: Griffe, X: Wand, R: zurück, T: hell oder dunkel, Pos1: Anfang</tra
         <translation>Teile</translation>
     </message>
     <message>
-        <source>Show</source>
-        <translation>Zeigen</translation>
-    </message>
-    <message>
-        <source>Organ</source>
-        <translation>Organ</translation>
-    </message>
-    <message>
-        <source>Name</source>
-        <translation>Name</translation>
-    </message>
-    <message>
         <source>Rest volume</source>
         <translation>Ruhevolumen</translation>
-    </message>
-    <message>
-        <source>Size</source>
-        <translation>Größe</translation>
-    </message>
-    <message>
-        <source>Triangles</source>
-        <translation>Dreiecke</translation>
-    </message>
-    <message>
-        <source>Surface</source>
-        <translation>Oberfläche</translation>
-    </message>
-    <message>
-        <source>File</source>
-        <translation>Datei</translation>
     </message>
     <message>
         <source>Scan</source>
@@ -1227,10 +1068,6 @@ N: Namen, H: Griffe, X: Wand, R: zurück, T: hell oder dunkel, Pos1: Anfang</tra
             <numerusform>offen, %n Kante</numerusform>
             <numerusform>offen, %n Kanten</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>%1 x %2 x %3 mm</source>
-        <translation>%1 x %2 x %3 mm</translation>
     </message>
     <message>
         <source>%1 x %2 x %3</source>
@@ -1324,10 +1161,6 @@ N: Namen, H: Griffe, X: Wand, R: zurück, T: hell oder dunkel, Pos1: Anfang</tra
         <translation>volumes.csv</translation>
     </message>
     <message>
-        <source>Comma-separated values (*.csv)</source>
-        <translation>Kommagetrennte Werte (*.csv)</translation>
-    </message>
-    <message>
         <source>Export &amp;measurements...</source>
         <translation>&amp;Messungen exportieren...</translation>
     </message>
@@ -1346,18 +1179,6 @@ N: Namen, H: Griffe, X: Wand, R: zurück, T: hell oder dunkel, Pos1: Anfang</tra
     <message>
         <source>measurements.csv</source>
         <translation>measurements.csv</translation>
-    </message>
-    <message>
-        <source>There is no organ to export. Open one first.</source>
-        <translation>Kein Organ zum Exportieren vorhanden. Öffnen Sie zuerst eines.</translation>
-    </message>
-    <message>
-        <source>Exporting %1</source>
-        <translation>%1 wird exportiert</translation>
-    </message>
-    <message>
-        <source>Written to %1.</source>
-        <translation>In %1 geschrieben.</translation>
     </message>
     <message>
         <source>all organs</source>
@@ -1450,10 +1271,6 @@ N: Namen, H: Griffe, X: Wand, R: zurück, T: hell oder dunkel, Pos1: Anfang</tra
         <translation>Organe, Labelmaps und Griffe (%1 %2 %3)</translation>
     </message>
     <message>
-        <source>Organs (%1)</source>
-        <translation>Organe (%1)</translation>
-    </message>
-    <message>
         <source>Label maps (%1)</source>
         <translation>Labelmaps (%1)</translation>
     </message>
@@ -1466,16 +1283,8 @@ N: Namen, H: Griffe, X: Wand, R: zurück, T: hell oder dunkel, Pos1: Anfang</tra
         <translation>Alle Dateien (*)</translation>
     </message>
     <message>
-        <source>Open</source>
-        <translation>Öffnen</translation>
-    </message>
-    <message>
         <source>Open a folder with one mask for each organ</source>
         <translation>Ordner mit einer Maske je Organ öffnen</translation>
-    </message>
-    <message>
-        <source>Opening %1</source>
-        <translation>%1 wird geöffnet</translation>
     </message>
     <message numerus="yes">
         <source>Opening %n files</source>
@@ -1485,20 +1294,12 @@ N: Namen, H: Griffe, X: Wand, R: zurück, T: hell oder dunkel, Pos1: Anfang</tra
         </translation>
     </message>
     <message>
-        <source>Open %1</source>
-        <translation>%1 öffnen</translation>
-    </message>
-    <message>
         <source>Save handles</source>
         <translation>Griffe speichern</translation>
     </message>
     <message>
         <source>Slicer markups (*%1 *.fcsv)</source>
         <translation>Slicer-Markups (*%1 *.fcsv)</translation>
-    </message>
-    <message>
-        <source>Handles</source>
-        <translation>Griffe</translation>
     </message>
     <message>
         <source>Load a cage</source>
@@ -1524,24 +1325,12 @@ N: Namen, H: Griffe, X: Wand, R: zurück, T: hell oder dunkel, Pos1: Anfang</tra
         </translation>
     </message>
     <message>
-        <source>There is no organ to export. Open one first.</source>
-        <translation>Kein Organ zum Exportieren vorhanden. Öffnen Sie zuerst eines.</translation>
-    </message>
-    <message>
         <source>Surfaces (%1)</source>
         <translation>Oberflächen (%1)</translation>
     </message>
     <message>
-        <source>Exporting %1</source>
-        <translation>%1 wird exportiert</translation>
-    </message>
-    <message>
         <source>%1 written to %2</source>
         <translation>%1 in %2 geschrieben</translation>
-    </message>
-    <message>
-        <source>Look for files...</source>
-        <translation>Dateien suchen...</translation>
     </message>
     <message>
         <source>%1 was not found.</source>
@@ -1560,10 +1349,6 @@ N: Namen, H: Griffe, X: Wand, R: zurück, T: hell oder dunkel, Pos1: Anfang</tra
     <message>
         <source>Side of the body</source>
         <translation>Körperseite</translation>
-    </message>
-    <message>
-        <source>Size</source>
-        <translation>Größe</translation>
     </message>
     <message>
         <source>Open surface</source>
@@ -1612,20 +1397,8 @@ N: Namen, H: Griffe, X: Wand, R: zurück, T: hell oder dunkel, Pos1: Anfang</tra
         <translation>Anzupassende Sequenz</translation>
     </message>
     <message>
-        <source> %</source>
-        <translation> %</translation>
-    </message>
-    <message>
         <source>Of the left ventricle. The right one ejects as much blood, and the muscle keeps its volume</source>
         <translation>Des linken Ventrikels. Der rechte wirft ebenso viel Blut aus, und der Muskel behält sein Volumen</translation>
-    </message>
-    <message>
-        <source>Ejection fraction</source>
-        <translation>Ejektionsfraktion</translation>
-    </message>
-    <message>
-        <source>Place the sequence&apos;s handles around the organ and play it</source>
-        <translation>Die Griffe der Sequenz um das Organ setzen und sie abspielen</translation>
     </message>
     <message>
         <source>%1: click its place in the view</source>
@@ -1683,10 +1456,6 @@ N: Namen, H: Griffe, X: Wand, R: zurück, T: hell oder dunkel, Pos1: Anfang</tra
         <translation>An %1 anpassen</translation>
     </message>
     <message>
-        <source>Place the sequence&apos;s handles around the organ and play it</source>
-        <translation>Die Griffe der Sequenz um das Organ setzen und sie abspielen</translation>
-    </message>
-    <message>
         <source>%1 is open; a sequence needs a closed surface</source>
         <translation>%1 ist offen; eine Sequenz braucht eine geschlossene Oberfläche</translation>
     </message>
@@ -1700,10 +1469,6 @@ N: Namen, H: Griffe, X: Wand, R: zurück, T: hell oder dunkel, Pos1: Anfang</tra
     <message>
         <source>No groups: all handles act everywhere. Select handles and make a group of them, or make groups automatically below.</source>
         <translation>Keine Gruppen: Alle Griffe wirken überall. Wählen Sie Griffe und bilden Sie daraus eine Gruppe, oder bilden Sie unten Gruppen automatisch.</translation>
-    </message>
-    <message>
-        <source>Groups</source>
-        <translation>Gruppen</translation>
     </message>
     <message>
         <source>New group</source>
@@ -1730,16 +1495,8 @@ N: Namen, H: Griffe, X: Wand, R: zurück, T: hell oder dunkel, Pos1: Anfang</tra
         <translation>Die gewählten Griffe der gewählten Gruppe hinzufügen</translation>
     </message>
     <message>
-        <source>Colour...</source>
-        <translation>Farbe...</translation>
-    </message>
-    <message>
         <source>Choose the colour of the chosen group</source>
         <translation>Die Farbe der gewählten Gruppe wählen</translation>
-    </message>
-    <message>
-        <source>Remove group</source>
-        <translation>Gruppe entfernen</translation>
     </message>
     <message>
         <source>Remove the chosen group; its handles stay</source>
@@ -1764,10 +1521,6 @@ N: Namen, H: Griffe, X: Wand, R: zurück, T: hell oder dunkel, Pos1: Anfang</tra
     <message>
         <source>How many groups</source>
         <translation>Anzahl der Gruppen</translation>
-    </message>
-    <message>
-        <source>Group automatically</source>
-        <translation>Automatisch gruppieren</translation>
     </message>
     <message>
         <source>Replace the present groups. Where handles do not surround a group&apos;s part of the organ, the corners of a box are added.</source>
@@ -1823,17 +1576,6 @@ N: Namen, H: Griffe, X: Wand, R: zurück, T: hell oder dunkel, Pos1: Anfang</tra
 <context>
     <name>viscera::app::HandleController</name>
     <message numerus="yes">
-        <source>Move %n handles</source>
-        <translation>
-            <numerusform>%n Griff bewegen</numerusform>
-            <numerusform>%n Griffe bewegen</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Move handle %1</source>
-        <translation>Griff %1 bewegen</translation>
-    </message>
-    <message numerus="yes">
         <source>Turn %n handles</source>
         <translation>
             <numerusform>%n Griff drehen</numerusform>
@@ -1853,10 +1595,6 @@ N: Namen, H: Griffe, X: Wand, R: zurück, T: hell oder dunkel, Pos1: Anfang</tra
     <message>
         <source>Handle</source>
         <translation>Griff</translation>
-    </message>
-    <message>
-        <source>Groups</source>
-        <translation>Gruppen</translation>
     </message>
     <message>
         <source>Rest L</source>
@@ -1916,14 +1654,6 @@ Bewegen Sie den Regler oben, um welche zu setzen, oder klicken Sie im Modus Grif
         <translation>Acht der Griffe sind die Ecken eines Quaders um das Organ, sodass es ganz darin liegt</translation>
     </message>
     <message>
-        <source>Handles</source>
-        <translation>Griffe</translation>
-    </message>
-    <message>
-        <source>%1 (%2)</source>
-        <translation>%1 (%2)</translation>
-    </message>
-    <message>
         <source>F2 renames, Delete removes</source>
         <translation>F2 benennt um, Entf entfernt</translation>
     </message>
@@ -1933,14 +1663,6 @@ Bewegen Sie den Regler oben, um welche zu setzen, oder klicken Sie im Modus Grif
     <message>
         <source>Place handles</source>
         <translation>Griffe setzen</translation>
-    </message>
-    <message>
-        <source>Enclosing</source>
-        <translation>Umschließend</translation>
-    </message>
-    <message>
-        <source>Surface</source>
-        <translation>Oberfläche</translation>
     </message>
 </context>
 <context>
@@ -1988,10 +1710,6 @@ Bewegen Sie den Regler oben, um welche zu setzen, oder klicken Sie im Modus Grif
 </context>
 <context>
     <name>viscera::app::HandlesMode</name>
-    <message>
-        <source>Handles</source>
-        <translation>Griffe</translation>
-    </message>
     <message>
         <source>Click the organ to add a handle, drag to move it, Delete removes it; the rest shape stays</source>
         <translation>Klick auf das Organ fügt einen Griff hinzu, Ziehen bewegt ihn, Entf entfernt ihn; die Ruheform bleibt</translation>
@@ -2103,36 +1821,12 @@ Bewegen Sie den Regler oben, um welche zu setzen, oder klicken Sie im Modus Grif
         <translation>nicht möglich</translation>
     </message>
     <message>
-        <source>Coordinates</source>
-        <translation>Koordinaten</translation>
-    </message>
-    <message>
-        <source>Groups</source>
-        <translation>Gruppen</translation>
-    </message>
-    <message>
         <source>Binding</source>
         <translation>Bindung</translation>
     </message>
     <message>
         <source>State</source>
         <translation>Zustand</translation>
-    </message>
-    <message>
-        <source>Time</source>
-        <translation>Zeit</translation>
-    </message>
-    <message>
-        <source>Rest error</source>
-        <translation>Ruhefehler</translation>
-    </message>
-    <message>
-        <source>The largest distance of the bound organ at rest from the original</source>
-        <translation>Der größte Abstand des gebundenen Organs in Ruhe vom Original</translation>
-    </message>
-    <message>
-        <source>Smallest weight</source>
-        <translation>Kleinstes Gewicht</translation>
     </message>
     <message>
         <source>Handle at rest</source>
@@ -2152,14 +1846,6 @@ Bewegen Sie den Regler oben, um welche zu setzen, oder klicken Sie im Modus Grif
             <numerusform>%1 ms, %n Thread</numerusform>
             <numerusform>%1 ms, %n Threads</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>%1 mm</source>
-        <translation>%1 mm</translation>
-    </message>
-    <message>
-        <source>Organ</source>
-        <translation>Organ</translation>
     </message>
 </context>
 <context>
@@ -2205,24 +1891,12 @@ Bewegen Sie den Regler oben, um welche zu setzen, oder klicken Sie im Modus Grif
         <translation>Die Leertaste spielt ab und hält an. Die Zeitleiste zeigt die Phasen des Zyklus: Ziehen Sie daran, um einen Zeitpunkt zu betrachten. Darunter werden die Volumina in ihrem Verlauf gezeichnet.</translation>
     </message>
     <message>
-        <source>Handles</source>
-        <translation>Griffe</translation>
-    </message>
-    <message>
         <source>Organs follow handles around them. Here you edit them at rest: click the organ to add one, drag to move it, Delete to remove it. The organ is bound again at once. I shows how far a handle reaches.</source>
         <translation>Organe folgen den Griffen um sie herum. Hier bearbeiten Sie die Griffe in Ruhe: Klick auf das Organ fügt einen hinzu, Ziehen bewegt ihn, Entf entfernt ihn. Das Organ wird sofort neu gebunden. I zeigt, wie weit ein Griff reicht.</translation>
     </message>
     <message>
-        <source>Deform</source>
-        <translation>Verformen</translation>
-    </message>
-    <message>
         <source>Drag a handle and the organ follows; its volume is in the status bar. The padlock in the list on the left (K) keeps the volume whatever you do. T turns and scales selected handles, M mirrors drags. Ctrl+Z undoes any change, G shows the rest shape as an outline.</source>
         <translation>Ziehen Sie an einem Griff, und das Organ folgt; sein Volumen steht in der Statusleiste. Das Schloss in der Liste links (K) hält das Volumen, was immer Sie tun. T dreht und skaliert gewählte Griffe, M spiegelt das Ziehen. Strg+Z macht jede Änderung rückgängig, G zeigt die Ruheform als Umriss.</translation>
-    </message>
-    <message>
-        <source>Stress</source>
-        <translation>Stress</translation>
     </message>
     <message>
         <source>The colours say how much the pose distorts the tissue inside. Click the organ to read the values of a point, C cuts it open, M shows the next map. Space plays the sequence, and the map follows.</source>
@@ -2301,10 +1975,6 @@ Bewegen Sie den Regler oben, um welche zu setzen, oder klicken Sie im Modus Grif
         <translation>%1: %2 von %3 Organen</translation>
     </message>
     <message>
-        <source>Import</source>
-        <translation>Importieren</translation>
-    </message>
-    <message>
         <source>Cancel</source>
         <translation>Abbrechen</translation>
     </message>
@@ -2354,10 +2024,6 @@ Bewegen Sie den Regler oben, um welche zu setzen, oder klicken Sie im Modus Grif
     <message>
         <source>To check</source>
         <translation>Zu prüfen</translation>
-    </message>
-    <message>
-        <source>%1 (%2)</source>
-        <translation>%1 (%2)</translation>
     </message>
 </context>
 <context>
@@ -2411,10 +2077,6 @@ Bewegen Sie den Regler oben, um welche zu setzen, oder klicken Sie im Modus Grif
         <translation>Die jetzige Pose in diesem Schlüsselbild speichern</translation>
     </message>
     <message>
-        <source>Remove</source>
-        <translation>Entfernen</translation>
-    </message>
-    <message>
         <source>Remove this key</source>
         <translation>Dieses Schlüsselbild entfernen</translation>
     </message>
@@ -2445,10 +2107,6 @@ Bewegen Sie den Regler oben, um welche zu setzen, oder klicken Sie im Modus Grif
     <message>
         <source>Duration </source>
         <translation>Dauer </translation>
-    </message>
-    <message>
-        <source>Duration of one cycle</source>
-        <translation>Dauer eines Zyklus</translation>
     </message>
     <message>
         <source>Sequences (*%1)</source>
@@ -2492,20 +2150,12 @@ Bewegen Sie den Regler oben, um welche zu setzen, oder klicken Sie im Modus Grif
         <source>&amp;Darken the screen</source>
         <translation>Bildschirm &amp;verdunkeln</translation>
     </message>
-    <message>
-        <source>%1 %2 ml</source>
-        <translation>%1 %2 ml</translation>
-    </message>
 </context>
 <context>
     <name>viscera::app::LessonDialog</name>
     <message>
         <source>Handles that a reader can drag</source>
         <translation>Griffe, an denen Leser ziehen können</translation>
-    </message>
-    <message>
-        <source>Export lesson</source>
-        <translation>Lektion exportieren</translation>
     </message>
     <message>
         <source>Web page for any browser (.html)</source>
@@ -2559,10 +2209,6 @@ Bewegen Sie den Regler oben, um welche zu setzen, oder klicken Sie im Modus Grif
         <source>Language of the window</source>
         <translation>Sprache des Fensters</translation>
     </message>
-    <message>
-        <source>Kind</source>
-        <translation>Art</translation>
-    </message>
 </context>
 <context>
     <name>viscera::app::LessonExport</name>
@@ -2573,10 +2219,6 @@ Bewegen Sie den Regler oben, um welche zu setzen, oder klicken Sie im Modus Grif
     <message>
         <source>Write the organs and their motion as one page that opens in any browser</source>
         <translation>Die Organe und ihre Bewegung als eine Seite schreiben, die sich in jedem Browser öffnet</translation>
-    </message>
-    <message>
-        <source>Export lesson</source>
-        <translation>Lektion exportieren</translation>
     </message>
     <message>
         <source>lesson.html</source>
@@ -2665,10 +2307,6 @@ Bewegen Sie den Regler oben, um welche zu setzen, oder klicken Sie im Modus Grif
         <translation>Profil</translation>
     </message>
     <message>
-        <source>Remove</source>
-        <translation>Entfernen</translation>
-    </message>
-    <message>
         <source>Draw the values along the straight line at rest between two chosen probes, or between the last two</source>
         <translation>Die Werte entlang der in Ruhe geraden Linie zwischen zwei gewählten Sonden zeichnen, sonst zwischen den letzten beiden</translation>
     </message>
@@ -2685,16 +2323,8 @@ Bewegen Sie den Regler oben, um welche zu setzen, oder klicken Sie im Modus Grif
         <translation>Nr.</translation>
     </message>
     <message>
-        <source>Place (mm)</source>
-        <translation>Ort (mm)</translation>
-    </message>
-    <message>
         <source>Value</source>
         <translation>Wert</translation>
-    </message>
-    <message>
-        <source>Organ</source>
-        <translation>Organ</translation>
     </message>
     <message>
         <source>Place in the pose, in the patient&apos;s axes: positive towards the left, the back and the head</source>
@@ -2709,10 +2339,6 @@ Bewegen Sie den Regler oben, um welche zu setzen, oder klicken Sie im Modus Grif
         <translation>kein Gewebe</translation>
     </message>
     <message>
-        <source>folded</source>
-        <translation>gefaltet</translation>
-    </message>
-    <message>
         <source>%1 mm long</source>
         <translation>%1 mm lang</translation>
     </message>
@@ -2724,10 +2350,6 @@ Bewegen Sie den Regler oben, um welche zu setzen, oder klicken Sie im Modus Grif
 <context>
     <name>viscera::app::MeasureBox</name>
     <message>
-        <source>Remove</source>
-        <translation>Entfernen</translation>
-    </message>
-    <message>
         <source>Remove the chosen measurement (Delete in the list)</source>
         <translation>Die gewählte Messung entfernen (Entf in der Liste)</translation>
     </message>
@@ -2738,22 +2360,6 @@ Bewegen Sie den Regler oben, um welche zu setzen, oder klicken Sie im Modus Grif
     <message>
         <source>Export CSV...</source>
         <translation>CSV exportieren...</translation>
-    </message>
-    <message>
-        <source>Measurements</source>
-        <translation>Messungen</translation>
-    </message>
-    <message>
-        <source>Name</source>
-        <translation>Name</translation>
-    </message>
-    <message>
-        <source>Now</source>
-        <translation>Jetzt</translation>
-    </message>
-    <message>
-        <source>Rest shape</source>
-        <translation>Ruheform</translation>
     </message>
     <message>
         <source>Points stay on the organ while it moves, and can be dragged along it; those on a slice stay there.</source>
@@ -2788,10 +2394,6 @@ Bewegen Sie den Regler oben, um welche zu setzen, oder klicken Sie im Modus Grif
             <numerusform>Bewegung aus %n Phase. Mittlerer Abstand von den gemessenen Oberflächen: %1.</numerusform>
             <numerusform>Bewegung aus %n Phasen. Mittlerer Abstand von den gemessenen Oberflächen: %1.</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>Motion from a series</source>
-        <translation>Bewegung aus einer Serie</translation>
     </message>
     <message>
         <source>The series does not show how points move along a wall. The mean and the 95th percentile over the beat are reliable, the local pattern of this map is not.</source>
@@ -2974,10 +2576,6 @@ Bewegen Sie den Regler oben, um welche zu setzen, oder klicken Sie im Modus Grif
 <context>
     <name>viscera::app::MotionDialog</name>
     <message>
-        <source>Cavity</source>
-        <translation>Hohlraum</translation>
-    </message>
-    <message>
         <source>Tissue around cavities</source>
         <translation>Gewebe um Hohlräume</translation>
     </message>
@@ -2990,16 +2588,8 @@ Bewegen Sie den Regler oben, um welche zu setzen, oder klicken Sie im Modus Grif
         <translation>Auslassen</translation>
     </message>
     <message>
-        <source>Motion from a series</source>
-        <translation>Bewegung aus einer Serie</translation>
-    </message>
-    <message>
         <source>More</source>
         <translation>Mehr</translation>
-    </message>
-    <message>
-        <source>Close</source>
-        <translation>Schließen</translation>
     </message>
     <message>
         <source>Find the motion</source>
@@ -3030,10 +2620,6 @@ Bewegen Sie den Regler oben, um welche zu setzen, oder klicken Sie im Modus Grif
         <translation>Dauer eines ganzen Zyklus: Anzahl der Phasen mal Schritt zwischen ihnen</translation>
     </message>
     <message>
-        <source>Duration of one cycle</source>
-        <translation>Dauer eines Zyklus</translation>
-    </message>
-    <message>
         <source>The last phase leads back to the first</source>
         <translation>Die letzte Phase führt zur ersten zurück</translation>
     </message>
@@ -3042,16 +2628,8 @@ Bewegen Sie den Regler oben, um welche zu setzen, oder klicken Sie im Modus Grif
         <translation>60 für eine Oberfläche, 120 für mehrere. Mehr folgen den Oberflächen genauer</translation>
     </message>
     <message>
-        <source>Handles</source>
-        <translation>Griffe</translation>
-    </message>
-    <message>
         <source>Keep the measured volumes exactly</source>
         <translation>Gemessene Volumina genau halten</translation>
-    </message>
-    <message>
-        <source> mm</source>
-        <translation> mm</translation>
     </message>
     <message>
         <source>Larger distances count less: for label maps with outliers</source>
@@ -3084,10 +2662,6 @@ Bewegen Sie den Regler oben, um welche zu setzen, oder klicken Sie im Modus Grif
     <message>
         <source>Label</source>
         <translation>Label</translation>
-    </message>
-    <message>
-        <source>Surface</source>
-        <translation>Oberfläche</translation>
     </message>
     <message>
         <source>Label %1; a double click gives the surface another name</source>
@@ -3130,10 +2704,6 @@ Bewegen Sie den Regler oben, um welche zu setzen, oder klicken Sie im Modus Grif
     <message>
         <source>Enter the duration of one cycle first</source>
         <translation>Geben Sie zuerst die Dauer eines Zyklus ein</translation>
-    </message>
-    <message>
-        <source>Heart</source>
-        <translation>Herz</translation>
     </message>
     <message>
         <source>Outer surface</source>
@@ -3183,24 +2753,12 @@ Bewegen Sie den Regler oben, um welche zu setzen, oder klicken Sie im Modus Grif
 <context>
     <name>viscera::app::MovieBox</name>
     <message>
-        <source>Kind</source>
-        <translation>Art</translation>
-    </message>
-    <message>
         <source>Choose a destination</source>
         <translation>Ziel wählen</translation>
     </message>
     <message>
-        <source>File</source>
-        <translation>Datei</translation>
-    </message>
-    <message>
         <source>%1 x %2</source>
         <translation>%1 x %2</translation>
-    </message>
-    <message>
-        <source>Size</source>
-        <translation>Größe</translation>
     </message>
     <message>
         <source> / s</source>
@@ -3295,39 +2853,15 @@ Bewegen Sie den Regler oben, um welche zu setzen, oder klicken Sie im Modus Grif
         <translation>Zahlen des Kreislaufs</translation>
     </message>
     <message>
-        <source>now</source>
-        <translation>jetzt</translation>
-    </message>
-    <message>
-        <source>before</source>
-        <translation>vorher</translation>
-    </message>
-    <message>
         <source>normal</source>
         <translation>normal</translation>
-    </message>
-    <message>
-        <source>from %1</source>
-        <translation>ab %1</translation>
-    </message>
-    <message>
-        <source>up to %1</source>
-        <translation>bis %1</translation>
     </message>
 </context>
 <context>
     <name>viscera::app::OrganCheck</name>
     <message>
-        <source>%1 x %2 x %3 mm</source>
-        <translation>%1 x %2 x %3 mm</translation>
-    </message>
-    <message>
         <source>%1, open</source>
         <translation>%1, offen</translation>
-    </message>
-    <message>
-        <source>%1, %2</source>
-        <translation>%1, %2</translation>
     </message>
     <message>
         <source>Import this organ</source>
@@ -3372,10 +2906,6 @@ Bewegen Sie den Regler oben, um welche zu setzen, oder klicken Sie im Modus Grif
         <translation>Das Volumen des Organs im Modus Verformen konstant halten; bei einem Organ mit Hohlräumen das Volumen innerhalb seiner Außenfläche</translation>
     </message>
     <message>
-        <source>Colour...</source>
-        <translation>Farbe...</translation>
-    </message>
-    <message>
         <source>The organ&apos;s own colours</source>
         <translation>Eigene Farben des Organs</translation>
     </message>
@@ -3389,10 +2919,6 @@ Bewegen Sie den Regler oben, um welche zu setzen, oder klicken Sie im Modus Grif
     <message>
         <source>Opacity</source>
         <translation>Deckkraft</translation>
-    </message>
-    <message>
-        <source> %</source>
-        <translation> %</translation>
     </message>
     <message>
         <source>No organ yet.
@@ -3423,10 +2949,6 @@ Open a file (Ctrl+O), drop one here, or take a sample organ from the menu.</sour
     <message>
         <source>Hide the chosen organs</source>
         <translation>Die gewählten Organe ausblenden</translation>
-    </message>
-    <message>
-        <source>Hide</source>
-        <translation>Ausblenden</translation>
     </message>
     <message>
         <source>Show &amp;all</source>
@@ -3523,10 +3045,6 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
     <message>
         <source>%1 at rest, %2 (%3) now</source>
         <translation>%1 in Ruhe, jetzt %2 (%3)</translation>
-    </message>
-    <message>
-        <source>Show</source>
-        <translation>Zeigen</translation>
     </message>
     <message numerus="yes">
         <source>%n organs removed</source>
@@ -3839,18 +3357,6 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
         <translation>Darstellung</translation>
     </message>
     <message>
-        <source>Sequence</source>
-        <translation>Sequenz</translation>
-    </message>
-    <message>
-        <source>Rate</source>
-        <translation>Frequenz</translation>
-    </message>
-    <message>
-        <source>Phase</source>
-        <translation>Phase</translation>
-    </message>
-    <message>
         <source>Source of the motion</source>
         <translation>Quelle der Bewegung</translation>
     </message>
@@ -3879,18 +3385,6 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
         <translation>Volumina in ml. SV ist das Schlagvolumen, EF die Ejektionsfraktion.</translation>
     </message>
     <message>
-        <source>Ejection fraction</source>
-        <translation>Ejektionsfraktion</translation>
-    </message>
-    <message>
-        <source>Stroke volume</source>
-        <translation>Schlagvolumen</translation>
-    </message>
-    <message>
-        <source>Cardiac output</source>
-        <translation>Herzminutenvolumen</translation>
-    </message>
-    <message>
         <source>Circulation of this heart</source>
         <translation>Kreislauf dieses Herzens</translation>
     </message>
@@ -3901,10 +3395,6 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
     <message>
         <source>Record a movie</source>
         <translation>Film aufnehmen</translation>
-    </message>
-    <message>
-        <source>Prescribe a volume</source>
-        <translation>Volumen vorgeben</translation>
     </message>
     <message>
         <source>Key sequence</source>
@@ -3958,14 +3448,6 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
         <source>Normal for %1: %2.</source>
         <translation>Normal für %1: %2.</translation>
     </message>
-    <message>
-        <source>, </source>
-        <translation>, </translation>
-    </message>
-    <message>
-        <source>at rest</source>
-        <translation>in Ruhe</translation>
-    </message>
 </context>
 <context>
     <name>viscera::app::Playback</name>
@@ -3984,17 +3466,6 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
 </context>
 <context>
     <name>viscera::app::PoseEditor</name>
-    <message>
-        <source>Move handle %1</source>
-        <translation>Griff %1 bewegen</translation>
-    </message>
-    <message numerus="yes">
-        <source>Move %n handles</source>
-        <translation>
-            <numerusform>%n Griff bewegen</numerusform>
-            <numerusform>%n Griffe bewegen</numerusform>
-        </translation>
-    </message>
     <message numerus="yes">
         <source>Reset %n handles</source>
         <translation>
@@ -4033,10 +3504,6 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
 <context>
     <name>viscera::app::PositionBox</name>
     <message>
-        <source> mm</source>
-        <translation> mm</translation>
-    </message>
-    <message>
         <source>Left</source>
         <translation>Links</translation>
     </message>
@@ -4067,14 +3534,6 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
 </context>
 <context>
     <name>viscera::app::ProbeCard</name>
-    <message>
-        <source>Close (Esc)</source>
-        <translation>Schließen (Esc)</translation>
-    </message>
-    <message>
-        <source>Close</source>
-        <translation>Schließen</translation>
-    </message>
     <message>
         <source>In the patient&apos;s axes, mm: positive towards the left, the back and the head</source>
         <translation>In den Achsen des Patienten, mm: positiv nach links, zum Rücken und zum Kopf</translation>
@@ -4120,10 +3579,6 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
         <translation>nein</translation>
     </message>
     <message>
-        <source>%1 %2</source>
-        <translation>%1 %2</translation>
-    </message>
-    <message>
         <source>Witness point %1</source>
         <translation>Messpunkt %1</translation>
     </message>
@@ -4133,14 +3588,6 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
     <message>
         <source>Profile along the line</source>
         <translation>Profil entlang der Linie</translation>
-    </message>
-    <message>
-        <source>Distance at rest (mm)</source>
-        <translation>Abstand in Ruhe (mm)</translation>
-    </message>
-    <message>
-        <source>%1 (%2)</source>
-        <translation>%1 (%2)</translation>
     </message>
 </context>
 <context>
@@ -4159,10 +3606,6 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
             <numerusform>Alle %1 gefunden, mit %n Fehler.</numerusform>
             <numerusform>Alle %1 gefunden, mit %n Fehlern.</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>%1 of %2</source>
-        <translation>%1 von %2</translation>
     </message>
     <message>
         <source>Right: %1</source>
@@ -4272,18 +3715,6 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
         <translation>kleinstes Volumen</translation>
     </message>
     <message>
-        <source>stroke volume</source>
-        <translation>Schlagvolumen</translation>
-    </message>
-    <message>
-        <source>ejection fraction</source>
-        <translation>Ejektionsfraktion</translation>
-    </message>
-    <message>
-        <source>cardiac output</source>
-        <translation>Herzminutenvolumen</translation>
-    </message>
-    <message>
         <source>Surface whose fit is shown</source>
         <translation>Oberfläche, deren Anpassung gezeigt wird</translation>
     </message>
@@ -4298,10 +3729,6 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
     <message>
         <source>Fit of the motion, phase by phase</source>
         <translation>Anpassung der Bewegung, Phase für Phase</translation>
-    </message>
-    <message>
-        <source>Phase</source>
-        <translation>Phase</translation>
     </message>
     <message>
         <source>ms</source>
@@ -4392,14 +3819,6 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
         <translation>Was sich von der vorigen Serie unterscheidet</translation>
     </message>
     <message>
-        <source>before</source>
-        <translation>vorher</translation>
-    </message>
-    <message>
-        <source>now</source>
-        <translation>jetzt</translation>
-    </message>
-    <message>
         <source>difference</source>
         <translation>Differenz</translation>
     </message>
@@ -4442,13 +3861,6 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
     <message>
         <source>Show the measured surfaces of the nearest phase, translucent</source>
         <translation>Die gemessenen Oberflächen der nächsten Phase durchscheinend zeigen</translation>
-    </message>
-</context>
-<context>
-    <name>viscera::app::SampleLoader</name>
-    <message>
-        <source>Sample %1</source>
-        <translation>Beispiel %1</translation>
     </message>
 </context>
 <context>
@@ -4640,10 +4052,6 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
         <source>The folder has several scans. Which one?</source>
         <translation>Der Ordner enthält mehrere Scans. Welchen öffnen?</translation>
     </message>
-    <message>
-        <source>Opening %1</source>
-        <translation>%1 wird geöffnet</translation>
-    </message>
     <message numerus="yes">
         <source>%n more: see Scan on the page of Explore.</source>
         <translation>
@@ -4757,10 +4165,6 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
         <source>&amp;Cancel</source>
         <translation>&amp;Abbrechen</translation>
     </message>
-    <message>
-        <source>Opening %1</source>
-        <translation>%1 wird geöffnet</translation>
-    </message>
     <message numerus="yes">
         <source>And %n more.</source>
         <translation>
@@ -4779,10 +4183,6 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
     <message>
         <source>Discard</source>
         <translation>Verwerfen</translation>
-    </message>
-    <message>
-        <source>Look for files...</source>
-        <translation>Dateien suchen...</translation>
     </message>
     <message>
         <source>Choose the folder with the missing files</source>
@@ -4805,14 +4205,6 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
     <message>
         <source>Mouse and keys</source>
         <translation>Maus und Tasten</translation>
-    </message>
-    <message>
-        <source>Close (Esc)</source>
-        <translation>Schließen (Esc)</translation>
-    </message>
-    <message>
-        <source>Close</source>
-        <translation>Schließen</translation>
     </message>
     <message>
         <source>Left drag</source>
@@ -4950,13 +4342,6 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
         <source>no handles</source>
         <translation>keine Griffe</translation>
     </message>
-    <message numerus="yes">
-        <source>%n handles</source>
-        <translation>
-            <numerusform>%n Griff</numerusform>
-            <numerusform>%n Griffe</numerusform>
-        </translation>
-    </message>
     <message>
         <source>, binding...</source>
         <translation>, wird gebunden...</translation>
@@ -4977,24 +4362,12 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
         <source>%1, %2 of tissue folded by the pose</source>
         <translation>%1, %2 Gewebe von der Pose gefaltet</translation>
     </message>
-    <message>
-        <source>%1: %2</source>
-        <translation>%1: %2</translation>
-    </message>
 </context>
 <context>
     <name>viscera::app::StressChart</name>
     <message>
-        <source>Rotational stress</source>
-        <translation>Rotationsstress</translation>
-    </message>
-    <message>
         <source>maximum</source>
         <translation>Maximum</translation>
-    </message>
-    <message>
-        <source>95th percentile</source>
-        <translation>95. Perzentil</translation>
     </message>
     <message>
         <source>mean</source>
@@ -5004,17 +4377,9 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
         <source>The stress over one cycle of the sequence is drawn here as soon as it is computed.</source>
         <translation>Der Stress über einen Zyklus der Sequenz wird hier gezeichnet, sobald er berechnet ist.</translation>
     </message>
-    <message>
-        <source>Time in the cycle</source>
-        <translation>Zeit im Zyklus</translation>
-    </message>
 </context>
 <context>
     <name>viscera::app::StressExport</name>
-    <message>
-        <source>Comma-separated values (*.csv)</source>
-        <translation>Kommagetrennte Werte (*.csv)</translation>
-    </message>
     <message>
         <source>Export stress &amp;map...</source>
         <translation>Stress&amp;karte exportieren...</translation>
@@ -5084,14 +4449,6 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
         <translation>curve.csv</translation>
     </message>
     <message>
-        <source>Exporting %1</source>
-        <translation>%1 wird exportiert</translation>
-    </message>
-    <message>
-        <source>Written to %1.</source>
-        <translation>In %1 geschrieben.</translation>
-    </message>
-    <message>
         <source>the stress map</source>
         <translation>die Stresskarte</translation>
     </message>
@@ -5150,10 +4507,6 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
 </context>
 <context>
     <name>viscera::app::StressMode</name>
-    <message>
-        <source>Stress</source>
-        <translation>Stress</translation>
-    </message>
     <message>
         <source>How much the pose distorts the tissue (rotational stress): click the organ to read the values of a point; C cuts it open; the map follows while you drag a handle</source>
         <translation>Wie stark die Pose das Gewebe verzerrt (Rotationsstress): Ein Klick auf das Organ zeigt die Werte eines Punktes; C schneidet es auf; die Karte folgt, während Sie an einem Griff ziehen</translation>
@@ -5290,10 +4643,6 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
 <context>
     <name>viscera::app::StressModel</name>
     <message>
-        <source>%1 %2</source>
-        <translation>%1 %2</translation>
-    </message>
-    <message>
         <source>This point is probe %1 already.</source>
         <translation>Dieser Punkt ist schon Sonde %1.</translation>
     </message>
@@ -5329,10 +4678,6 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
         <translation>Die Karte Ihrer Pose; Griffe können gezogen werden</translation>
     </message>
     <message>
-        <source>Sequence</source>
-        <translation>Sequenz</translation>
-    </message>
-    <message>
         <source>The map of the sequence at the timeline&apos;s instant; Space plays</source>
         <translation>Die Karte der Sequenz zum Zeitpunkt der Zeitleiste; Leertaste spielt ab</translation>
     </message>
@@ -5341,32 +4686,8 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
         <translation>Zahlen</translation>
     </message>
     <message>
-        <source>Minimum</source>
-        <translation>Minimum</translation>
-    </message>
-    <message>
-        <source>Mean</source>
-        <translation>Mittel</translation>
-    </message>
-    <message>
-        <source>95th percentile</source>
-        <translation>95. Perzentil</translation>
-    </message>
-    <message>
-        <source>Maximum</source>
-        <translation>Maximum</translation>
-    </message>
-    <message>
-        <source>Folded</source>
-        <translation>Gefaltet</translation>
-    </message>
-    <message>
         <source>Export</source>
         <translation>Exportieren</translation>
-    </message>
-    <message>
-        <source>Cut</source>
-        <translation>Schnitt</translation>
     </message>
     <message>
         <source>Smooth: through the tetrahedra</source>
@@ -5375,14 +4696,6 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
     <message>
         <source>Crinkle: whole tetrahedra</source>
         <translation>Zackig: ganze Tetraeder</translation>
-    </message>
-    <message>
-        <source>Depth</source>
-        <translation>Tiefe</translation>
-    </message>
-    <message>
-        <source> %</source>
-        <translation> %</translation>
     </message>
     <message>
         <source>Distance of the cut from the organ&apos;s middle; the arrow in the view moves it, the rim tilts it</source>
@@ -5413,10 +4726,6 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
         <translation>Koronal</translation>
     </message>
     <message>
-        <source>Cut away the front</source>
-        <translation>Vorderen Teil wegschneiden</translation>
-    </message>
-    <message>
         <source>Sagittal</source>
         <translation>Sagittal</translation>
     </message>
@@ -5427,14 +4736,6 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
     <message>
         <source>Axial</source>
         <translation>Axial</translation>
-    </message>
-    <message>
-        <source>Cut away the upper part</source>
-        <translation>Oberen Teil wegschneiden</translation>
-    </message>
-    <message>
-        <source>Facing the viewer</source>
-        <translation>Zum Betrachter</translation>
     </message>
     <message>
         <source>Cut through the middle, across the line of sight</source>
@@ -5453,20 +4754,8 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
         <translation>Mehr Punkte zeigen feinere Einzelheiten und brauchen länger; bis 20000 folgt die Karte dem Ziehen</translation>
     </message>
     <message>
-        <source>Witness points</source>
-        <translation>Messpunkte</translation>
-    </message>
-    <message>
         <source>Source</source>
         <translation>Quelle</translation>
-    </message>
-    <message>
-        <source>Points</source>
-        <translation>Punkte</translation>
-    </message>
-    <message>
-        <source>Derivatives</source>
-        <translation>Ableitungen</translation>
     </message>
     <message>
         <source>Try again</source>
@@ -5487,10 +4776,6 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
     <message>
         <source>Cancelled. Press Try again to go on.</source>
         <translation>Abgebrochen. Weiter geht es mit Noch einmal.</translation>
-    </message>
-    <message>
-        <source>%1 in %2 tetrahedra</source>
-        <translation>%1 in %2 Tetraedern</translation>
     </message>
     <message>
         <source>closed form</source>
@@ -5554,10 +4839,6 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
 </context>
 <context>
     <name>viscera::app::SystemBox</name>
-    <message>
-        <source>Coordinates</source>
-        <translation>Koordinaten</translation>
-    </message>
     <message>
         <source>Coordinate system that binds the organs to the handles</source>
         <translation>Koordinatensystem, das die Organe an die Griffe bindet</translation>
@@ -5637,10 +4918,6 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
     <message>
         <source>Fills the organ with tetrahedra first</source>
         <translation>Füllt das Organ zuerst mit Tetraedern</translation>
-    </message>
-    <message>
-        <source>%1 %2</source>
-        <translation>%1 %2</translation>
     </message>
     <message>
         <source>The value is set to %1 %2, but these handles allow at most %3, so %3 is used.</source>
@@ -5745,10 +5022,6 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
         <translation>Beim Herzschlag um zehn Millisekunden vor, bei anderen Sequenzen um ein Bild</translation>
     </message>
     <message>
-        <source>Rate</source>
-        <translation>Frequenz</translation>
-    </message>
-    <message>
         <source>Speed</source>
         <translation>Tempo</translation>
     </message>
@@ -5784,10 +5057,6 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
         <source>%1 s into the cycle</source>
         <translation>%1 s im Zyklus</translation>
     </message>
-    <message>
-        <source>at rest</source>
-        <translation>in Ruhe</translation>
-    </message>
 </context>
 <context>
     <name>viscera::app::TourCard</name>
@@ -5798,10 +5067,6 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
     <message>
         <source>End the tour</source>
         <translation>Tour beenden</translation>
-    </message>
-    <message>
-        <source>%1 of %2</source>
-        <translation>%1 von %2</translation>
     </message>
     <message>
         <source>Next</source>
@@ -5954,10 +5219,6 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
 <context>
     <name>viscera::app::VolumeBox</name>
     <message>
-        <source>Apply</source>
-        <translation>Anwenden</translation>
-    </message>
-    <message>
         <source>Target</source>
         <translation>Ziel</translation>
     </message>
@@ -5983,10 +5244,6 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
     <message>
         <source>Volumes over the cycle</source>
         <translation>Volumina über den Zyklus</translation>
-    </message>
-    <message>
-        <source>%1: %2</source>
-        <translation>%1: %2</translation>
     </message>
 </context>
 <context>
@@ -6032,20 +5289,8 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
         <translation>%1: Normbereich im Diagramm zeigen</translation>
     </message>
     <message>
-        <source>%1 %2 ml</source>
-        <translation>%1 %2 ml</translation>
-    </message>
-    <message>
-        <source>%1: %2</source>
-        <translation>%1: %2</translation>
-    </message>
-    <message>
         <source>Shaded: normal for %1, %2. %3</source>
         <translation>Schattiert: normal für %1, %2. %3</translation>
-    </message>
-    <message>
-        <source>, </source>
-        <translation>, </translation>
     </message>
     <message>
         <source>EF %1 %  SV %2 ml</source>
@@ -6060,20 +5305,8 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
         <translation>Anteil des Zyklus</translation>
     </message>
     <message>
-        <source>Volume</source>
-        <translation>Volumen</translation>
-    </message>
-    <message>
-        <source>Time in the cycle</source>
-        <translation>Zeit im Zyklus</translation>
-    </message>
-    <message>
         <source>Time while dragging</source>
         <translation>Zeit beim Ziehen</translation>
-    </message>
-    <message>
-        <source>Time</source>
-        <translation>Zeit</translation>
     </message>
 </context>
 <context>
@@ -6176,14 +5409,6 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
         <translation>Modi</translation>
     </message>
     <message>
-        <source>Organs</source>
-        <translation>Organe</translation>
-    </message>
-    <message>
-        <source>Handles</source>
-        <translation>Griffe</translation>
-    </message>
-    <message>
         <source>Properties</source>
         <translation>Eigenschaften</translation>
     </message>
@@ -6192,16 +5417,8 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
         <translation>Zeitleiste</translation>
     </message>
     <message>
-        <source>Volumes</source>
-        <translation>Volumina</translation>
-    </message>
-    <message>
         <source>Slides</source>
         <translation>Folien</translation>
-    </message>
-    <message>
-        <source>Import</source>
-        <translation>Importieren</translation>
     </message>
     <message>
         <source>Move all panels to their default places</source>
@@ -6213,10 +5430,6 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
     <message>
         <source>Open folder</source>
         <translation>Ordner öffnen</translation>
-    </message>
-    <message>
-        <source>Undo</source>
-        <translation>Rückgängig</translation>
     </message>
 </context>
 </TS>

@@ -444,14 +444,6 @@ N: nombres, H: tiradores, X: pared, R: restablecer, T: claro u oscuro, Inicio: p
         <translation>S2</translation>
     </message>
     <message>
-        <source>Mitral valve</source>
-        <translation>Válvula mitral</translation>
-    </message>
-    <message>
-        <source>Aortic valve</source>
-        <translation>Válvula aórtica</translation>
-    </message>
-    <message>
         <source>Tricuspid valve</source>
         <translation>Válvula tricúspide</translation>
     </message>
@@ -477,14 +469,6 @@ N: nombres, H: tiradores, X: pared, R: restablecer, T: claro u oscuro, Inicio: p
             <numerusform>%n vértices de %1 no tienen coordenadas en la jaula.</numerusform>
         </translation>
     </message>
-    <message>
-        <source>Use the hull as the cage</source>
-        <translation>Usar la envolvente como jaula</translation>
-    </message>
-    <message>
-        <source>Undo</source>
-        <translation>Deshacer</translation>
-    </message>
     <message numerus="yes">
         <source>%n vertices of %1 lie in no group&apos;s region.</source>
         <translation>
@@ -492,20 +476,12 @@ N: nombres, H: tiradores, X: pared, R: restablecer, T: claro u oscuro, Inicio: p
             <numerusform>%n vértices de %1 no están en la región de ningún grupo.</numerusform>
         </translation>
     </message>
-    <message>
-        <source>Add enclosing group</source>
-        <translation>Añadir grupo envolvente</translation>
-    </message>
     <message numerus="yes">
         <source>%n vertices of %1 lie outside the handles&apos; hull.</source>
         <translation>
             <numerusform>%n vértice de %1 está fuera de la envolvente de los tiradores.</numerusform>
             <numerusform>%n vértices de %1 están fuera de la envolvente de los tiradores.</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>Add enclosing handles</source>
-        <translation>Añadir tiradores envolventes</translation>
     </message>
 </context>
 <context>
@@ -555,10 +531,6 @@ N: nombres, H: tiradores, X: pared, R: restablecer, T: claro u oscuro, Inicio: p
         <translation>Volúmenes de adultos sanos en un latido a esta frecuencia</translation>
     </message>
     <message>
-        <source>Circulation</source>
-        <translation>Circulación</translation>
-    </message>
-    <message>
         <source>A model of heart and vessels: pressures, pressure-volume loops, valves and sounds</source>
         <translation>Modelo del corazón y los vasos: presiones, bucles presión-volumen, válvulas y ruidos</translation>
     </message>
@@ -585,10 +557,6 @@ N: nombres, H: tiradores, X: pared, R: restablecer, T: claro u oscuro, Inicio: p
 </context>
 <context>
     <name>viscera::app::CirculationModel</name>
-    <message>
-        <source>Circulation</source>
-        <translation>Circulación</translation>
-    </message>
     <message>
         <source>Heart of the circulation</source>
         <translation>Corazón de la circulación</translation>
@@ -628,10 +596,6 @@ N: nombres, H: tiradores, X: pared, R: restablecer, T: claro u oscuro, Inicio: p
         <translation>El mismo órgano con otras coordenadas</translation>
     </message>
     <message>
-        <source>Sample %1</source>
-        <translation>Muestra: %1</translation>
-    </message>
-    <message>
         <source>Open files...</source>
         <translation>Abrir archivos...</translation>
     </message>
@@ -642,10 +606,6 @@ N: nombres, H: tiradores, X: pared, R: restablecer, T: claro u oscuro, Inicio: p
     <message>
         <source>Open beside the first organ</source>
         <translation>Abrir junto al primer órgano</translation>
-    </message>
-    <message>
-        <source>Organs (%1)</source>
-        <translation>Órganos (%1)</translation>
     </message>
     <message>
         <source>No organ yet</source>
@@ -679,10 +639,6 @@ N: nombres, H: tiradores, X: pared, R: restablecer, T: claro u oscuro, Inicio: p
         <translation>Curva...</translation>
     </message>
     <message>
-        <source>Remove</source>
-        <translation>Quitar</translation>
-    </message>
-    <message>
         <source>Organ whose volume is prescribed</source>
         <translation>Órgano cuyo volumen se prescribe</translation>
     </message>
@@ -693,10 +649,6 @@ N: nombres, H: tiradores, X: pared, R: restablecer, T: claro u oscuro, Inicio: p
     <message>
         <source>Let the sequence alone determine the volume again</source>
         <translation>Dejar de nuevo que solo la secuencia determine el volumen</translation>
-    </message>
-    <message>
-        <source>Prescribe a volume</source>
-        <translation>Prescribir un volumen</translation>
     </message>
     <message>
         <source>Volume curves (*.csv *.txt *.tsv)</source>
@@ -710,16 +662,8 @@ N: nombres, H: tiradores, X: pared, R: restablecer, T: claro u oscuro, Inicio: p
 <context>
     <name>viscera::app::CutBox</name>
     <message>
-        <source>Depth</source>
-        <translation>Profundidad</translation>
-    </message>
-    <message>
         <source>Coronal</source>
         <translation>Coronal</translation>
-    </message>
-    <message>
-        <source>Cut away the front</source>
-        <translation>Retirar la parte anterior</translation>
     </message>
     <message>
         <source>Sagittal</source>
@@ -734,14 +678,6 @@ N: nombres, H: tiradores, X: pared, R: restablecer, T: claro u oscuro, Inicio: p
         <translation>Axial</translation>
     </message>
     <message>
-        <source>Cut away the upper part</source>
-        <translation>Retirar la parte superior</translation>
-    </message>
-    <message>
-        <source>Facing the viewer</source>
-        <translation>Frente al observador</translation>
-    </message>
-    <message>
         <source>Cut away the part nearest to the viewer</source>
         <translation>Retirar lo más cercano al observador</translation>
     </message>
@@ -752,10 +688,6 @@ N: nombres, H: tiradores, X: pared, R: restablecer, T: claro u oscuro, Inicio: p
 </context>
 <context>
     <name>viscera::app::DeformMode</name>
-    <message>
-        <source>Deform</source>
-        <translation>Deformar</translation>
-    </message>
     <message>
         <source>Drag a handle and the organ follows; K locks the volume, T turns and scales, M mirrors</source>
         <translation>Arrastre un tirador y el órgano lo sigue; K bloquea el volumen, T gira y escala, M refleja</translation>
@@ -839,33 +771,6 @@ N: nombres, H: tiradores, X: pared, R: restablecer, T: claro u oscuro, Inicio: p
 </context>
 <context>
     <name>viscera::app::DeformPage</name>
-    <message numerus="yes">
-        <source>%n handles</source>
-        <translation>
-            <numerusform>%n tirador</numerusform>
-            <numerusform>%n tiradores</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Volume</source>
-        <translation>Volumen</translation>
-    </message>
-    <message>
-        <source>Organ</source>
-        <translation>Órgano</translation>
-    </message>
-    <message>
-        <source>Now</source>
-        <translation>Ahora</translation>
-    </message>
-    <message>
-        <source>Rest shape</source>
-        <translation>Forma en reposo</translation>
-    </message>
-    <message>
-        <source>Change</source>
-        <translation>Cambio</translation>
-    </message>
     <message>
         <source>Largest shift</source>
         <translation>Desplazamiento máximo</translation>
@@ -927,18 +832,6 @@ N: nombres, H: tiradores, X: pared, R: restablecer, T: claro u oscuro, Inicio: p
         <translation>Acompaña</translation>
     </message>
     <message>
-        <source>%1 (%2)</source>
-        <translation>%1 (%2)</translation>
-    </message>
-    <message>
-        <source>%1 mm</source>
-        <translation>%1 mm</translation>
-    </message>
-    <message>
-        <source>%1 of %2</source>
-        <translation>%1 de %2</translation>
-    </message>
-    <message>
         <source>no handle is near the mirror image</source>
         <translation>ningún tirador cerca de la imagen especular</translation>
     </message>
@@ -956,10 +849,6 @@ N: nombres, H: tiradores, X: pared, R: restablecer, T: claro u oscuro, Inicio: p
 </context>
 <context>
     <name>viscera::app::DisplacementBox</name>
-    <message>
-        <source>Apply</source>
-        <translation>Aplicar</translation>
-    </message>
     <message>
         <source>Right to left</source>
         <translation>Derecha a izquierda</translation>
@@ -996,24 +885,12 @@ N: nombres, H: tiradores, X: pared, R: restablecer, T: claro u oscuro, Inicio: p
 <context>
     <name>viscera::app::ErrorTable</name>
     <message>
-        <source>Rest error</source>
-        <translation>Error en reposo</translation>
-    </message>
-    <message>
-        <source>The largest distance of the bound organ at rest from the original</source>
-        <translation>La mayor distancia entre el órgano vinculado en reposo y el original</translation>
-    </message>
-    <message>
         <source>Unity error</source>
         <translation>Error de la suma</translation>
     </message>
     <message>
         <source>The largest distance of a vertex&apos;s weights&apos; sum from 1</source>
         <translation>La mayor distancia entre 1 y la suma de los pesos de un vértice</translation>
-    </message>
-    <message>
-        <source>Smallest weight</source>
-        <translation>Peso mínimo</translation>
     </message>
     <message>
         <source>Negative where the system is not positive</source>
@@ -1030,10 +907,6 @@ N: nombres, H: tiradores, X: pared, R: restablecer, T: claro u oscuro, Inicio: p
     <message>
         <source>Binding time</source>
         <translation>Tiempo de vinculación</translation>
-    </message>
-    <message>
-        <source>%1 mm</source>
-        <translation>%1 mm</translation>
     </message>
     <message>
         <source>%1 ms</source>
@@ -1162,10 +1035,6 @@ N: nombres, H: tiradores, X: pared, R: restablecer, T: claro u oscuro, Inicio: p
         <translation>Ver desde</translation>
     </message>
     <message>
-        <source>Cut</source>
-        <translation>Sección</translation>
-    </message>
-    <message>
         <source>Measure</source>
         <translation>Medir</translation>
     </message>
@@ -1174,36 +1043,8 @@ N: nombres, H: tiradores, X: pared, R: restablecer, T: claro u oscuro, Inicio: p
         <translation>Partes</translation>
     </message>
     <message>
-        <source>Show</source>
-        <translation>Mostrar</translation>
-    </message>
-    <message>
-        <source>Organ</source>
-        <translation>Órgano</translation>
-    </message>
-    <message>
-        <source>Name</source>
-        <translation>Nombre</translation>
-    </message>
-    <message>
         <source>Rest volume</source>
         <translation>Volumen en reposo</translation>
-    </message>
-    <message>
-        <source>Size</source>
-        <translation>Tamaño</translation>
-    </message>
-    <message>
-        <source>Triangles</source>
-        <translation>Triángulos</translation>
-    </message>
-    <message>
-        <source>Surface</source>
-        <translation>Superficie</translation>
-    </message>
-    <message>
-        <source>File</source>
-        <translation>Archivo</translation>
     </message>
     <message>
         <source>Scan</source>
@@ -1227,10 +1068,6 @@ N: nombres, H: tiradores, X: pared, R: restablecer, T: claro u oscuro, Inicio: p
             <numerusform>abierta, %n arista</numerusform>
             <numerusform>abierta, %n aristas</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>%1 x %2 x %3 mm</source>
-        <translation>%1 x %2 x %3 mm</translation>
     </message>
     <message>
         <source>%1 x %2 x %3</source>
@@ -1324,10 +1161,6 @@ N: nombres, H: tiradores, X: pared, R: restablecer, T: claro u oscuro, Inicio: p
         <translation>volumes.csv</translation>
     </message>
     <message>
-        <source>Comma-separated values (*.csv)</source>
-        <translation>Valores separados por comas (*.csv)</translation>
-    </message>
-    <message>
         <source>Export &amp;measurements...</source>
         <translation>Exportar &amp;mediciones...</translation>
     </message>
@@ -1346,18 +1179,6 @@ N: nombres, H: tiradores, X: pared, R: restablecer, T: claro u oscuro, Inicio: p
     <message>
         <source>measurements.csv</source>
         <translation>measurements.csv</translation>
-    </message>
-    <message>
-        <source>There is no organ to export. Open one first.</source>
-        <translation>No hay ningún órgano que exportar. Abra uno primero.</translation>
-    </message>
-    <message>
-        <source>Exporting %1</source>
-        <translation>Exportando %1</translation>
-    </message>
-    <message>
-        <source>Written to %1.</source>
-        <translation>Guardado en %1.</translation>
     </message>
     <message>
         <source>all organs</source>
@@ -1450,10 +1271,6 @@ N: nombres, H: tiradores, X: pared, R: restablecer, T: claro u oscuro, Inicio: p
         <translation>Órganos, mapas de etiquetas y tiradores (%1 %2 %3)</translation>
     </message>
     <message>
-        <source>Organs (%1)</source>
-        <translation>Órganos (%1)</translation>
-    </message>
-    <message>
         <source>Label maps (%1)</source>
         <translation>Mapas de etiquetas (%1)</translation>
     </message>
@@ -1466,16 +1283,8 @@ N: nombres, H: tiradores, X: pared, R: restablecer, T: claro u oscuro, Inicio: p
         <translation>Todos los archivos (*)</translation>
     </message>
     <message>
-        <source>Open</source>
-        <translation>Abrir</translation>
-    </message>
-    <message>
         <source>Open a folder with one mask for each organ</source>
         <translation>Abrir una carpeta con una máscara por órgano</translation>
-    </message>
-    <message>
-        <source>Opening %1</source>
-        <translation>Abriendo %1</translation>
     </message>
     <message numerus="yes">
         <source>Opening %n files</source>
@@ -1485,20 +1294,12 @@ N: nombres, H: tiradores, X: pared, R: restablecer, T: claro u oscuro, Inicio: p
         </translation>
     </message>
     <message>
-        <source>Open %1</source>
-        <translation>Abrir %1</translation>
-    </message>
-    <message>
         <source>Save handles</source>
         <translation>Guardar tiradores</translation>
     </message>
     <message>
         <source>Slicer markups (*%1 *.fcsv)</source>
         <translation>Marcas de Slicer (*%1 *.fcsv)</translation>
-    </message>
-    <message>
-        <source>Handles</source>
-        <translation>Tiradores</translation>
     </message>
     <message>
         <source>Load a cage</source>
@@ -1524,24 +1325,12 @@ N: nombres, H: tiradores, X: pared, R: restablecer, T: claro u oscuro, Inicio: p
         </translation>
     </message>
     <message>
-        <source>There is no organ to export. Open one first.</source>
-        <translation>No hay ningún órgano que exportar. Abra uno primero.</translation>
-    </message>
-    <message>
         <source>Surfaces (%1)</source>
         <translation>Superficies (%1)</translation>
     </message>
     <message>
-        <source>Exporting %1</source>
-        <translation>Exportando %1</translation>
-    </message>
-    <message>
         <source>%1 written to %2</source>
         <translation>%1 guardado en %2</translation>
-    </message>
-    <message>
-        <source>Look for files...</source>
-        <translation>Buscar archivos...</translation>
     </message>
     <message>
         <source>%1 was not found.</source>
@@ -1560,10 +1349,6 @@ N: nombres, H: tiradores, X: pared, R: restablecer, T: claro u oscuro, Inicio: p
     <message>
         <source>Side of the body</source>
         <translation>Lado del cuerpo</translation>
-    </message>
-    <message>
-        <source>Size</source>
-        <translation>Tamaño</translation>
     </message>
     <message>
         <source>Open surface</source>
@@ -1612,20 +1397,8 @@ N: nombres, H: tiradores, X: pared, R: restablecer, T: claro u oscuro, Inicio: p
         <translation>Secuencia que ajustar</translation>
     </message>
     <message>
-        <source> %</source>
-        <translation> %</translation>
-    </message>
-    <message>
         <source>Of the left ventricle. The right one ejects as much blood, and the muscle keeps its volume</source>
         <translation>Del ventrículo izquierdo. El derecho expulsa la misma sangre y el músculo conserva su volumen</translation>
-    </message>
-    <message>
-        <source>Ejection fraction</source>
-        <translation>Fracción de eyección</translation>
-    </message>
-    <message>
-        <source>Place the sequence&apos;s handles around the organ and play it</source>
-        <translation>Colocar los tiradores de la secuencia en torno al órgano y reproducirla</translation>
     </message>
     <message>
         <source>%1: click its place in the view</source>
@@ -1683,10 +1456,6 @@ N: nombres, H: tiradores, X: pared, R: restablecer, T: claro u oscuro, Inicio: p
         <translation>Ajustar a %1</translation>
     </message>
     <message>
-        <source>Place the sequence&apos;s handles around the organ and play it</source>
-        <translation>Colocar los tiradores de la secuencia en torno al órgano y reproducirla</translation>
-    </message>
-    <message>
         <source>%1 is open; a sequence needs a closed surface</source>
         <translation>%1 tiene una superficie abierta; una secuencia necesita una cerrada</translation>
     </message>
@@ -1700,10 +1469,6 @@ N: nombres, H: tiradores, X: pared, R: restablecer, T: claro u oscuro, Inicio: p
     <message>
         <source>No groups: all handles act everywhere. Select handles and make a group of them, or make groups automatically below.</source>
         <translation>Sin grupos: todos los tiradores actúan en todas partes. Seleccione tiradores y forme un grupo con ellos, o cree grupos automáticamente abajo.</translation>
-    </message>
-    <message>
-        <source>Groups</source>
-        <translation>Grupos</translation>
     </message>
     <message>
         <source>New group</source>
@@ -1730,16 +1495,8 @@ N: nombres, H: tiradores, X: pared, R: restablecer, T: claro u oscuro, Inicio: p
         <translation>Añadir los tiradores seleccionados al grupo elegido</translation>
     </message>
     <message>
-        <source>Colour...</source>
-        <translation>Color...</translation>
-    </message>
-    <message>
         <source>Choose the colour of the chosen group</source>
         <translation>Elegir el color del grupo elegido</translation>
-    </message>
-    <message>
-        <source>Remove group</source>
-        <translation>Quitar grupo</translation>
     </message>
     <message>
         <source>Remove the chosen group; its handles stay</source>
@@ -1764,10 +1521,6 @@ N: nombres, H: tiradores, X: pared, R: restablecer, T: claro u oscuro, Inicio: p
     <message>
         <source>How many groups</source>
         <translation>Número de grupos</translation>
-    </message>
-    <message>
-        <source>Group automatically</source>
-        <translation>Agrupar automáticamente</translation>
     </message>
     <message>
         <source>Replace the present groups. Where handles do not surround a group&apos;s part of the organ, the corners of a box are added.</source>
@@ -1823,17 +1576,6 @@ N: nombres, H: tiradores, X: pared, R: restablecer, T: claro u oscuro, Inicio: p
 <context>
     <name>viscera::app::HandleController</name>
     <message numerus="yes">
-        <source>Move %n handles</source>
-        <translation>
-            <numerusform>Mover %n tirador</numerusform>
-            <numerusform>Mover %n tiradores</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Move handle %1</source>
-        <translation>Mover tirador %1</translation>
-    </message>
-    <message numerus="yes">
         <source>Turn %n handles</source>
         <translation>
             <numerusform>Girar %n tirador</numerusform>
@@ -1853,10 +1595,6 @@ N: nombres, H: tiradores, X: pared, R: restablecer, T: claro u oscuro, Inicio: p
     <message>
         <source>Handle</source>
         <translation>Tirador</translation>
-    </message>
-    <message>
-        <source>Groups</source>
-        <translation>Grupos</translation>
     </message>
     <message>
         <source>Rest L</source>
@@ -1916,14 +1654,6 @@ Mueva el control de arriba para colocar algunos o haga clic en el órgano en el 
         <translation>Ocho de los tiradores son las esquinas de una caja en torno al órgano, de modo que todo él queda dentro</translation>
     </message>
     <message>
-        <source>Handles</source>
-        <translation>Tiradores</translation>
-    </message>
-    <message>
-        <source>%1 (%2)</source>
-        <translation>%1 (%2)</translation>
-    </message>
-    <message>
         <source>F2 renames, Delete removes</source>
         <translation>F2 renombra, Supr quita</translation>
     </message>
@@ -1933,14 +1663,6 @@ Mueva el control de arriba para colocar algunos o haga clic en el órgano en el 
     <message>
         <source>Place handles</source>
         <translation>Colocar tiradores</translation>
-    </message>
-    <message>
-        <source>Enclosing</source>
-        <translation>Envolventes</translation>
-    </message>
-    <message>
-        <source>Surface</source>
-        <translation>Superficie</translation>
     </message>
 </context>
 <context>
@@ -1988,10 +1710,6 @@ Mueva el control de arriba para colocar algunos o haga clic en el órgano en el 
 </context>
 <context>
     <name>viscera::app::HandlesMode</name>
-    <message>
-        <source>Handles</source>
-        <translation>Tiradores</translation>
-    </message>
     <message>
         <source>Click the organ to add a handle, drag to move it, Delete removes it; the rest shape stays</source>
         <translation>Un clic en el órgano añade un tirador, arrastrar lo mueve, Supr lo quita; la forma en reposo se mantiene</translation>
@@ -2103,36 +1821,12 @@ Mueva el control de arriba para colocar algunos o haga clic en el órgano en el 
         <translation>no es posible</translation>
     </message>
     <message>
-        <source>Coordinates</source>
-        <translation>Coordenadas</translation>
-    </message>
-    <message>
-        <source>Groups</source>
-        <translation>Grupos</translation>
-    </message>
-    <message>
         <source>Binding</source>
         <translation>Vinculación</translation>
     </message>
     <message>
         <source>State</source>
         <translation>Estado</translation>
-    </message>
-    <message>
-        <source>Time</source>
-        <translation>Tiempo</translation>
-    </message>
-    <message>
-        <source>Rest error</source>
-        <translation>Error en reposo</translation>
-    </message>
-    <message>
-        <source>The largest distance of the bound organ at rest from the original</source>
-        <translation>La mayor distancia entre el órgano vinculado en reposo y el original</translation>
-    </message>
-    <message>
-        <source>Smallest weight</source>
-        <translation>Peso mínimo</translation>
     </message>
     <message>
         <source>Handle at rest</source>
@@ -2152,14 +1846,6 @@ Mueva el control de arriba para colocar algunos o haga clic en el órgano en el 
             <numerusform>%1 ms, %n hilo</numerusform>
             <numerusform>%1 ms, %n hilos</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>%1 mm</source>
-        <translation>%1 mm</translation>
-    </message>
-    <message>
-        <source>Organ</source>
-        <translation>Órgano</translation>
     </message>
 </context>
 <context>
@@ -2205,24 +1891,12 @@ Mueva el control de arriba para colocar algunos o haga clic en el órgano en el 
         <translation>Espacio reproduce y pausa. La línea de tiempo muestra las fases del ciclo: arrastre por ella para ver un instante. Debajo se dibujan los volúmenes a medida que cambian.</translation>
     </message>
     <message>
-        <source>Handles</source>
-        <translation>Tiradores</translation>
-    </message>
-    <message>
         <source>Organs follow handles around them. Here you edit them at rest: click the organ to add one, drag to move it, Delete to remove it. The organ is bound again at once. I shows how far a handle reaches.</source>
         <translation>Los órganos siguen a los tiradores que los rodean. Aquí se editan en reposo: haga clic en el órgano para añadir uno, arrastre para moverlo, Supr para quitarlo. El órgano se vincula de nuevo al instante. I muestra hasta dónde llega un tirador.</translation>
     </message>
     <message>
-        <source>Deform</source>
-        <translation>Deformar</translation>
-    </message>
-    <message>
         <source>Drag a handle and the organ follows; its volume is in the status bar. The padlock in the list on the left (K) keeps the volume whatever you do. T turns and scales selected handles, M mirrors drags. Ctrl+Z undoes any change, G shows the rest shape as an outline.</source>
         <translation>Arrastre un tirador y el órgano lo sigue; su volumen está en la barra de estado. El candado de la lista de la izquierda (K) mantiene el volumen haga lo que haga. T gira y escala los tiradores seleccionados, M refleja los arrastres. Ctrl+Z deshace cualquier cambio, G muestra la silueta de la forma en reposo.</translation>
-    </message>
-    <message>
-        <source>Stress</source>
-        <translation>Estrés</translation>
     </message>
     <message>
         <source>The colours say how much the pose distorts the tissue inside. Click the organ to read the values of a point, C cuts it open, M shows the next map. Space plays the sequence, and the map follows.</source>
@@ -2301,10 +1975,6 @@ Mueva el control de arriba para colocar algunos o haga clic en el órgano en el 
         <translation>%1: %2 de %3 órganos</translation>
     </message>
     <message>
-        <source>Import</source>
-        <translation>Importar</translation>
-    </message>
-    <message>
         <source>Cancel</source>
         <translation>Cancelar</translation>
     </message>
@@ -2354,10 +2024,6 @@ Mueva el control de arriba para colocar algunos o haga clic en el órgano en el 
     <message>
         <source>To check</source>
         <translation>Por revisar</translation>
-    </message>
-    <message>
-        <source>%1 (%2)</source>
-        <translation>%1 (%2)</translation>
     </message>
 </context>
 <context>
@@ -2411,10 +2077,6 @@ Mueva el control de arriba para colocar algunos o haga clic en el órgano en el 
         <translation>Guardar la pose actual en este fotograma clave</translation>
     </message>
     <message>
-        <source>Remove</source>
-        <translation>Quitar</translation>
-    </message>
-    <message>
         <source>Remove this key</source>
         <translation>Quitar este fotograma clave</translation>
     </message>
@@ -2445,10 +2107,6 @@ Mueva el control de arriba para colocar algunos o haga clic en el órgano en el 
     <message>
         <source>Duration </source>
         <translation>Duración </translation>
-    </message>
-    <message>
-        <source>Duration of one cycle</source>
-        <translation>Duración de un ciclo</translation>
     </message>
     <message>
         <source>Sequences (*%1)</source>
@@ -2492,20 +2150,12 @@ Mueva el control de arriba para colocar algunos o haga clic en el órgano en el 
         <source>&amp;Darken the screen</source>
         <translation>&amp;Oscurecer la pantalla</translation>
     </message>
-    <message>
-        <source>%1 %2 ml</source>
-        <translation>%1 %2 ml</translation>
-    </message>
 </context>
 <context>
     <name>viscera::app::LessonDialog</name>
     <message>
         <source>Handles that a reader can drag</source>
         <translation>Tiradores que el lector puede arrastrar</translation>
-    </message>
-    <message>
-        <source>Export lesson</source>
-        <translation>Exportar lección</translation>
     </message>
     <message>
         <source>Web page for any browser (.html)</source>
@@ -2559,10 +2209,6 @@ Mueva el control de arriba para colocar algunos o haga clic en el órgano en el 
         <source>Language of the window</source>
         <translation>Idioma de la ventana</translation>
     </message>
-    <message>
-        <source>Kind</source>
-        <translation>Tipo</translation>
-    </message>
 </context>
 <context>
     <name>viscera::app::LessonExport</name>
@@ -2573,10 +2219,6 @@ Mueva el control de arriba para colocar algunos o haga clic en el órgano en el 
     <message>
         <source>Write the organs and their motion as one page that opens in any browser</source>
         <translation>Guardar los órganos y su movimiento como una página que se abre en cualquier navegador</translation>
-    </message>
-    <message>
-        <source>Export lesson</source>
-        <translation>Exportar lección</translation>
     </message>
     <message>
         <source>lesson.html</source>
@@ -2665,10 +2307,6 @@ Mueva el control de arriba para colocar algunos o haga clic en el órgano en el 
         <translation>Perfil</translation>
     </message>
     <message>
-        <source>Remove</source>
-        <translation>Quitar</translation>
-    </message>
-    <message>
         <source>Draw the values along the straight line at rest between two chosen probes, or between the last two</source>
         <translation>Dibujar los valores a lo largo de la recta en reposo entre dos sondas elegidas, o entre las dos últimas</translation>
     </message>
@@ -2685,16 +2323,8 @@ Mueva el control de arriba para colocar algunos o haga clic en el órgano en el 
         <translation>N.º</translation>
     </message>
     <message>
-        <source>Place (mm)</source>
-        <translation>Lugar (mm)</translation>
-    </message>
-    <message>
         <source>Value</source>
         <translation>Valor</translation>
-    </message>
-    <message>
-        <source>Organ</source>
-        <translation>Órgano</translation>
     </message>
     <message>
         <source>Place in the pose, in the patient&apos;s axes: positive towards the left, the back and the head</source>
@@ -2709,10 +2339,6 @@ Mueva el control de arriba para colocar algunos o haga clic en el órgano en el 
         <translation>sin tejido</translation>
     </message>
     <message>
-        <source>folded</source>
-        <translation>plegado</translation>
-    </message>
-    <message>
         <source>%1 mm long</source>
         <translation>%1 mm de largo</translation>
     </message>
@@ -2724,10 +2350,6 @@ Mueva el control de arriba para colocar algunos o haga clic en el órgano en el 
 <context>
     <name>viscera::app::MeasureBox</name>
     <message>
-        <source>Remove</source>
-        <translation>Quitar</translation>
-    </message>
-    <message>
         <source>Remove the chosen measurement (Delete in the list)</source>
         <translation>Quitar la medición elegida (Supr en la lista)</translation>
     </message>
@@ -2738,22 +2360,6 @@ Mueva el control de arriba para colocar algunos o haga clic en el órgano en el 
     <message>
         <source>Export CSV...</source>
         <translation>Exportar CSV...</translation>
-    </message>
-    <message>
-        <source>Measurements</source>
-        <translation>Mediciones</translation>
-    </message>
-    <message>
-        <source>Name</source>
-        <translation>Nombre</translation>
-    </message>
-    <message>
-        <source>Now</source>
-        <translation>Ahora</translation>
-    </message>
-    <message>
-        <source>Rest shape</source>
-        <translation>Forma en reposo</translation>
     </message>
     <message>
         <source>Points stay on the organ while it moves, and can be dragged along it; those on a slice stay there.</source>
@@ -2788,10 +2394,6 @@ Mueva el control de arriba para colocar algunos o haga clic en el órgano en el 
             <numerusform>Movimiento de %n fase. Distancia media a las superficies medidas: %1.</numerusform>
             <numerusform>Movimiento de %n fases. Distancia media a las superficies medidas: %1.</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>Motion from a series</source>
-        <translation>Movimiento de una serie</translation>
     </message>
     <message>
         <source>The series does not show how points move along a wall. The mean and the 95th percentile over the beat are reliable, the local pattern of this map is not.</source>
@@ -2974,10 +2576,6 @@ Mueva el control de arriba para colocar algunos o haga clic en el órgano en el 
 <context>
     <name>viscera::app::MotionDialog</name>
     <message>
-        <source>Cavity</source>
-        <translation>Cavidad</translation>
-    </message>
-    <message>
         <source>Tissue around cavities</source>
         <translation>Tejido en torno a cavidades</translation>
     </message>
@@ -2990,16 +2588,8 @@ Mueva el control de arriba para colocar algunos o haga clic en el órgano en el 
         <translation>Omitir</translation>
     </message>
     <message>
-        <source>Motion from a series</source>
-        <translation>Movimiento de una serie</translation>
-    </message>
-    <message>
         <source>More</source>
         <translation>Más</translation>
-    </message>
-    <message>
-        <source>Close</source>
-        <translation>Cerrar</translation>
     </message>
     <message>
         <source>Find the motion</source>
@@ -3030,10 +2620,6 @@ Mueva el control de arriba para colocar algunos o haga clic en el órgano en el 
         <translation>Duración de un ciclo completo: el número de fases por el intervalo entre ellas</translation>
     </message>
     <message>
-        <source>Duration of one cycle</source>
-        <translation>Duración de un ciclo</translation>
-    </message>
-    <message>
         <source>The last phase leads back to the first</source>
         <translation>La última fase enlaza con la primera</translation>
     </message>
@@ -3042,16 +2628,8 @@ Mueva el control de arriba para colocar algunos o haga clic en el órgano en el 
         <translation>60 para una superficie, 120 para varias. Un número mayor sigue más de cerca las superficies</translation>
     </message>
     <message>
-        <source>Handles</source>
-        <translation>Tiradores</translation>
-    </message>
-    <message>
         <source>Keep the measured volumes exactly</source>
         <translation>Mantener exactos los volúmenes medidos</translation>
-    </message>
-    <message>
-        <source> mm</source>
-        <translation> mm</translation>
     </message>
     <message>
         <source>Larger distances count less: for label maps with outliers</source>
@@ -3084,10 +2662,6 @@ Mueva el control de arriba para colocar algunos o haga clic en el órgano en el 
     <message>
         <source>Label</source>
         <translation>Etiqueta</translation>
-    </message>
-    <message>
-        <source>Surface</source>
-        <translation>Superficie</translation>
     </message>
     <message>
         <source>Label %1; a double click gives the surface another name</source>
@@ -3130,10 +2704,6 @@ Mueva el control de arriba para colocar algunos o haga clic en el órgano en el 
     <message>
         <source>Enter the duration of one cycle first</source>
         <translation>Introduzca primero la duración de un ciclo</translation>
-    </message>
-    <message>
-        <source>Heart</source>
-        <translation>Corazón</translation>
     </message>
     <message>
         <source>Outer surface</source>
@@ -3183,24 +2753,12 @@ Mueva el control de arriba para colocar algunos o haga clic en el órgano en el 
 <context>
     <name>viscera::app::MovieBox</name>
     <message>
-        <source>Kind</source>
-        <translation>Tipo</translation>
-    </message>
-    <message>
         <source>Choose a destination</source>
         <translation>Elegir el destino</translation>
     </message>
     <message>
-        <source>File</source>
-        <translation>Archivo</translation>
-    </message>
-    <message>
         <source>%1 x %2</source>
         <translation>%1 x %2</translation>
-    </message>
-    <message>
-        <source>Size</source>
-        <translation>Tamaño</translation>
     </message>
     <message>
         <source> / s</source>
@@ -3295,39 +2853,15 @@ Mueva el control de arriba para colocar algunos o haga clic en el órgano en el 
         <translation>Valores de la circulación</translation>
     </message>
     <message>
-        <source>now</source>
-        <translation>ahora</translation>
-    </message>
-    <message>
-        <source>before</source>
-        <translation>antes</translation>
-    </message>
-    <message>
         <source>normal</source>
         <translation>normal</translation>
-    </message>
-    <message>
-        <source>from %1</source>
-        <translation>desde %1</translation>
-    </message>
-    <message>
-        <source>up to %1</source>
-        <translation>hasta %1</translation>
     </message>
 </context>
 <context>
     <name>viscera::app::OrganCheck</name>
     <message>
-        <source>%1 x %2 x %3 mm</source>
-        <translation>%1 x %2 x %3 mm</translation>
-    </message>
-    <message>
         <source>%1, open</source>
         <translation>%1, abierta</translation>
-    </message>
-    <message>
-        <source>%1, %2</source>
-        <translation>%1, %2</translation>
     </message>
     <message>
         <source>Import this organ</source>
@@ -3372,10 +2906,6 @@ Mueva el control de arriba para colocar algunos o haga clic en el órgano en el 
         <translation>Mantener constante el volumen del órgano en el modo Deformar; en un órgano con cavidades, el volumen dentro de su superficie externa</translation>
     </message>
     <message>
-        <source>Colour...</source>
-        <translation>Color...</translation>
-    </message>
-    <message>
         <source>The organ&apos;s own colours</source>
         <translation>Los colores propios del órgano</translation>
     </message>
@@ -3389,10 +2919,6 @@ Mueva el control de arriba para colocar algunos o haga clic en el órgano en el 
     <message>
         <source>Opacity</source>
         <translation>Opacidad</translation>
-    </message>
-    <message>
-        <source> %</source>
-        <translation> %</translation>
     </message>
     <message>
         <source>No organ yet.
@@ -3423,10 +2949,6 @@ Abra un archivo (Ctrl+O), suelte uno aquí o elija un órgano de muestra en el m
     <message>
         <source>Hide the chosen organs</source>
         <translation>Ocultar los órganos elegidos</translation>
-    </message>
-    <message>
-        <source>Hide</source>
-        <translation>Ocultar</translation>
     </message>
     <message>
         <source>Show &amp;all</source>
@@ -3523,10 +3045,6 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
     <message>
         <source>%1 at rest, %2 (%3) now</source>
         <translation>%1 en reposo, %2 (%3) ahora</translation>
-    </message>
-    <message>
-        <source>Show</source>
-        <translation>Mostrar</translation>
     </message>
     <message numerus="yes">
         <source>%n organs removed</source>
@@ -3839,18 +3357,6 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
         <translation>Aspecto</translation>
     </message>
     <message>
-        <source>Sequence</source>
-        <translation>Secuencia</translation>
-    </message>
-    <message>
-        <source>Rate</source>
-        <translation>Frecuencia</translation>
-    </message>
-    <message>
-        <source>Phase</source>
-        <translation>Fase</translation>
-    </message>
-    <message>
         <source>Source of the motion</source>
         <translation>Origen del movimiento</translation>
     </message>
@@ -3879,18 +3385,6 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
         <translation>Volúmenes en ml. VS es el volumen sistólico; FE, la fracción de eyección.</translation>
     </message>
     <message>
-        <source>Ejection fraction</source>
-        <translation>Fracción de eyección</translation>
-    </message>
-    <message>
-        <source>Stroke volume</source>
-        <translation>Volumen sistólico</translation>
-    </message>
-    <message>
-        <source>Cardiac output</source>
-        <translation>Gasto cardíaco</translation>
-    </message>
-    <message>
         <source>Circulation of this heart</source>
         <translation>Circulación de este corazón</translation>
     </message>
@@ -3901,10 +3395,6 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
     <message>
         <source>Record a movie</source>
         <translation>Grabar una película</translation>
-    </message>
-    <message>
-        <source>Prescribe a volume</source>
-        <translation>Prescribir un volumen</translation>
     </message>
     <message>
         <source>Key sequence</source>
@@ -3958,14 +3448,6 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
         <source>Normal for %1: %2.</source>
         <translation>Normal para %1: %2.</translation>
     </message>
-    <message>
-        <source>, </source>
-        <translation>, </translation>
-    </message>
-    <message>
-        <source>at rest</source>
-        <translation>en reposo</translation>
-    </message>
 </context>
 <context>
     <name>viscera::app::Playback</name>
@@ -3984,17 +3466,6 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
 </context>
 <context>
     <name>viscera::app::PoseEditor</name>
-    <message>
-        <source>Move handle %1</source>
-        <translation>Mover tirador %1</translation>
-    </message>
-    <message numerus="yes">
-        <source>Move %n handles</source>
-        <translation>
-            <numerusform>Mover %n tirador</numerusform>
-            <numerusform>Mover %n tiradores</numerusform>
-        </translation>
-    </message>
     <message numerus="yes">
         <source>Reset %n handles</source>
         <translation>
@@ -4033,10 +3504,6 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
 <context>
     <name>viscera::app::PositionBox</name>
     <message>
-        <source> mm</source>
-        <translation> mm</translation>
-    </message>
-    <message>
         <source>Left</source>
         <translation>Izquierda</translation>
     </message>
@@ -4067,14 +3534,6 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
 </context>
 <context>
     <name>viscera::app::ProbeCard</name>
-    <message>
-        <source>Close (Esc)</source>
-        <translation>Cerrar (Esc)</translation>
-    </message>
-    <message>
-        <source>Close</source>
-        <translation>Cerrar</translation>
-    </message>
     <message>
         <source>In the patient&apos;s axes, mm: positive towards the left, the back and the head</source>
         <translation>En los ejes del paciente, mm: positivo hacia la izquierda, la espalda y la cabeza</translation>
@@ -4120,10 +3579,6 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
         <translation>no</translation>
     </message>
     <message>
-        <source>%1 %2</source>
-        <translation>%1 %2</translation>
-    </message>
-    <message>
         <source>Witness point %1</source>
         <translation>Punto testigo %1</translation>
     </message>
@@ -4133,14 +3588,6 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
     <message>
         <source>Profile along the line</source>
         <translation>Perfil a lo largo de la línea</translation>
-    </message>
-    <message>
-        <source>Distance at rest (mm)</source>
-        <translation>Distancia en reposo (mm)</translation>
-    </message>
-    <message>
-        <source>%1 (%2)</source>
-        <translation>%1 (%2)</translation>
     </message>
 </context>
 <context>
@@ -4159,10 +3606,6 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
             <numerusform>Encontradas las %1, con %n error.</numerusform>
             <numerusform>Encontradas las %1, con %n errores.</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>%1 of %2</source>
-        <translation>%1 de %2</translation>
     </message>
     <message>
         <source>Right: %1</source>
@@ -4272,18 +3715,6 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
         <translation>volumen mínimo</translation>
     </message>
     <message>
-        <source>stroke volume</source>
-        <translation>volumen sistólico</translation>
-    </message>
-    <message>
-        <source>ejection fraction</source>
-        <translation>fracción de eyección</translation>
-    </message>
-    <message>
-        <source>cardiac output</source>
-        <translation>gasto cardíaco</translation>
-    </message>
-    <message>
         <source>Surface whose fit is shown</source>
         <translation>Superficie cuyo ajuste se muestra</translation>
     </message>
@@ -4298,10 +3729,6 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
     <message>
         <source>Fit of the motion, phase by phase</source>
         <translation>Ajuste del movimiento, fase por fase</translation>
-    </message>
-    <message>
-        <source>Phase</source>
-        <translation>Fase</translation>
     </message>
     <message>
         <source>ms</source>
@@ -4392,14 +3819,6 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
         <translation>Qué cambia respecto a la serie anterior</translation>
     </message>
     <message>
-        <source>before</source>
-        <translation>antes</translation>
-    </message>
-    <message>
-        <source>now</source>
-        <translation>ahora</translation>
-    </message>
-    <message>
         <source>difference</source>
         <translation>diferencia</translation>
     </message>
@@ -4442,13 +3861,6 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
     <message>
         <source>Show the measured surfaces of the nearest phase, translucent</source>
         <translation>Mostrar las superficies medidas de la fase más próxima, translúcidas</translation>
-    </message>
-</context>
-<context>
-    <name>viscera::app::SampleLoader</name>
-    <message>
-        <source>Sample %1</source>
-        <translation>Muestra: %1</translation>
     </message>
 </context>
 <context>
@@ -4640,10 +4052,6 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
         <source>The folder has several scans. Which one?</source>
         <translation>La carpeta contiene varios estudios. ¿Cuál?</translation>
     </message>
-    <message>
-        <source>Opening %1</source>
-        <translation>Abriendo %1</translation>
-    </message>
     <message numerus="yes">
         <source>%n more: see Scan on the page of Explore.</source>
         <translation>
@@ -4757,10 +4165,6 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
         <source>&amp;Cancel</source>
         <translation>&amp;Cancelar</translation>
     </message>
-    <message>
-        <source>Opening %1</source>
-        <translation>Abriendo %1</translation>
-    </message>
     <message numerus="yes">
         <source>And %n more.</source>
         <translation>
@@ -4779,10 +4183,6 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
     <message>
         <source>Discard</source>
         <translation>Descartar</translation>
-    </message>
-    <message>
-        <source>Look for files...</source>
-        <translation>Buscar archivos...</translation>
     </message>
     <message>
         <source>Choose the folder with the missing files</source>
@@ -4805,14 +4205,6 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
     <message>
         <source>Mouse and keys</source>
         <translation>Ratón y teclas</translation>
-    </message>
-    <message>
-        <source>Close (Esc)</source>
-        <translation>Cerrar (Esc)</translation>
-    </message>
-    <message>
-        <source>Close</source>
-        <translation>Cerrar</translation>
     </message>
     <message>
         <source>Left drag</source>
@@ -4950,13 +4342,6 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
         <source>no handles</source>
         <translation>sin tiradores</translation>
     </message>
-    <message numerus="yes">
-        <source>%n handles</source>
-        <translation>
-            <numerusform>%n tirador</numerusform>
-            <numerusform>%n tiradores</numerusform>
-        </translation>
-    </message>
     <message>
         <source>, binding...</source>
         <translation>, vinculando...</translation>
@@ -4977,24 +4362,12 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
         <source>%1, %2 of tissue folded by the pose</source>
         <translation>%1, %2 de tejido plegados por la pose</translation>
     </message>
-    <message>
-        <source>%1: %2</source>
-        <translation>%1: %2</translation>
-    </message>
 </context>
 <context>
     <name>viscera::app::StressChart</name>
     <message>
-        <source>Rotational stress</source>
-        <translation>Estrés rotacional</translation>
-    </message>
-    <message>
         <source>maximum</source>
         <translation>Máximo</translation>
-    </message>
-    <message>
-        <source>95th percentile</source>
-        <translation>Percentil 95</translation>
     </message>
     <message>
         <source>mean</source>
@@ -5004,17 +4377,9 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
         <source>The stress over one cycle of the sequence is drawn here as soon as it is computed.</source>
         <translation>El estrés durante un ciclo de la secuencia se dibuja aquí en cuanto está calculado.</translation>
     </message>
-    <message>
-        <source>Time in the cycle</source>
-        <translation>Tiempo en el ciclo</translation>
-    </message>
 </context>
 <context>
     <name>viscera::app::StressExport</name>
-    <message>
-        <source>Comma-separated values (*.csv)</source>
-        <translation>Valores separados por comas (*.csv)</translation>
-    </message>
     <message>
         <source>Export stress &amp;map...</source>
         <translation>Exportar &amp;mapa de estrés...</translation>
@@ -5084,14 +4449,6 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
         <translation>curve.csv</translation>
     </message>
     <message>
-        <source>Exporting %1</source>
-        <translation>Exportando %1</translation>
-    </message>
-    <message>
-        <source>Written to %1.</source>
-        <translation>Guardado en %1.</translation>
-    </message>
-    <message>
         <source>the stress map</source>
         <translation>el mapa de estrés</translation>
     </message>
@@ -5150,10 +4507,6 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
 </context>
 <context>
     <name>viscera::app::StressMode</name>
-    <message>
-        <source>Stress</source>
-        <translation>Estrés</translation>
-    </message>
     <message>
         <source>How much the pose distorts the tissue (rotational stress): click the organ to read the values of a point; C cuts it open; the map follows while you drag a handle</source>
         <translation>Cuánto distorsiona la pose el tejido (estrés rotacional): haga clic en el órgano para leer los valores de un punto; C lo secciona; el mapa se actualiza mientras arrastra un tirador</translation>
@@ -5290,10 +4643,6 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
 <context>
     <name>viscera::app::StressModel</name>
     <message>
-        <source>%1 %2</source>
-        <translation>%1 %2</translation>
-    </message>
-    <message>
         <source>This point is probe %1 already.</source>
         <translation>Este punto ya es la sonda %1.</translation>
     </message>
@@ -5329,10 +4678,6 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
         <translation>El mapa de su pose; los tiradores se pueden arrastrar</translation>
     </message>
     <message>
-        <source>Sequence</source>
-        <translation>Secuencia</translation>
-    </message>
-    <message>
         <source>The map of the sequence at the timeline&apos;s instant; Space plays</source>
         <translation>El mapa de la secuencia en el instante de la línea de tiempo; Espacio reproduce</translation>
     </message>
@@ -5341,32 +4686,8 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
         <translation>Valores</translation>
     </message>
     <message>
-        <source>Minimum</source>
-        <translation>Mínimo</translation>
-    </message>
-    <message>
-        <source>Mean</source>
-        <translation>Media</translation>
-    </message>
-    <message>
-        <source>95th percentile</source>
-        <translation>Percentil 95</translation>
-    </message>
-    <message>
-        <source>Maximum</source>
-        <translation>Máximo</translation>
-    </message>
-    <message>
-        <source>Folded</source>
-        <translation>Plegado</translation>
-    </message>
-    <message>
         <source>Export</source>
         <translation>Exportar</translation>
-    </message>
-    <message>
-        <source>Cut</source>
-        <translation>Sección</translation>
     </message>
     <message>
         <source>Smooth: through the tetrahedra</source>
@@ -5375,14 +4696,6 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
     <message>
         <source>Crinkle: whole tetrahedra</source>
         <translation>Escalonado: tetraedros enteros</translation>
-    </message>
-    <message>
-        <source>Depth</source>
-        <translation>Profundidad</translation>
-    </message>
-    <message>
-        <source> %</source>
-        <translation> %</translation>
     </message>
     <message>
         <source>Distance of the cut from the organ&apos;s middle; the arrow in the view moves it, the rim tilts it</source>
@@ -5413,10 +4726,6 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
         <translation>Coronal</translation>
     </message>
     <message>
-        <source>Cut away the front</source>
-        <translation>Retirar la parte anterior</translation>
-    </message>
-    <message>
         <source>Sagittal</source>
         <translation>Sagital</translation>
     </message>
@@ -5427,14 +4736,6 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
     <message>
         <source>Axial</source>
         <translation>Axial</translation>
-    </message>
-    <message>
-        <source>Cut away the upper part</source>
-        <translation>Retirar la parte superior</translation>
-    </message>
-    <message>
-        <source>Facing the viewer</source>
-        <translation>Frente al observador</translation>
     </message>
     <message>
         <source>Cut through the middle, across the line of sight</source>
@@ -5453,20 +4754,8 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
         <translation>Más puntos muestran más detalle y tardan más; hasta 20 000, el mapa sigue el arrastre</translation>
     </message>
     <message>
-        <source>Witness points</source>
-        <translation>Puntos testigo</translation>
-    </message>
-    <message>
         <source>Source</source>
         <translation>Origen</translation>
-    </message>
-    <message>
-        <source>Points</source>
-        <translation>Puntos</translation>
-    </message>
-    <message>
-        <source>Derivatives</source>
-        <translation>Derivadas</translation>
     </message>
     <message>
         <source>Try again</source>
@@ -5487,10 +4776,6 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
     <message>
         <source>Cancelled. Press Try again to go on.</source>
         <translation>Cancelado. Pulse Reintentar para continuar.</translation>
-    </message>
-    <message>
-        <source>%1 in %2 tetrahedra</source>
-        <translation>%1 en %2 tetraedros</translation>
     </message>
     <message>
         <source>closed form</source>
@@ -5554,10 +4839,6 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
 </context>
 <context>
     <name>viscera::app::SystemBox</name>
-    <message>
-        <source>Coordinates</source>
-        <translation>Coordenadas</translation>
-    </message>
     <message>
         <source>Coordinate system that binds the organs to the handles</source>
         <translation>Sistema de coordenadas que vincula los órganos a los tiradores</translation>
@@ -5637,10 +4918,6 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
     <message>
         <source>Fills the organ with tetrahedra first</source>
         <translation>Llena antes el órgano de tetraedros</translation>
-    </message>
-    <message>
-        <source>%1 %2</source>
-        <translation>%1 %2</translation>
     </message>
     <message>
         <source>The value is set to %1 %2, but these handles allow at most %3, so %3 is used.</source>
@@ -5745,10 +5022,6 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
         <translation>Avanzar diez milisegundos en un latido, un fotograma en otras secuencias</translation>
     </message>
     <message>
-        <source>Rate</source>
-        <translation>Frecuencia</translation>
-    </message>
-    <message>
         <source>Speed</source>
         <translation>Velocidad</translation>
     </message>
@@ -5784,10 +5057,6 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
         <source>%1 s into the cycle</source>
         <translation>%1 s desde el inicio</translation>
     </message>
-    <message>
-        <source>at rest</source>
-        <translation>en reposo</translation>
-    </message>
 </context>
 <context>
     <name>viscera::app::TourCard</name>
@@ -5798,10 +5067,6 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
     <message>
         <source>End the tour</source>
         <translation>Terminar el recorrido</translation>
-    </message>
-    <message>
-        <source>%1 of %2</source>
-        <translation>%1 de %2</translation>
     </message>
     <message>
         <source>Next</source>
@@ -5954,10 +5219,6 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
 <context>
     <name>viscera::app::VolumeBox</name>
     <message>
-        <source>Apply</source>
-        <translation>Aplicar</translation>
-    </message>
-    <message>
         <source>Target</source>
         <translation>Objetivo</translation>
     </message>
@@ -5983,10 +5244,6 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
     <message>
         <source>Volumes over the cycle</source>
         <translation>Volúmenes en el ciclo</translation>
-    </message>
-    <message>
-        <source>%1: %2</source>
-        <translation>%1: %2</translation>
     </message>
 </context>
 <context>
@@ -6032,20 +5289,8 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
         <translation>%1: mostrar en la gráfica sus valores normales</translation>
     </message>
     <message>
-        <source>%1 %2 ml</source>
-        <translation>%1 %2 ml</translation>
-    </message>
-    <message>
-        <source>%1: %2</source>
-        <translation>%1: %2</translation>
-    </message>
-    <message>
         <source>Shaded: normal for %1, %2. %3</source>
         <translation>Sombreado: normal para %1, %2. %3</translation>
-    </message>
-    <message>
-        <source>, </source>
-        <translation>, </translation>
     </message>
     <message>
         <source>EF %1 %  SV %2 ml</source>
@@ -6060,20 +5305,8 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
         <translation>Parte del ciclo</translation>
     </message>
     <message>
-        <source>Volume</source>
-        <translation>Volumen</translation>
-    </message>
-    <message>
-        <source>Time in the cycle</source>
-        <translation>Tiempo en el ciclo</translation>
-    </message>
-    <message>
         <source>Time while dragging</source>
         <translation>Tiempo de arrastre</translation>
-    </message>
-    <message>
-        <source>Time</source>
-        <translation>Tiempo</translation>
     </message>
 </context>
 <context>
@@ -6176,14 +5409,6 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
         <translation>Modos</translation>
     </message>
     <message>
-        <source>Organs</source>
-        <translation>Órganos</translation>
-    </message>
-    <message>
-        <source>Handles</source>
-        <translation>Tiradores</translation>
-    </message>
-    <message>
         <source>Properties</source>
         <translation>Propiedades</translation>
     </message>
@@ -6192,16 +5417,8 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
         <translation>Línea de tiempo</translation>
     </message>
     <message>
-        <source>Volumes</source>
-        <translation>Volúmenes</translation>
-    </message>
-    <message>
         <source>Slides</source>
         <translation>Diapositivas</translation>
-    </message>
-    <message>
-        <source>Import</source>
-        <translation>Importar</translation>
     </message>
     <message>
         <source>Move all panels to their default places</source>
@@ -6213,10 +5430,6 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
     <message>
         <source>Open folder</source>
         <translation>Abrir carpeta</translation>
-    </message>
-    <message>
-        <source>Undo</source>
-        <translation>Deshacer</translation>
     </message>
 </context>
 </TS>

@@ -444,14 +444,6 @@ N&#xa0;: noms, H&#xa0;: poignées, X&#xa0;: paroi, R&#xa0;: rétablir, T&#xa0;: 
         <translation>B2</translation>
     </message>
     <message>
-        <source>Mitral valve</source>
-        <translation>Valve mitrale</translation>
-    </message>
-    <message>
-        <source>Aortic valve</source>
-        <translation>Valve aortique</translation>
-    </message>
-    <message>
         <source>Tricuspid valve</source>
         <translation>Valve tricuspide</translation>
     </message>
@@ -477,14 +469,6 @@ N&#xa0;: noms, H&#xa0;: poignées, X&#xa0;: paroi, R&#xa0;: rétablir, T&#xa0;: 
             <numerusform>%n sommets de %1 n’ont pas de coordonnées dans la cage.</numerusform>
         </translation>
     </message>
-    <message>
-        <source>Use the hull as the cage</source>
-        <translation>Utiliser l’enveloppe comme cage</translation>
-    </message>
-    <message>
-        <source>Undo</source>
-        <translation>Annuler</translation>
-    </message>
     <message numerus="yes">
         <source>%n vertices of %1 lie in no group&apos;s region.</source>
         <translation>
@@ -492,20 +476,12 @@ N&#xa0;: noms, H&#xa0;: poignées, X&#xa0;: paroi, R&#xa0;: rétablir, T&#xa0;: 
             <numerusform>%n sommets de %1 ne sont dans la région d’aucun groupe.</numerusform>
         </translation>
     </message>
-    <message>
-        <source>Add enclosing group</source>
-        <translation>Ajouter un groupe englobant</translation>
-    </message>
     <message numerus="yes">
         <source>%n vertices of %1 lie outside the handles&apos; hull.</source>
         <translation>
             <numerusform>%n sommet de %1 est hors de l’enveloppe des poignées.</numerusform>
             <numerusform>%n sommets de %1 sont hors de l’enveloppe des poignées.</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>Add enclosing handles</source>
-        <translation>Ajouter des poignées englobantes</translation>
     </message>
 </context>
 <context>
@@ -555,10 +531,6 @@ N&#xa0;: noms, H&#xa0;: poignées, X&#xa0;: paroi, R&#xa0;: rétablir, T&#xa0;: 
         <translation>Volumes d’adultes sains sur un battement à cette fréquence</translation>
     </message>
     <message>
-        <source>Circulation</source>
-        <translation>Circulation</translation>
-    </message>
-    <message>
         <source>A model of heart and vessels: pressures, pressure-volume loops, valves and sounds</source>
         <translation>Un modèle du cœur et des vaisseaux&#xa0;: pressions, boucles pression-volume, valves et bruits</translation>
     </message>
@@ -585,10 +557,6 @@ N&#xa0;: noms, H&#xa0;: poignées, X&#xa0;: paroi, R&#xa0;: rétablir, T&#xa0;: 
 </context>
 <context>
     <name>viscera::app::CirculationModel</name>
-    <message>
-        <source>Circulation</source>
-        <translation>Circulation</translation>
-    </message>
     <message>
         <source>Heart of the circulation</source>
         <translation>Cœur de la circulation</translation>
@@ -628,10 +596,6 @@ N&#xa0;: noms, H&#xa0;: poignées, X&#xa0;: paroi, R&#xa0;: rétablir, T&#xa0;: 
         <translation>Le même organe avec d’autres coordonnées</translation>
     </message>
     <message>
-        <source>Sample %1</source>
-        <translation>Organe type&#xa0;: %1</translation>
-    </message>
-    <message>
         <source>Open files...</source>
         <translation>Ouvrir des fichiers...</translation>
     </message>
@@ -642,10 +606,6 @@ N&#xa0;: noms, H&#xa0;: poignées, X&#xa0;: paroi, R&#xa0;: rétablir, T&#xa0;: 
     <message>
         <source>Open beside the first organ</source>
         <translation>Ouvrir à côté du premier organe</translation>
-    </message>
-    <message>
-        <source>Organs (%1)</source>
-        <translation>Organes (%1)</translation>
     </message>
     <message>
         <source>No organ yet</source>
@@ -679,10 +639,6 @@ N&#xa0;: noms, H&#xa0;: poignées, X&#xa0;: paroi, R&#xa0;: rétablir, T&#xa0;: 
         <translation>Courbe...</translation>
     </message>
     <message>
-        <source>Remove</source>
-        <translation>Supprimer</translation>
-    </message>
-    <message>
         <source>Organ whose volume is prescribed</source>
         <translation>Organe dont le volume est imposé</translation>
     </message>
@@ -693,10 +649,6 @@ N&#xa0;: noms, H&#xa0;: poignées, X&#xa0;: paroi, R&#xa0;: rétablir, T&#xa0;: 
     <message>
         <source>Let the sequence alone determine the volume again</source>
         <translation>Laisser à nouveau la séquence seule déterminer le volume</translation>
-    </message>
-    <message>
-        <source>Prescribe a volume</source>
-        <translation>Imposer un volume</translation>
     </message>
     <message>
         <source>Volume curves (*.csv *.txt *.tsv)</source>
@@ -710,16 +662,8 @@ N&#xa0;: noms, H&#xa0;: poignées, X&#xa0;: paroi, R&#xa0;: rétablir, T&#xa0;: 
 <context>
     <name>viscera::app::CutBox</name>
     <message>
-        <source>Depth</source>
-        <translation>Profondeur</translation>
-    </message>
-    <message>
         <source>Coronal</source>
         <translation>Coronale</translation>
-    </message>
-    <message>
-        <source>Cut away the front</source>
-        <translation>Retirer la partie avant</translation>
     </message>
     <message>
         <source>Sagittal</source>
@@ -734,14 +678,6 @@ N&#xa0;: noms, H&#xa0;: poignées, X&#xa0;: paroi, R&#xa0;: rétablir, T&#xa0;: 
         <translation>Axiale</translation>
     </message>
     <message>
-        <source>Cut away the upper part</source>
-        <translation>Retirer la partie supérieure</translation>
-    </message>
-    <message>
-        <source>Facing the viewer</source>
-        <translation>Face à l’observateur</translation>
-    </message>
-    <message>
         <source>Cut away the part nearest to the viewer</source>
         <translation>Retirer ce qui est le plus proche de l’observateur</translation>
     </message>
@@ -752,10 +688,6 @@ N&#xa0;: noms, H&#xa0;: poignées, X&#xa0;: paroi, R&#xa0;: rétablir, T&#xa0;: 
 </context>
 <context>
     <name>viscera::app::DeformMode</name>
-    <message>
-        <source>Deform</source>
-        <translation>Déformer</translation>
-    </message>
     <message>
         <source>Drag a handle and the organ follows; K locks the volume, T turns and scales, M mirrors</source>
         <translation>Faites glisser une poignée et l’organe suit&#x202f;; K verrouille le volume, T tourne et met à l’échelle, M met en miroir</translation>
@@ -839,33 +771,6 @@ N&#xa0;: noms, H&#xa0;: poignées, X&#xa0;: paroi, R&#xa0;: rétablir, T&#xa0;: 
 </context>
 <context>
     <name>viscera::app::DeformPage</name>
-    <message numerus="yes">
-        <source>%n handles</source>
-        <translation>
-            <numerusform>%n poignée</numerusform>
-            <numerusform>%n poignées</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Volume</source>
-        <translation>Volume</translation>
-    </message>
-    <message>
-        <source>Organ</source>
-        <translation>Organe</translation>
-    </message>
-    <message>
-        <source>Now</source>
-        <translation>Actuel</translation>
-    </message>
-    <message>
-        <source>Rest shape</source>
-        <translation>Forme au repos</translation>
-    </message>
-    <message>
-        <source>Change</source>
-        <translation>Variation</translation>
-    </message>
     <message>
         <source>Largest shift</source>
         <translation>Plus grand déplacement</translation>
@@ -927,18 +832,6 @@ N&#xa0;: noms, H&#xa0;: poignées, X&#xa0;: paroi, R&#xa0;: rétablir, T&#xa0;: 
         <translation>Accompagne</translation>
     </message>
     <message>
-        <source>%1 (%2)</source>
-        <translation>%1 (%2)</translation>
-    </message>
-    <message>
-        <source>%1 mm</source>
-        <translation>%1 mm</translation>
-    </message>
-    <message>
-        <source>%1 of %2</source>
-        <translation>%1 sur %2</translation>
-    </message>
-    <message>
         <source>no handle is near the mirror image</source>
         <translation>aucune poignée près de l’image miroir</translation>
     </message>
@@ -956,10 +849,6 @@ N&#xa0;: noms, H&#xa0;: poignées, X&#xa0;: paroi, R&#xa0;: rétablir, T&#xa0;: 
 </context>
 <context>
     <name>viscera::app::DisplacementBox</name>
-    <message>
-        <source>Apply</source>
-        <translation>Appliquer</translation>
-    </message>
     <message>
         <source>Right to left</source>
         <translation>De droite à gauche</translation>
@@ -996,24 +885,12 @@ N&#xa0;: noms, H&#xa0;: poignées, X&#xa0;: paroi, R&#xa0;: rétablir, T&#xa0;: 
 <context>
     <name>viscera::app::ErrorTable</name>
     <message>
-        <source>Rest error</source>
-        <translation>Erreur au repos</translation>
-    </message>
-    <message>
-        <source>The largest distance of the bound organ at rest from the original</source>
-        <translation>La plus grande distance entre l’organe lié au repos et l’original</translation>
-    </message>
-    <message>
         <source>Unity error</source>
         <translation>Erreur de la somme</translation>
     </message>
     <message>
         <source>The largest distance of a vertex&apos;s weights&apos; sum from 1</source>
         <translation>Le plus grand écart entre 1 et la somme des poids d’un sommet</translation>
-    </message>
-    <message>
-        <source>Smallest weight</source>
-        <translation>Plus petit poids</translation>
     </message>
     <message>
         <source>Negative where the system is not positive</source>
@@ -1030,10 +907,6 @@ N&#xa0;: noms, H&#xa0;: poignées, X&#xa0;: paroi, R&#xa0;: rétablir, T&#xa0;: 
     <message>
         <source>Binding time</source>
         <translation>Temps de liaison</translation>
-    </message>
-    <message>
-        <source>%1 mm</source>
-        <translation>%1 mm</translation>
     </message>
     <message>
         <source>%1 ms</source>
@@ -1162,10 +1035,6 @@ N&#xa0;: noms, H&#xa0;: poignées, X&#xa0;: paroi, R&#xa0;: rétablir, T&#xa0;: 
         <translation>Vu de</translation>
     </message>
     <message>
-        <source>Cut</source>
-        <translation>Section</translation>
-    </message>
-    <message>
         <source>Measure</source>
         <translation>Mesurer</translation>
     </message>
@@ -1174,36 +1043,8 @@ N&#xa0;: noms, H&#xa0;: poignées, X&#xa0;: paroi, R&#xa0;: rétablir, T&#xa0;: 
         <translation>Parties</translation>
     </message>
     <message>
-        <source>Show</source>
-        <translation>Afficher</translation>
-    </message>
-    <message>
-        <source>Organ</source>
-        <translation>Organe</translation>
-    </message>
-    <message>
-        <source>Name</source>
-        <translation>Nom</translation>
-    </message>
-    <message>
         <source>Rest volume</source>
         <translation>Volume au repos</translation>
-    </message>
-    <message>
-        <source>Size</source>
-        <translation>Taille</translation>
-    </message>
-    <message>
-        <source>Triangles</source>
-        <translation>Triangles</translation>
-    </message>
-    <message>
-        <source>Surface</source>
-        <translation>Surface</translation>
-    </message>
-    <message>
-        <source>File</source>
-        <translation>Fichier</translation>
     </message>
     <message>
         <source>Scan</source>
@@ -1227,10 +1068,6 @@ N&#xa0;: noms, H&#xa0;: poignées, X&#xa0;: paroi, R&#xa0;: rétablir, T&#xa0;: 
             <numerusform>ouverte, %n arête</numerusform>
             <numerusform>ouverte, %n arêtes</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>%1 x %2 x %3 mm</source>
-        <translation>%1 x %2 x %3 mm</translation>
     </message>
     <message>
         <source>%1 x %2 x %3</source>
@@ -1324,10 +1161,6 @@ N&#xa0;: noms, H&#xa0;: poignées, X&#xa0;: paroi, R&#xa0;: rétablir, T&#xa0;: 
         <translation>volumes.csv</translation>
     </message>
     <message>
-        <source>Comma-separated values (*.csv)</source>
-        <translation>Valeurs séparées par des virgules (*.csv)</translation>
-    </message>
-    <message>
         <source>Export &amp;measurements...</source>
         <translation>Exporter les &amp;mesures...</translation>
     </message>
@@ -1346,18 +1179,6 @@ N&#xa0;: noms, H&#xa0;: poignées, X&#xa0;: paroi, R&#xa0;: rétablir, T&#xa0;: 
     <message>
         <source>measurements.csv</source>
         <translation>measurements.csv</translation>
-    </message>
-    <message>
-        <source>There is no organ to export. Open one first.</source>
-        <translation>Il n’y a pas d’organe à exporter. Ouvrez-en un d’abord.</translation>
-    </message>
-    <message>
-        <source>Exporting %1</source>
-        <translation>Exportation&#xa0;: %1</translation>
-    </message>
-    <message>
-        <source>Written to %1.</source>
-        <translation>Écrit dans %1.</translation>
     </message>
     <message>
         <source>all organs</source>
@@ -1450,10 +1271,6 @@ N&#xa0;: noms, H&#xa0;: poignées, X&#xa0;: paroi, R&#xa0;: rétablir, T&#xa0;: 
         <translation>Organes, cartes d’étiquettes et poignées (%1 %2 %3)</translation>
     </message>
     <message>
-        <source>Organs (%1)</source>
-        <translation>Organes (%1)</translation>
-    </message>
-    <message>
         <source>Label maps (%1)</source>
         <translation>Cartes d’étiquettes (%1)</translation>
     </message>
@@ -1466,16 +1283,8 @@ N&#xa0;: noms, H&#xa0;: poignées, X&#xa0;: paroi, R&#xa0;: rétablir, T&#xa0;: 
         <translation>Tous les fichiers (*)</translation>
     </message>
     <message>
-        <source>Open</source>
-        <translation>Ouvrir</translation>
-    </message>
-    <message>
         <source>Open a folder with one mask for each organ</source>
         <translation>Ouvrir un dossier avec un masque par organe</translation>
-    </message>
-    <message>
-        <source>Opening %1</source>
-        <translation>Ouverture de %1</translation>
     </message>
     <message numerus="yes">
         <source>Opening %n files</source>
@@ -1485,20 +1294,12 @@ N&#xa0;: noms, H&#xa0;: poignées, X&#xa0;: paroi, R&#xa0;: rétablir, T&#xa0;: 
         </translation>
     </message>
     <message>
-        <source>Open %1</source>
-        <translation>Ouvrir %1</translation>
-    </message>
-    <message>
         <source>Save handles</source>
         <translation>Enregistrer les poignées</translation>
     </message>
     <message>
         <source>Slicer markups (*%1 *.fcsv)</source>
         <translation>Markups de Slicer (*%1 *.fcsv)</translation>
-    </message>
-    <message>
-        <source>Handles</source>
-        <translation>Poignées</translation>
     </message>
     <message>
         <source>Load a cage</source>
@@ -1524,24 +1325,12 @@ N&#xa0;: noms, H&#xa0;: poignées, X&#xa0;: paroi, R&#xa0;: rétablir, T&#xa0;: 
         </translation>
     </message>
     <message>
-        <source>There is no organ to export. Open one first.</source>
-        <translation>Il n’y a pas d’organe à exporter. Ouvrez-en un d’abord.</translation>
-    </message>
-    <message>
         <source>Surfaces (%1)</source>
         <translation>Surfaces (%1)</translation>
     </message>
     <message>
-        <source>Exporting %1</source>
-        <translation>Exportation&#xa0;: %1</translation>
-    </message>
-    <message>
         <source>%1 written to %2</source>
         <translation>%1 écrit dans %2</translation>
-    </message>
-    <message>
-        <source>Look for files...</source>
-        <translation>Chercher les fichiers...</translation>
     </message>
     <message>
         <source>%1 was not found.</source>
@@ -1560,10 +1349,6 @@ N&#xa0;: noms, H&#xa0;: poignées, X&#xa0;: paroi, R&#xa0;: rétablir, T&#xa0;: 
     <message>
         <source>Side of the body</source>
         <translation>Côté du corps</translation>
-    </message>
-    <message>
-        <source>Size</source>
-        <translation>Taille</translation>
     </message>
     <message>
         <source>Open surface</source>
@@ -1612,20 +1397,8 @@ N&#xa0;: noms, H&#xa0;: poignées, X&#xa0;: paroi, R&#xa0;: rétablir, T&#xa0;: 
         <translation>Séquence à ajuster</translation>
     </message>
     <message>
-        <source> %</source>
-        <translation> %</translation>
-    </message>
-    <message>
         <source>Of the left ventricle. The right one ejects as much blood, and the muscle keeps its volume</source>
         <translation>Du ventricule gauche. Le droit éjecte autant de sang et le muscle garde son volume</translation>
-    </message>
-    <message>
-        <source>Ejection fraction</source>
-        <translation>Fraction d’éjection</translation>
-    </message>
-    <message>
-        <source>Place the sequence&apos;s handles around the organ and play it</source>
-        <translation>Placer les poignées de la séquence autour de l’organe et la lire</translation>
     </message>
     <message>
         <source>%1: click its place in the view</source>
@@ -1683,10 +1456,6 @@ N&#xa0;: noms, H&#xa0;: poignées, X&#xa0;: paroi, R&#xa0;: rétablir, T&#xa0;: 
         <translation>Ajuster à %1</translation>
     </message>
     <message>
-        <source>Place the sequence&apos;s handles around the organ and play it</source>
-        <translation>Placer les poignées de la séquence autour de l’organe et la lire</translation>
-    </message>
-    <message>
         <source>%1 is open; a sequence needs a closed surface</source>
         <translation>%1&#xa0;: surface ouverte&#x202f;; une séquence demande une surface fermée</translation>
     </message>
@@ -1700,10 +1469,6 @@ N&#xa0;: noms, H&#xa0;: poignées, X&#xa0;: paroi, R&#xa0;: rétablir, T&#xa0;: 
     <message>
         <source>No groups: all handles act everywhere. Select handles and make a group of them, or make groups automatically below.</source>
         <translation>Pas de groupes&#xa0;: toutes les poignées agissent partout. Sélectionnez des poignées et faites-en un groupe, ou créez des groupes automatiquement ci-dessous.</translation>
-    </message>
-    <message>
-        <source>Groups</source>
-        <translation>Groupes</translation>
     </message>
     <message>
         <source>New group</source>
@@ -1730,16 +1495,8 @@ N&#xa0;: noms, H&#xa0;: poignées, X&#xa0;: paroi, R&#xa0;: rétablir, T&#xa0;: 
         <translation>Ajouter les poignées sélectionnées au groupe choisi</translation>
     </message>
     <message>
-        <source>Colour...</source>
-        <translation>Couleur...</translation>
-    </message>
-    <message>
         <source>Choose the colour of the chosen group</source>
         <translation>Choisir la couleur du groupe choisi</translation>
-    </message>
-    <message>
-        <source>Remove group</source>
-        <translation>Supprimer le groupe</translation>
     </message>
     <message>
         <source>Remove the chosen group; its handles stay</source>
@@ -1764,10 +1521,6 @@ N&#xa0;: noms, H&#xa0;: poignées, X&#xa0;: paroi, R&#xa0;: rétablir, T&#xa0;: 
     <message>
         <source>How many groups</source>
         <translation>Nombre de groupes</translation>
-    </message>
-    <message>
-        <source>Group automatically</source>
-        <translation>Grouper automatiquement</translation>
     </message>
     <message>
         <source>Replace the present groups. Where handles do not surround a group&apos;s part of the organ, the corners of a box are added.</source>
@@ -1823,17 +1576,6 @@ N&#xa0;: noms, H&#xa0;: poignées, X&#xa0;: paroi, R&#xa0;: rétablir, T&#xa0;: 
 <context>
     <name>viscera::app::HandleController</name>
     <message numerus="yes">
-        <source>Move %n handles</source>
-        <translation>
-            <numerusform>Déplacer %n poignée</numerusform>
-            <numerusform>Déplacer %n poignées</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Move handle %1</source>
-        <translation>Déplacer la poignée %1</translation>
-    </message>
-    <message numerus="yes">
         <source>Turn %n handles</source>
         <translation>
             <numerusform>Tourner %n poignée</numerusform>
@@ -1853,10 +1595,6 @@ N&#xa0;: noms, H&#xa0;: poignées, X&#xa0;: paroi, R&#xa0;: rétablir, T&#xa0;: 
     <message>
         <source>Handle</source>
         <translation>Poignée</translation>
-    </message>
-    <message>
-        <source>Groups</source>
-        <translation>Groupes</translation>
     </message>
     <message>
         <source>Rest L</source>
@@ -1916,14 +1654,6 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez sur l’organe en mode
         <translation>Huit des poignées sont les coins d’une boîte autour de l’organe, qui le contient ainsi tout entier</translation>
     </message>
     <message>
-        <source>Handles</source>
-        <translation>Poignées</translation>
-    </message>
-    <message>
-        <source>%1 (%2)</source>
-        <translation>%1 (%2)</translation>
-    </message>
-    <message>
         <source>F2 renames, Delete removes</source>
         <translation>F2 renomme, Suppr supprime</translation>
     </message>
@@ -1933,14 +1663,6 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez sur l’organe en mode
     <message>
         <source>Place handles</source>
         <translation>Placer les poignées</translation>
-    </message>
-    <message>
-        <source>Enclosing</source>
-        <translation>Englobantes</translation>
-    </message>
-    <message>
-        <source>Surface</source>
-        <translation>Surface</translation>
     </message>
 </context>
 <context>
@@ -1988,10 +1710,6 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez sur l’organe en mode
 </context>
 <context>
     <name>viscera::app::HandlesMode</name>
-    <message>
-        <source>Handles</source>
-        <translation>Poignées</translation>
-    </message>
     <message>
         <source>Click the organ to add a handle, drag to move it, Delete removes it; the rest shape stays</source>
         <translation>Cliquez sur l’organe pour ajouter une poignée, faites-la glisser pour la déplacer, Suppr la supprime&#x202f;; la forme au repos reste</translation>
@@ -2103,36 +1821,12 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez sur l’organe en mode
         <translation>impossible</translation>
     </message>
     <message>
-        <source>Coordinates</source>
-        <translation>Coordonnées</translation>
-    </message>
-    <message>
-        <source>Groups</source>
-        <translation>Groupes</translation>
-    </message>
-    <message>
         <source>Binding</source>
         <translation>Liaison</translation>
     </message>
     <message>
         <source>State</source>
         <translation>État</translation>
-    </message>
-    <message>
-        <source>Time</source>
-        <translation>Temps</translation>
-    </message>
-    <message>
-        <source>Rest error</source>
-        <translation>Erreur au repos</translation>
-    </message>
-    <message>
-        <source>The largest distance of the bound organ at rest from the original</source>
-        <translation>La plus grande distance entre l’organe lié au repos et l’original</translation>
-    </message>
-    <message>
-        <source>Smallest weight</source>
-        <translation>Plus petit poids</translation>
     </message>
     <message>
         <source>Handle at rest</source>
@@ -2152,14 +1846,6 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez sur l’organe en mode
             <numerusform>%1 ms, %n thread</numerusform>
             <numerusform>%1 ms, %n threads</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>%1 mm</source>
-        <translation>%1 mm</translation>
-    </message>
-    <message>
-        <source>Organ</source>
-        <translation>Organe</translation>
     </message>
 </context>
 <context>
@@ -2205,24 +1891,12 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez sur l’organe en mode
         <translation>Espace lit et met en pause. La barre de temps montre les phases du cycle&#xa0;: faites-la glisser pour regarder un instant. Dessous, les volumes sont tracés à mesure qu’ils changent.</translation>
     </message>
     <message>
-        <source>Handles</source>
-        <translation>Poignées</translation>
-    </message>
-    <message>
         <source>Organs follow handles around them. Here you edit them at rest: click the organ to add one, drag to move it, Delete to remove it. The organ is bound again at once. I shows how far a handle reaches.</source>
         <translation>Les organes suivent les poignées qui les entourent. Ici vous les modifiez au repos&#xa0;: cliquez sur l’organe pour en ajouter une, faites-la glisser pour la déplacer, Suppr pour la supprimer. L’organe est aussitôt relié. I montre jusqu’où porte une poignée.</translation>
     </message>
     <message>
-        <source>Deform</source>
-        <translation>Déformer</translation>
-    </message>
-    <message>
         <source>Drag a handle and the organ follows; its volume is in the status bar. The padlock in the list on the left (K) keeps the volume whatever you do. T turns and scales selected handles, M mirrors drags. Ctrl+Z undoes any change, G shows the rest shape as an outline.</source>
         <translation>Faites glisser une poignée et l’organe suit&#x202f;; son volume est dans la barre d’état. Le cadenas dans la liste de gauche (K) garde le volume quoi que vous fassiez. T tourne et met à l’échelle les poignées sélectionnées, M met les glissements en miroir. Ctrl+Z annule tout changement, G montre le contour de la forme au repos.</translation>
-    </message>
-    <message>
-        <source>Stress</source>
-        <translation>Contrainte</translation>
     </message>
     <message>
         <source>The colours say how much the pose distorts the tissue inside. Click the organ to read the values of a point, C cuts it open, M shows the next map. Space plays the sequence, and the map follows.</source>
@@ -2301,10 +1975,6 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez sur l’organe en mode
         <translation>%1&#xa0;: %2 organes sur %3</translation>
     </message>
     <message>
-        <source>Import</source>
-        <translation>Importer</translation>
-    </message>
-    <message>
         <source>Cancel</source>
         <translation>Annuler</translation>
     </message>
@@ -2354,10 +2024,6 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez sur l’organe en mode
     <message>
         <source>To check</source>
         <translation>À examiner</translation>
-    </message>
-    <message>
-        <source>%1 (%2)</source>
-        <translation>%1 (%2)</translation>
     </message>
 </context>
 <context>
@@ -2411,10 +2077,6 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez sur l’organe en mode
         <translation>Mémoriser la pose actuelle dans cette clé</translation>
     </message>
     <message>
-        <source>Remove</source>
-        <translation>Supprimer</translation>
-    </message>
-    <message>
         <source>Remove this key</source>
         <translation>Supprimer cette clé</translation>
     </message>
@@ -2445,10 +2107,6 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez sur l’organe en mode
     <message>
         <source>Duration </source>
         <translation>Durée </translation>
-    </message>
-    <message>
-        <source>Duration of one cycle</source>
-        <translation>Durée d’un cycle</translation>
     </message>
     <message>
         <source>Sequences (*%1)</source>
@@ -2492,20 +2150,12 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez sur l’organe en mode
         <source>&amp;Darken the screen</source>
         <translation>&amp;Noircir l’écran</translation>
     </message>
-    <message>
-        <source>%1 %2 ml</source>
-        <translation>%1 %2 ml</translation>
-    </message>
 </context>
 <context>
     <name>viscera::app::LessonDialog</name>
     <message>
         <source>Handles that a reader can drag</source>
         <translation>Poignées que le lecteur peut déplacer</translation>
-    </message>
-    <message>
-        <source>Export lesson</source>
-        <translation>Exporter la leçon</translation>
     </message>
     <message>
         <source>Web page for any browser (.html)</source>
@@ -2559,10 +2209,6 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez sur l’organe en mode
         <source>Language of the window</source>
         <translation>Langue de la fenêtre</translation>
     </message>
-    <message>
-        <source>Kind</source>
-        <translation>Type</translation>
-    </message>
 </context>
 <context>
     <name>viscera::app::LessonExport</name>
@@ -2573,10 +2219,6 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez sur l’organe en mode
     <message>
         <source>Write the organs and their motion as one page that opens in any browser</source>
         <translation>Écrire les organes et leur mouvement en une page qui s’ouvre dans tout navigateur</translation>
-    </message>
-    <message>
-        <source>Export lesson</source>
-        <translation>Exporter la leçon</translation>
     </message>
     <message>
         <source>lesson.html</source>
@@ -2665,10 +2307,6 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez sur l’organe en mode
         <translation>Profil</translation>
     </message>
     <message>
-        <source>Remove</source>
-        <translation>Supprimer</translation>
-    </message>
-    <message>
         <source>Draw the values along the straight line at rest between two chosen probes, or between the last two</source>
         <translation>Tracer les valeurs le long de la droite au repos entre deux sondes choisies, ou entre les deux dernières</translation>
     </message>
@@ -2685,16 +2323,8 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez sur l’organe en mode
         <translation>N°</translation>
     </message>
     <message>
-        <source>Place (mm)</source>
-        <translation>Lieu (mm)</translation>
-    </message>
-    <message>
         <source>Value</source>
         <translation>Valeur</translation>
-    </message>
-    <message>
-        <source>Organ</source>
-        <translation>Organe</translation>
     </message>
     <message>
         <source>Place in the pose, in the patient&apos;s axes: positive towards the left, the back and the head</source>
@@ -2709,10 +2339,6 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez sur l’organe en mode
         <translation>hors tissu</translation>
     </message>
     <message>
-        <source>folded</source>
-        <translation>replié</translation>
-    </message>
-    <message>
         <source>%1 mm long</source>
         <translation>%1 mm de long</translation>
     </message>
@@ -2724,10 +2350,6 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez sur l’organe en mode
 <context>
     <name>viscera::app::MeasureBox</name>
     <message>
-        <source>Remove</source>
-        <translation>Supprimer</translation>
-    </message>
-    <message>
         <source>Remove the chosen measurement (Delete in the list)</source>
         <translation>Supprimer la mesure choisie (Suppr dans la liste)</translation>
     </message>
@@ -2738,22 +2360,6 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez sur l’organe en mode
     <message>
         <source>Export CSV...</source>
         <translation>Exporter en CSV...</translation>
-    </message>
-    <message>
-        <source>Measurements</source>
-        <translation>Mesures</translation>
-    </message>
-    <message>
-        <source>Name</source>
-        <translation>Nom</translation>
-    </message>
-    <message>
-        <source>Now</source>
-        <translation>Actuel</translation>
-    </message>
-    <message>
-        <source>Rest shape</source>
-        <translation>Forme au repos</translation>
     </message>
     <message>
         <source>Points stay on the organ while it moves, and can be dragged along it; those on a slice stay there.</source>
@@ -2788,10 +2394,6 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez sur l’organe en mode
             <numerusform>Mouvement de %n phase. Distance moyenne aux surfaces mesurées&#xa0;: %1.</numerusform>
             <numerusform>Mouvement de %n phases. Distance moyenne aux surfaces mesurées&#xa0;: %1.</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>Motion from a series</source>
-        <translation>Mouvement d’une série</translation>
     </message>
     <message>
         <source>The series does not show how points move along a wall. The mean and the 95th percentile over the beat are reliable, the local pattern of this map is not.</source>
@@ -2974,10 +2576,6 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez sur l’organe en mode
 <context>
     <name>viscera::app::MotionDialog</name>
     <message>
-        <source>Cavity</source>
-        <translation>Cavité</translation>
-    </message>
-    <message>
         <source>Tissue around cavities</source>
         <translation>Tissu autour de cavités</translation>
     </message>
@@ -2990,16 +2588,8 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez sur l’organe en mode
         <translation>Omettre</translation>
     </message>
     <message>
-        <source>Motion from a series</source>
-        <translation>Mouvement d’une série</translation>
-    </message>
-    <message>
         <source>More</source>
         <translation>Plus</translation>
-    </message>
-    <message>
-        <source>Close</source>
-        <translation>Fermer</translation>
     </message>
     <message>
         <source>Find the motion</source>
@@ -3030,10 +2620,6 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez sur l’organe en mode
         <translation>Durée d’un cycle entier&#xa0;: le nombre de phases multiplié par le pas entre elles</translation>
     </message>
     <message>
-        <source>Duration of one cycle</source>
-        <translation>Durée d’un cycle</translation>
-    </message>
-    <message>
         <source>The last phase leads back to the first</source>
         <translation>La dernière phase ramène à la première</translation>
     </message>
@@ -3042,16 +2628,8 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez sur l’organe en mode
         <translation>60 pour une surface, 120 pour plusieurs. Davantage suivent les surfaces de plus près</translation>
     </message>
     <message>
-        <source>Handles</source>
-        <translation>Poignées</translation>
-    </message>
-    <message>
         <source>Keep the measured volumes exactly</source>
         <translation>Garder exactement les volumes mesurés</translation>
-    </message>
-    <message>
-        <source> mm</source>
-        <translation> mm</translation>
     </message>
     <message>
         <source>Larger distances count less: for label maps with outliers</source>
@@ -3084,10 +2662,6 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez sur l’organe en mode
     <message>
         <source>Label</source>
         <translation>Étiquette</translation>
-    </message>
-    <message>
-        <source>Surface</source>
-        <translation>Surface</translation>
     </message>
     <message>
         <source>Label %1; a double click gives the surface another name</source>
@@ -3130,10 +2704,6 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez sur l’organe en mode
     <message>
         <source>Enter the duration of one cycle first</source>
         <translation>Indiquez d’abord la durée d’un cycle</translation>
-    </message>
-    <message>
-        <source>Heart</source>
-        <translation>Cœur</translation>
     </message>
     <message>
         <source>Outer surface</source>
@@ -3183,24 +2753,12 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez sur l’organe en mode
 <context>
     <name>viscera::app::MovieBox</name>
     <message>
-        <source>Kind</source>
-        <translation>Type</translation>
-    </message>
-    <message>
         <source>Choose a destination</source>
         <translation>Choisir la destination</translation>
     </message>
     <message>
-        <source>File</source>
-        <translation>Fichier</translation>
-    </message>
-    <message>
         <source>%1 x %2</source>
         <translation>%1 x %2</translation>
-    </message>
-    <message>
-        <source>Size</source>
-        <translation>Taille</translation>
     </message>
     <message>
         <source> / s</source>
@@ -3295,39 +2853,15 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez sur l’organe en mode
         <translation>Valeurs de la circulation</translation>
     </message>
     <message>
-        <source>now</source>
-        <translation>actuel</translation>
-    </message>
-    <message>
-        <source>before</source>
-        <translation>avant</translation>
-    </message>
-    <message>
         <source>normal</source>
         <translation>normale</translation>
-    </message>
-    <message>
-        <source>from %1</source>
-        <translation>à partir de %1</translation>
-    </message>
-    <message>
-        <source>up to %1</source>
-        <translation>jusqu’à %1</translation>
     </message>
 </context>
 <context>
     <name>viscera::app::OrganCheck</name>
     <message>
-        <source>%1 x %2 x %3 mm</source>
-        <translation>%1 x %2 x %3 mm</translation>
-    </message>
-    <message>
         <source>%1, open</source>
         <translation>%1, ouverte</translation>
-    </message>
-    <message>
-        <source>%1, %2</source>
-        <translation>%1, %2</translation>
     </message>
     <message>
         <source>Import this organ</source>
@@ -3372,10 +2906,6 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez sur l’organe en mode
         <translation>Garder constant le volume de l’organe en mode Déformer&#x202f;; pour un organe à cavités, le volume dans sa surface externe</translation>
     </message>
     <message>
-        <source>Colour...</source>
-        <translation>Couleur...</translation>
-    </message>
-    <message>
         <source>The organ&apos;s own colours</source>
         <translation>Couleurs propres de l’organe</translation>
     </message>
@@ -3389,10 +2919,6 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez sur l’organe en mode
     <message>
         <source>Opacity</source>
         <translation>Opacité</translation>
-    </message>
-    <message>
-        <source> %</source>
-        <translation> %</translation>
     </message>
     <message>
         <source>No organ yet.
@@ -3423,10 +2949,6 @@ Ouvrez un fichier (Ctrl+O), déposez-en un ici, ou prenez un organe type dans le
     <message>
         <source>Hide the chosen organs</source>
         <translation>Masquer les organes choisis</translation>
-    </message>
-    <message>
-        <source>Hide</source>
-        <translation>Masquer</translation>
     </message>
     <message>
         <source>Show &amp;all</source>
@@ -3523,10 +3045,6 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     <message>
         <source>%1 at rest, %2 (%3) now</source>
         <translation>%1 au repos, %2 (%3) actuellement</translation>
-    </message>
-    <message>
-        <source>Show</source>
-        <translation>Afficher</translation>
     </message>
     <message numerus="yes">
         <source>%n organs removed</source>
@@ -3839,18 +3357,6 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
         <translation>Apparence</translation>
     </message>
     <message>
-        <source>Sequence</source>
-        <translation>Séquence</translation>
-    </message>
-    <message>
-        <source>Rate</source>
-        <translation>Fréquence</translation>
-    </message>
-    <message>
-        <source>Phase</source>
-        <translation>Phase</translation>
-    </message>
-    <message>
         <source>Source of the motion</source>
         <translation>Source du mouvement</translation>
     </message>
@@ -3879,18 +3385,6 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
         <translation>Volumes en ml. VES&#xa0;: volume d’éjection systolique, FE&#xa0;: fraction d’éjection.</translation>
     </message>
     <message>
-        <source>Ejection fraction</source>
-        <translation>Fraction d’éjection</translation>
-    </message>
-    <message>
-        <source>Stroke volume</source>
-        <translation>Volume d’éjection systolique</translation>
-    </message>
-    <message>
-        <source>Cardiac output</source>
-        <translation>Débit cardiaque</translation>
-    </message>
-    <message>
         <source>Circulation of this heart</source>
         <translation>Circulation de ce cœur</translation>
     </message>
@@ -3901,10 +3395,6 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     <message>
         <source>Record a movie</source>
         <translation>Enregistrer un film</translation>
-    </message>
-    <message>
-        <source>Prescribe a volume</source>
-        <translation>Imposer un volume</translation>
     </message>
     <message>
         <source>Key sequence</source>
@@ -3958,14 +3448,6 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
         <source>Normal for %1: %2.</source>
         <translation>Normale pour %1&#xa0;: %2.</translation>
     </message>
-    <message>
-        <source>, </source>
-        <translation>, </translation>
-    </message>
-    <message>
-        <source>at rest</source>
-        <translation>au repos</translation>
-    </message>
 </context>
 <context>
     <name>viscera::app::Playback</name>
@@ -3984,17 +3466,6 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
 </context>
 <context>
     <name>viscera::app::PoseEditor</name>
-    <message>
-        <source>Move handle %1</source>
-        <translation>Déplacer la poignée %1</translation>
-    </message>
-    <message numerus="yes">
-        <source>Move %n handles</source>
-        <translation>
-            <numerusform>Déplacer %n poignée</numerusform>
-            <numerusform>Déplacer %n poignées</numerusform>
-        </translation>
-    </message>
     <message numerus="yes">
         <source>Reset %n handles</source>
         <translation>
@@ -4033,10 +3504,6 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
 <context>
     <name>viscera::app::PositionBox</name>
     <message>
-        <source> mm</source>
-        <translation> mm</translation>
-    </message>
-    <message>
         <source>Left</source>
         <translation>Gauche</translation>
     </message>
@@ -4067,14 +3534,6 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
 </context>
 <context>
     <name>viscera::app::ProbeCard</name>
-    <message>
-        <source>Close (Esc)</source>
-        <translation>Fermer (Échap)</translation>
-    </message>
-    <message>
-        <source>Close</source>
-        <translation>Fermer</translation>
-    </message>
     <message>
         <source>In the patient&apos;s axes, mm: positive towards the left, the back and the head</source>
         <translation>Dans les axes du patient, mm&#xa0;: positif vers la gauche, le dos et la tête</translation>
@@ -4120,10 +3579,6 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
         <translation>non</translation>
     </message>
     <message>
-        <source>%1 %2</source>
-        <translation>%1 %2</translation>
-    </message>
-    <message>
         <source>Witness point %1</source>
         <translation>Point témoin %1</translation>
     </message>
@@ -4133,14 +3588,6 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     <message>
         <source>Profile along the line</source>
         <translation>Profil le long de la ligne</translation>
-    </message>
-    <message>
-        <source>Distance at rest (mm)</source>
-        <translation>Distance au repos (mm)</translation>
-    </message>
-    <message>
-        <source>%1 (%2)</source>
-        <translation>%1 (%2)</translation>
     </message>
 </context>
 <context>
@@ -4159,10 +3606,6 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
             <numerusform>Les %1 trouvées, avec %n erreur.</numerusform>
             <numerusform>Les %1 trouvées, avec %n erreurs.</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>%1 of %2</source>
-        <translation>%1 sur %2</translation>
     </message>
     <message>
         <source>Right: %1</source>
@@ -4272,18 +3715,6 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
         <translation>plus petit volume</translation>
     </message>
     <message>
-        <source>stroke volume</source>
-        <translation>volume d’éjection systolique</translation>
-    </message>
-    <message>
-        <source>ejection fraction</source>
-        <translation>fraction d’éjection</translation>
-    </message>
-    <message>
-        <source>cardiac output</source>
-        <translation>débit cardiaque</translation>
-    </message>
-    <message>
         <source>Surface whose fit is shown</source>
         <translation>Surface dont l’ajustement est montré</translation>
     </message>
@@ -4298,10 +3729,6 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     <message>
         <source>Fit of the motion, phase by phase</source>
         <translation>Ajustement du mouvement, phase par phase</translation>
-    </message>
-    <message>
-        <source>Phase</source>
-        <translation>Phase</translation>
     </message>
     <message>
         <source>ms</source>
@@ -4392,14 +3819,6 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
         <translation>Ce qui diffère de la série précédente</translation>
     </message>
     <message>
-        <source>before</source>
-        <translation>avant</translation>
-    </message>
-    <message>
-        <source>now</source>
-        <translation>actuel</translation>
-    </message>
-    <message>
         <source>difference</source>
         <translation>différence</translation>
     </message>
@@ -4442,13 +3861,6 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     <message>
         <source>Show the measured surfaces of the nearest phase, translucent</source>
         <translation>Montrer les surfaces mesurées de la phase la plus proche, translucides</translation>
-    </message>
-</context>
-<context>
-    <name>viscera::app::SampleLoader</name>
-    <message>
-        <source>Sample %1</source>
-        <translation>Organe type&#xa0;: %1</translation>
     </message>
 </context>
 <context>
@@ -4640,10 +4052,6 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
         <source>The folder has several scans. Which one?</source>
         <translation>Le dossier contient plusieurs examens. Lequel&#x202f;?</translation>
     </message>
-    <message>
-        <source>Opening %1</source>
-        <translation>Ouverture de %1</translation>
-    </message>
     <message numerus="yes">
         <source>%n more: see Scan on the page of Explore.</source>
         <translation>
@@ -4757,10 +4165,6 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
         <source>&amp;Cancel</source>
         <translation>&amp;Annuler</translation>
     </message>
-    <message>
-        <source>Opening %1</source>
-        <translation>Ouverture de %1</translation>
-    </message>
     <message numerus="yes">
         <source>And %n more.</source>
         <translation>
@@ -4779,10 +4183,6 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     <message>
         <source>Discard</source>
         <translation>Abandonner</translation>
-    </message>
-    <message>
-        <source>Look for files...</source>
-        <translation>Chercher les fichiers...</translation>
     </message>
     <message>
         <source>Choose the folder with the missing files</source>
@@ -4805,14 +4205,6 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     <message>
         <source>Mouse and keys</source>
         <translation>Souris et touches</translation>
-    </message>
-    <message>
-        <source>Close (Esc)</source>
-        <translation>Fermer (Échap)</translation>
-    </message>
-    <message>
-        <source>Close</source>
-        <translation>Fermer</translation>
     </message>
     <message>
         <source>Left drag</source>
@@ -4950,13 +4342,6 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
         <source>no handles</source>
         <translation>aucune poignée</translation>
     </message>
-    <message numerus="yes">
-        <source>%n handles</source>
-        <translation>
-            <numerusform>%n poignée</numerusform>
-            <numerusform>%n poignées</numerusform>
-        </translation>
-    </message>
     <message>
         <source>, binding...</source>
         <translation>, liaison...</translation>
@@ -4977,24 +4362,12 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
         <source>%1, %2 of tissue folded by the pose</source>
         <translation>%1, %2 de tissu repliés par la pose</translation>
     </message>
-    <message>
-        <source>%1: %2</source>
-        <translation>%1&#xa0;: %2</translation>
-    </message>
 </context>
 <context>
     <name>viscera::app::StressChart</name>
     <message>
-        <source>Rotational stress</source>
-        <translation>Contrainte rotationnelle</translation>
-    </message>
-    <message>
         <source>maximum</source>
         <translation>maximum</translation>
-    </message>
-    <message>
-        <source>95th percentile</source>
-        <translation>95e centile</translation>
     </message>
     <message>
         <source>mean</source>
@@ -5004,17 +4377,9 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
         <source>The stress over one cycle of the sequence is drawn here as soon as it is computed.</source>
         <translation>La contrainte sur un cycle de la séquence est tracée ici dès qu’elle est calculée.</translation>
     </message>
-    <message>
-        <source>Time in the cycle</source>
-        <translation>Temps dans le cycle</translation>
-    </message>
 </context>
 <context>
     <name>viscera::app::StressExport</name>
-    <message>
-        <source>Comma-separated values (*.csv)</source>
-        <translation>Valeurs séparées par des virgules (*.csv)</translation>
-    </message>
     <message>
         <source>Export stress &amp;map...</source>
         <translation>Exporter la &amp;carte de contrainte...</translation>
@@ -5084,14 +4449,6 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
         <translation>curve.csv</translation>
     </message>
     <message>
-        <source>Exporting %1</source>
-        <translation>Exportation&#xa0;: %1</translation>
-    </message>
-    <message>
-        <source>Written to %1.</source>
-        <translation>Écrit dans %1.</translation>
-    </message>
-    <message>
         <source>the stress map</source>
         <translation>la carte de contrainte</translation>
     </message>
@@ -5150,10 +4507,6 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
 </context>
 <context>
     <name>viscera::app::StressMode</name>
-    <message>
-        <source>Stress</source>
-        <translation>Contrainte</translation>
-    </message>
     <message>
         <source>How much the pose distorts the tissue (rotational stress): click the organ to read the values of a point; C cuts it open; the map follows while you drag a handle</source>
         <translation>Distorsion du tissu due à la pose (contrainte rotationnelle)&#xa0;: cliquez sur l’organe pour lire les valeurs d’un point&#x202f;; C l’ouvre&#x202f;; la carte suit pendant que vous faites glisser une poignée</translation>
@@ -5290,10 +4643,6 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
 <context>
     <name>viscera::app::StressModel</name>
     <message>
-        <source>%1 %2</source>
-        <translation>%1 %2</translation>
-    </message>
-    <message>
         <source>This point is probe %1 already.</source>
         <translation>Ce point est déjà la sonde %1.</translation>
     </message>
@@ -5329,10 +4678,6 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
         <translation>La carte de votre pose&#x202f;; les poignées peuvent être déplacées</translation>
     </message>
     <message>
-        <source>Sequence</source>
-        <translation>Séquence</translation>
-    </message>
-    <message>
         <source>The map of the sequence at the timeline&apos;s instant; Space plays</source>
         <translation>La carte de la séquence à l’instant de la barre de temps&#x202f;; Espace lit</translation>
     </message>
@@ -5341,32 +4686,8 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
         <translation>Valeurs</translation>
     </message>
     <message>
-        <source>Minimum</source>
-        <translation>Minimum</translation>
-    </message>
-    <message>
-        <source>Mean</source>
-        <translation>Moyenne</translation>
-    </message>
-    <message>
-        <source>95th percentile</source>
-        <translation>95e centile</translation>
-    </message>
-    <message>
-        <source>Maximum</source>
-        <translation>Maximum</translation>
-    </message>
-    <message>
-        <source>Folded</source>
-        <translation>Replié</translation>
-    </message>
-    <message>
         <source>Export</source>
         <translation>Exporter</translation>
-    </message>
-    <message>
-        <source>Cut</source>
-        <translation>Section</translation>
     </message>
     <message>
         <source>Smooth: through the tetrahedra</source>
@@ -5375,14 +4696,6 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     <message>
         <source>Crinkle: whole tetrahedra</source>
         <translation>Crénelée&#xa0;: tétraèdres entiers</translation>
-    </message>
-    <message>
-        <source>Depth</source>
-        <translation>Profondeur</translation>
-    </message>
-    <message>
-        <source> %</source>
-        <translation> %</translation>
     </message>
     <message>
         <source>Distance of the cut from the organ&apos;s middle; the arrow in the view moves it, the rim tilts it</source>
@@ -5413,10 +4726,6 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
         <translation>Coronale</translation>
     </message>
     <message>
-        <source>Cut away the front</source>
-        <translation>Retirer la partie avant</translation>
-    </message>
-    <message>
         <source>Sagittal</source>
         <translation>Sagittale</translation>
     </message>
@@ -5427,14 +4736,6 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     <message>
         <source>Axial</source>
         <translation>Axiale</translation>
-    </message>
-    <message>
-        <source>Cut away the upper part</source>
-        <translation>Retirer la partie supérieure</translation>
-    </message>
-    <message>
-        <source>Facing the viewer</source>
-        <translation>Face à l’observateur</translation>
     </message>
     <message>
         <source>Cut through the middle, across the line of sight</source>
@@ -5453,20 +4754,8 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
         <translation>Plus de points montrent des détails plus fins et prennent plus de temps&#x202f;; jusqu’à 20&#x202f;000, la carte suit un glissement</translation>
     </message>
     <message>
-        <source>Witness points</source>
-        <translation>Points témoins</translation>
-    </message>
-    <message>
         <source>Source</source>
         <translation>Source</translation>
-    </message>
-    <message>
-        <source>Points</source>
-        <translation>Points</translation>
-    </message>
-    <message>
-        <source>Derivatives</source>
-        <translation>Dérivées</translation>
     </message>
     <message>
         <source>Try again</source>
@@ -5487,10 +4776,6 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     <message>
         <source>Cancelled. Press Try again to go on.</source>
         <translation>Annulé. Cliquez sur Réessayer pour continuer.</translation>
-    </message>
-    <message>
-        <source>%1 in %2 tetrahedra</source>
-        <translation>%1 dans %2 tétraèdres</translation>
     </message>
     <message>
         <source>closed form</source>
@@ -5554,10 +4839,6 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
 </context>
 <context>
     <name>viscera::app::SystemBox</name>
-    <message>
-        <source>Coordinates</source>
-        <translation>Coordonnées</translation>
-    </message>
     <message>
         <source>Coordinate system that binds the organs to the handles</source>
         <translation>Système de coordonnées qui lie les organes aux poignées</translation>
@@ -5637,10 +4918,6 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     <message>
         <source>Fills the organ with tetrahedra first</source>
         <translation>Remplit d’abord l’organe de tétraèdres</translation>
-    </message>
-    <message>
-        <source>%1 %2</source>
-        <translation>%1 %2</translation>
     </message>
     <message>
         <source>The value is set to %1 %2, but these handles allow at most %3, so %3 is used.</source>
@@ -5745,10 +5022,6 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
         <translation>Avancer de dix millisecondes dans un battement, d’une image dans les autres séquences</translation>
     </message>
     <message>
-        <source>Rate</source>
-        <translation>Fréquence</translation>
-    </message>
-    <message>
         <source>Speed</source>
         <translation>Vitesse</translation>
     </message>
@@ -5784,10 +5057,6 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
         <source>%1 s into the cycle</source>
         <translation>à %1 s du cycle</translation>
     </message>
-    <message>
-        <source>at rest</source>
-        <translation>au repos</translation>
-    </message>
 </context>
 <context>
     <name>viscera::app::TourCard</name>
@@ -5798,10 +5067,6 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     <message>
         <source>End the tour</source>
         <translation>Terminer la visite</translation>
-    </message>
-    <message>
-        <source>%1 of %2</source>
-        <translation>%1 sur %2</translation>
     </message>
     <message>
         <source>Next</source>
@@ -5954,10 +5219,6 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
 <context>
     <name>viscera::app::VolumeBox</name>
     <message>
-        <source>Apply</source>
-        <translation>Appliquer</translation>
-    </message>
-    <message>
         <source>Target</source>
         <translation>Cible</translation>
     </message>
@@ -5983,10 +5244,6 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     <message>
         <source>Volumes over the cycle</source>
         <translation>Volumes sur le cycle</translation>
-    </message>
-    <message>
-        <source>%1: %2</source>
-        <translation>%1&#xa0;: %2</translation>
     </message>
 </context>
 <context>
@@ -6032,20 +5289,8 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
         <translation>%1&#xa0;: montrer dans le graphique ce qui est normal pour lui</translation>
     </message>
     <message>
-        <source>%1 %2 ml</source>
-        <translation>%1 %2 ml</translation>
-    </message>
-    <message>
-        <source>%1: %2</source>
-        <translation>%1&#xa0;: %2</translation>
-    </message>
-    <message>
         <source>Shaded: normal for %1, %2. %3</source>
         <translation>Ombré&#xa0;: normale pour %1, %2. %3</translation>
-    </message>
-    <message>
-        <source>, </source>
-        <translation>, </translation>
     </message>
     <message>
         <source>EF %1 %  SV %2 ml</source>
@@ -6060,20 +5305,8 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
         <translation>Fraction du cycle</translation>
     </message>
     <message>
-        <source>Volume</source>
-        <translation>Volume</translation>
-    </message>
-    <message>
-        <source>Time in the cycle</source>
-        <translation>Temps dans le cycle</translation>
-    </message>
-    <message>
         <source>Time while dragging</source>
         <translation>Temps de glissement</translation>
-    </message>
-    <message>
-        <source>Time</source>
-        <translation>Temps</translation>
     </message>
 </context>
 <context>
@@ -6176,14 +5409,6 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
         <translation>Modes</translation>
     </message>
     <message>
-        <source>Organs</source>
-        <translation>Organes</translation>
-    </message>
-    <message>
-        <source>Handles</source>
-        <translation>Poignées</translation>
-    </message>
-    <message>
         <source>Properties</source>
         <translation>Propriétés</translation>
     </message>
@@ -6192,16 +5417,8 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
         <translation>Barre de temps</translation>
     </message>
     <message>
-        <source>Volumes</source>
-        <translation>Volumes</translation>
-    </message>
-    <message>
         <source>Slides</source>
         <translation>Diapositives</translation>
-    </message>
-    <message>
-        <source>Import</source>
-        <translation>Importer</translation>
     </message>
     <message>
         <source>Move all panels to their default places</source>
@@ -6213,10 +5430,6 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     <message>
         <source>Open folder</source>
         <translation>Ouvrir un dossier</translation>
-    </message>
-    <message>
-        <source>Undo</source>
-        <translation>Annuler</translation>
     </message>
 </context>
 </TS>

@@ -141,15 +141,46 @@ TEST(EnglishPlurals, HaveBothFormsOfEveryTextWithANumber) {
   }
 }
 
-/// The file is what lupdate would make of the sources, with nothing left to translate.
+/// The file is what lupdate would make of the sources, with nothing left to translate but what all classes
+/// share.
 TEST_P(Translations, HaveEveryTextOfTheWindow) {
   const std::vector<Translated> texts =
       broughtUpToDate(QStringLiteral("viscera_%1.ts").arg(QLatin1String(GetParam())), {});
   EXPECT_GT(texts.size(), 1000u);
+  std::set<QString> shared;
+  for (const Translated& text :
+       textsOf(folderOfTranslations() + QStringLiteral("names_%1.ts").arg(QLatin1String(GetParam()))))
+    if (text.finished && !text.translations.isEmpty())
+      shared.insert(text.source);
   for (const Translated& text : texts)
-    EXPECT_TRUE(text.finished && !text.translations.isEmpty())
+    EXPECT_TRUE((text.finished && !text.translations.isEmpty()) || shared.count(text.source) == 1)
         << text.source.toStdString()
         << " has no translation; resources/scripts/update_translations.sh adds it to the file";
+}
+
+/// What two classes say alike stands once, in names_*.ts.
+TEST(SharedTranslations, AreNotRepeatedByClasses) {
+  const QTemporaryDir folder;
+  const QDir from(folderOfTranslations());
+  for (const QString& name : from.entryList({QStringLiteral("*.ts")}))
+    ASSERT_TRUE(QFile::copy(from.filePath(name), folder.filePath(name)));
+  QProcess script;
+  script.start(
+      QStringLiteral("python3"),
+      {QStringLiteral(VISCERA_SOURCE_DIR "/resources/scripts/share_translations.py"), folder.path()});
+  ASSERT_TRUE(script.waitForFinished());
+  EXPECT_EQ(script.readAllStandardOutput().trimmed(), QByteArray("0 texts removed, 0 of them shared now"))
+      << "resources/scripts/update_translations.sh moves them";
+}
+
+/// A class of the window finds a shared text by its own context; Qt's classes do not.
+TEST(SharedTranslations, AreFoundByEveryClass) {
+  const InstalledLanguage french(QStringLiteral("fr"));
+  EXPECT_EQ(QCoreApplication::translate("viscera::app::MarksBox", "Remove"), QStringLiteral("Supprimer"));
+  EXPECT_EQ(QCoreApplication::translate("viscera::app::NewBox", "open"), QStringLiteral("ouvert"));
+  EXPECT_EQ(QCoreApplication::translate("QFileDialog", "open"), QStringLiteral("open"));
+  EXPECT_EQ(QCoreApplication::translate("viscera::app::OrganPanel", "open"), QStringLiteral("ouverte"))
+      << "its own translation comes first";
 }
 
 TEST_P(Translations, KeepWhatStandsForSomethingElse) {

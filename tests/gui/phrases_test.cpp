@@ -138,11 +138,12 @@ std::set<QString> textsIn(const QString& source) {
       // Units, fonts, where a number is published, and how the circulation's parameters were found.
       R"(|^mmHg s/ml$|^(Noto|DejaVu|Liberation) Sans$|doi 10\.|^form: |^0 in health$|^fitted to the values)"
       // What is looked for in a file, and formats' names in tables.
-      R"(|^visualization toolkit$|^Viscera (session|sequence)$|^3D Slicer (markups|fiducials)$)"
+      R"(|^visualization toolkit$|^Viscera (session|sequence)$|^3D Slicer (markups|fiducials)$|^Philips PAR/REC$|^Zeiss CZI$)"
       // What names a place in a file.
       R"(|^NIfTI data type $|^system parameter $|^, handle "$)"));
-  static const QRegularExpression forDevelopers(
-      QStringLiteral(R"((static_assert|logic_error|assert|invalid_argument)\([^;]*$)"));
+  // And DICOM's terms for its kinds of objects.
+  static const QRegularExpression forDevelopers(QStringLiteral(
+      R"((static_assert|logic_error|assert|invalid_argument)\([^;]*$|DicomKind::[a-z]+,\s*$)"));
   std::set<QString> texts;
   for (auto tokens = token.globalMatch(source); tokens.hasNext();) {
     const QRegularExpressionMatch found = tokens.next();

@@ -51,8 +51,8 @@ std::string metaImageText(const deformation::DisplacementGrid& grid) {
 void writeDisplacements(const std::filesystem::path& file, const geometry::TriangleMesh& rest,
                         const Points& moved, const std::string& name) {
   if (extensionOf(file) != ".vtp")
-    throw CannotCreateError("displacements are written as .vtp only", file.string(),
-                            "choose a name that ends in .vtp");
+    throw CannotCreateError(phrase("this cannot be written as %1", inQuotes(extensionOf(file))),
+                            file.string(), phrase("let its name end in %1", ".vtp"));
   if (moved.rows() != rest.points.rows())
     throw DataError(misuse("It has %1 moved points for %2 vertices", moved.rows(), rest.points.rows()),
                     file.string());
@@ -70,8 +70,8 @@ void writeDisplacements(const std::filesystem::path& file, const geometry::Trian
 void writeTransform(const std::filesystem::path& file, const deformation::DisplacementGrid& grid) {
   const std::string ending = extensionOf(file);
   if (ending != ".nrrd" && ending != ".mha")
-    throw CannotCreateError(phrase("displacement fields cannot be written as \"%1\"", ending), file.string(),
-                            "let its name end in .nrrd or .mha");
+    throw CannotCreateError(phrase("this cannot be written as %1", inQuotes(ending)), file.string(),
+                            phrase("let its name end in %1", ".nrrd, .mha"));
   writeAtomically(file, [&](std::ostream& out) {
     out << (ending == ".nrrd" ? nrrdText(grid) : metaImageText(grid));
     out.write(reinterpret_cast<const char*>(grid.vectors.data()),

@@ -23,46 +23,41 @@ namespace {
 
 /// A format, told by its bytes, by its ending or by both.
 struct Format {
-  Signature signature; ///< Or `unknown`: it has no mark.
-  FileKind kind;       ///< Or `unknown`: Viscera does not read it.
-  std::string_view name;
-  std::string_view description; ///< For a sentence: "an STL surface".
-  std::string_view endings;     ///< With blanks between; the usual one is the first.
+  Signature signature;      ///< Or `unknown`: it has no mark.
+  FileKind kind;            ///< Or `unknown`: Viscera does not read it.
+  std::string_view name;    ///< The same in every language.
+  std::string_view endings; ///< With blanks between; the usual one is the first.
   bool written;
 };
 constexpr std::array kRead = std::to_array<Format>({
-    {Signature::stl, FileKind::surface, "STL", "an STL surface", ".stl", true},
-    {Signature::obj, FileKind::surface, "OBJ", "an OBJ surface", ".obj", true},
-    {Signature::ply, FileKind::surface, "PLY", "a PLY surface", ".ply", true},
-    {Signature::off, FileKind::surface, "OFF", "an OFF surface", ".off", true},
-    {Signature::legacyVtk, FileKind::surface, "VTK", "a legacy VTK file", ".vtk", true},
-    {Signature::vtp, FileKind::surface, "VTP", "a VTK XML surface", ".vtp", true},
-    {Signature::vtm, FileKind::surface, "VTM", "VTK XML multiblock data", ".vtm .vtmb", false},
-    {Signature::glb, FileKind::surface, "GLB", "a binary glTF scene", ".glb", true},
-    {Signature::gltf, FileKind::surface, "glTF", "a glTF scene", ".gltf", false},
-    {Signature::threeMf, FileKind::surface, "3MF", "a 3MF model", ".3mf", true},
-    {Signature::gifti, FileKind::surface, "GIFTI", "a GIFTI surface", ".gii", false},
-    {Signature::freeSurfer, FileKind::surface, "FreeSurfer", "a FreeSurfer surface", ".white .pial .asc",
-     false},
-    {Signature::carto, FileKind::surface, "CARTO", "a CARTO map", ".mesh", false},
-    {Signature::vtu, FileKind::surface, "VTU", "a VTK XML mesh of cells", ".vtu", false},
-    {Signature::gmsh, FileKind::surface, "gmsh", "a gmsh mesh", ".msh", false},
-    {Signature::medit, FileKind::surface, "medit", "a medit mesh", ".mesh .meshb", false},
-    {Signature::openCarp, FileKind::surface, "openCARP", "an openCARP mesh", ".elem .pts .surf", false},
-    {Signature::nifti, FileKind::labelMap, "NIfTI", "a NIfTI image", ".nii .nii.gz .hdr .hdr.gz .img .img.gz",
+    {Signature::stl, FileKind::surface, "STL", ".stl", true},
+    {Signature::obj, FileKind::surface, "OBJ", ".obj", true},
+    {Signature::ply, FileKind::surface, "PLY", ".ply", true},
+    {Signature::off, FileKind::surface, "OFF", ".off", true},
+    {Signature::legacyVtk, FileKind::surface, "VTK", ".vtk", true},
+    {Signature::vtp, FileKind::surface, "VTP", ".vtp", true},
+    {Signature::vtm, FileKind::surface, "VTM", ".vtm .vtmb", false},
+    {Signature::glb, FileKind::surface, "GLB", ".glb", true},
+    {Signature::gltf, FileKind::surface, "glTF", ".gltf", false},
+    {Signature::threeMf, FileKind::surface, "3MF", ".3mf", true},
+    {Signature::gifti, FileKind::surface, "GIFTI", ".gii", false},
+    {Signature::freeSurfer, FileKind::surface, "FreeSurfer", ".white .pial .asc", false},
+    {Signature::carto, FileKind::surface, "CARTO", ".mesh", false},
+    {Signature::vtu, FileKind::surface, "VTU", ".vtu", false},
+    {Signature::gmsh, FileKind::surface, "gmsh", ".msh", false},
+    {Signature::medit, FileKind::surface, "medit", ".mesh .meshb", false},
+    {Signature::openCarp, FileKind::surface, "openCARP", ".elem .pts .surf", false},
+    {Signature::nifti, FileKind::labelMap, "NIfTI", ".nii .nii.gz .hdr .hdr.gz .img .img.gz", true},
+    {Signature::nrrd, FileKind::labelMap, "NRRD", ".nrrd .seg.nrrd .nhdr .seg.nhdr .nrrd.gz .seg.nrrd.gz",
      true},
-    {Signature::nrrd, FileKind::labelMap, "NRRD", "an NRRD image",
-     ".nrrd .seg.nrrd .nhdr .seg.nhdr .nrrd.gz .seg.nrrd.gz", true},
-    {Signature::metaImage, FileKind::labelMap, "MetaImage", "a MetaImage", ".mha .mhd .mha.gz", true},
-    {Signature::mgh, FileKind::labelMap, "FreeSurfer", "a FreeSurfer volume", ".mgz .mgh .mgh.gz", false},
-    {Signature::gipl, FileKind::labelMap, "GIPL", "a GIPL image", ".gipl .gipl.gz", false},
-    {Signature::dicom, FileKind::labelMap, "DICOM", "a DICOM file", ".dcm .ima", false},
-    {Signature::markups, FileKind::handles, "3D Slicer markups", "a 3D Slicer markups file", ".mrk.json",
-     true},
-    {Signature::fcsv, FileKind::handles, "3D Slicer fiducials", "a 3D Slicer fiducial table", ".fcsv", true},
-    {Signature::sequence, FileKind::sequence, "Viscera sequence", "a Viscera sequence", ".sequence.json",
-     true},
-    {Signature::session, FileKind::session, "Viscera session", "a Viscera session", ".viscera", true},
+    {Signature::metaImage, FileKind::labelMap, "MetaImage", ".mha .mhd .mha.gz", true},
+    {Signature::mgh, FileKind::labelMap, "FreeSurfer", ".mgz .mgh .mgh.gz", false},
+    {Signature::gipl, FileKind::labelMap, "GIPL", ".gipl .gipl.gz", false},
+    {Signature::dicom, FileKind::labelMap, "DICOM", ".dcm .ima", false},
+    {Signature::markups, FileKind::handles, "3D Slicer markups", ".mrk.json", true},
+    {Signature::fcsv, FileKind::handles, "3D Slicer fiducials", ".fcsv", true},
+    {Signature::sequence, FileKind::sequence, "Viscera sequence", ".sequence.json", true},
+    {Signature::session, FileKind::session, "Viscera session", ".viscera", true},
 });
 
 /// A kind of file that Viscera names, but does not read.
@@ -75,9 +70,8 @@ struct Unread {
 constexpr const char* kExportASurface = "export it as STL, OBJ, PLY or GLB";
 constexpr std::array kUnread = std::to_array<Unread>({
     {Signature::gzip, "a gzip-compressed file", ".gz", "unpack it first"},
-    {Signature::zip, "a ZIP archive", ".zip", "unpack it first, and open what is inside"},
-    {Signature::unknown, "an archive", ".tar .tgz .7z .rar .xz .zst",
-     "unpack it first, and open what is inside"},
+    {Signature::zip, "a ZIP archive", ".zip", "unpack it first"},
+    {Signature::unknown, "an archive", ".tar .tgz .7z .rar .xz .zst", "unpack it first"},
     {Signature::picture, "a picture", ".png .jpg .jpeg .gif .bmp",
      "open the images that it was made from: a DICOM series, NIfTI, NRRD or MetaImage"},
     {Signature::otherVtkXml, "a VTK XML file that holds no surface", ".vti .vtr .vts",
@@ -122,7 +116,7 @@ struct Known {
 Known knownAs(Signature found, std::string_view ending) {
   if (const Format* format = rowOf(kRead, found, ending)) {
     std::string_view endings = format->endings;
-    return {named(format->description), takeWord(endings), {}};
+    return {std::string(format->name), takeWord(endings), {}};
   }
   if (const Unread* unread = rowOf(kUnread, found, ending))
     return {named(unread->description), {}, unread->wayOut};
@@ -402,8 +396,8 @@ void refuse(const FileBytes& file, FileKind wanted) {
   if (kindOfDicomClass(dicom) == DicomKind::other)
     failAsDicomObject(file, dicom);
   const auto image = unreadImage(file);
-  const Known known = image ? Known{named(image->description), {}, image->wayOut}
-                            : knownAs(signatureOf(file), extensionOf(file.file));
+  const Known known =
+      image ? Known{image->name, {}, image->wayOut} : knownAs(signatureOf(file), extensionOf(file.file));
   const Text problem = refusalOf(known.wayOut.empty() ? wanted : FileKind::unknown);
   file.fail(known.description.empty() ? problem : phrase("%1; it looks like %2", problem, known.description),
             known.wayOut.empty() ? phrase("known endings: %1", usualEndings(wanted)) : known.wayOut);

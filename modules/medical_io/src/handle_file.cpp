@@ -164,8 +164,8 @@ HandleFile readHandles(const std::filesystem::path& file) {
 void writeHandles(const std::filesystem::path& file, const HandleFile& handles, const WriteHandles& options) {
   const std::string ending = lowered(file.extension().string());
   if (ending != ".json" && ending != ".fcsv")
-    throw CannotCreateError(phrase("handles cannot be written as \"%1\"", extensionOf(file)), file.string(),
-                            "let its name end in .mrk.json or .fcsv");
+    throw CannotCreateError(phrase("this cannot be written as %1", inQuotes(extensionOf(file))),
+                            file.string(), phrase("let its name end in %1", ".mrk.json, .fcsv"));
   for (const HandleGroupRecord& group : handles.groups)
     for (const HandleRecord& handle : group.handles)
       if (!handle.position.allFinite())

@@ -161,8 +161,8 @@ bool isNrrd(const std::filesystem::path& file) {
   if (ending == ".nrrd" || ending == ".seg.nrrd")
     return true;
   if (ending != ".nii" && ending != ".nii.gz")
-    throw CannotCreateError(phrase("images cannot be written as \"%1\"", ending), file.string(),
-                            "let its name end in .nii.gz, .nii or .nrrd");
+    throw CannotCreateError(phrase("this cannot be written as %1", inQuotes(ending)), file.string(),
+                            phrase("let its name end in %1", ".nii.gz, .nii, .nrrd"));
   return false;
 }
 
@@ -170,7 +170,7 @@ void writeImage(const std::filesystem::path& file, const WrittenImage& image) {
   const bool nrrd = isNrrd(file);
   if (!nrrd && *std::max_element(image.size.begin(), image.size.end()) > kLongestNiftiAxis)
     throw DataError("It has more than 32767 voxels along a side, which NIfTI cannot hold", file.string(),
-                    "write it as .nrrd");
+                    phrase("let its name end in %1", ".nrrd"));
   writeAtomically(file, [&](std::ostream& out) {
     const std::string header = nrrd ? nrrdText(image) : niftiBytes(image);
     if (extensionOf(file) == ".nii") {
@@ -276,7 +276,7 @@ void requireLabelsOfTheirOwn(const LabelMap& map, const std::filesystem::path& f
     if (!labels.insert(segment.label).second)
       throw DataError(
           phrase("Two of its segments have the label %1, which NIfTI cannot tell apart", segment.label),
-          file.string(), "write it as .seg.nrrd");
+          file.string(), phrase("let its name end in %1", ".seg.nrrd"));
 }
 
 } // namespace

@@ -128,11 +128,10 @@ private:
     if (const auto mm = lookUp(kUnits, unit))
       frame.mm = *mm;
     else if (!unit.empty())
-      result_.warnings.push_back(
-          phrase("list %1 has the unit %2, which Viscera does not know; mm are assumed", inQuotes(name),
-                 inQuotes(unit)));
+      result_.warnings.push_back(phrase("%1: %2", inQuotes(name),
+                                        phrase("its unit %1 is not known; mm are assumed", inQuotes(unit))));
     if (frame.mm != 1)
-      result_.warnings.push_back(phrase("list %1 was converted from %2 to mm", inQuotes(name), unit));
+      result_.warnings.push_back(phrase("%1: %2", inQuotes(name), phrase("converted from %1 to mm", unit)));
     return frame;
   }
 

@@ -15,6 +15,7 @@
 #include <vtkXMLUnstructuredGridWriter.h>
 
 #include "quiet_vtk.h"
+#include "text_scanner.h"
 #include "viscera/core/atomic_file.h"
 #include "viscera/core/error.h"
 #include "viscera/core/phrase.h"
@@ -88,8 +89,8 @@ vtkSmartPointer<vtkUnstructuredGrid> gridOf(const Points& points, const deformat
 void writeSolid(const std::filesystem::path& file, const Points& points,
                 const deformation::Tetrahedra& tetrahedra, const std::vector<SolidArray>& arrays) {
   if (file.extension() != ".vtu")
-    throw CannotCreateError("solids are written as .vtu only", file.string(),
-                            "choose a name that ends in .vtu");
+    throw CannotCreateError(phrase("this cannot be written as %1", inQuotes(file.extension().string())),
+                            file.string(), phrase("let its name end in %1", ".vtu"));
   const auto grid = gridOf(points, tetrahedra, arrays, file);
   AtomicFile atomic(file);
   vtkNew<vtkXMLUnstructuredGridWriter> writer;

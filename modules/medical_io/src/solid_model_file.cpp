@@ -112,8 +112,8 @@ bool isSolidModelFile(const std::filesystem::path& file) {
 void writeSolidModel(const std::filesystem::path& file, const deformation::OrganSolid& solid,
                      const std::string& organ) {
   if (!isSolidModelFile(file))
-    throw CannotCreateError("tetrahedra are written as .inp or .vtu only", file.string(),
-                            "choose a name that ends in .inp or .vtu");
+    throw CannotCreateError(phrase("this cannot be written as %1", inQuotes(extensionOf(file))),
+                            file.string(), phrase("let its name end in %1", ".inp, .vtu"));
   if (extensionOf(file) == ".inp")
     writeAtomically(file, [&](std::ostream& out) { out << inpOf(solid, organ); });
   else

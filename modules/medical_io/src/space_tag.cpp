@@ -57,9 +57,7 @@ std::optional<Space> findSpace(std::string_view comment, std::vector<Text>& warn
     if (value == "LPS" || value == "left-posterior-superior")
       return Space::lps;
     if (!value.empty())
-      warnings.push_back(
-          phrase("the file says that its axes are %1, which Viscera does not know; LPS is assumed",
-                 inQuotes(value)));
+      warnings.push_back(phrase("its axes %1 are unknown; LPS is assumed", inQuotes(value)));
   }
   return std::nullopt;
 }

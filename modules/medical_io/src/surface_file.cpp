@@ -189,8 +189,8 @@ void writeSurface(const std::filesystem::path& file, const geometry::TriangleMes
   const bool packed = extensionWithin(file) != extensionOf(file);
   const SurfaceFormat* format = packed ? nullptr : formatOf(signatureOfEnding(file));
   if (format == nullptr || format->write == nullptr)
-    throw CannotCreateError(phrase("surfaces cannot be written as \"%1\"", extensionOf(file)), file.string(),
-                            phrase("use one of: %1", writtenEndings()));
+    throw CannotCreateError(phrase("this cannot be written as %1", inQuotes(extensionOf(file))),
+                            file.string(), phrase("use one of: %1", writtenEndings()));
   geometry::requireValid(mesh, file.string());
   if (mesh.triangles.rows() == 0)
     throw DataError("there is no triangle to write", file.string(), "choose a surface that has some");
@@ -202,8 +202,8 @@ void writeSurfaces(const std::filesystem::path& file, const std::vector<NamedSur
                    Space space) {
   const Signature format = signatureOfEnding(file);
   if (format != Signature::glb && format != Signature::threeMf)
-    throw CannotCreateError("several surfaces are written as .glb or .3mf only", file.string(),
-                            "choose a name that ends in .glb or .3mf");
+    throw CannotCreateError(phrase("several surfaces cannot be written as %1", inQuotes(extensionOf(file))),
+                            file.string(), phrase("let its name end in %1", ".glb, .3mf"));
   if (surfaces.empty())
     throw DataError("there is no surface to write", file.string(), "open one first");
   std::vector<NamedSurface> written = surfaces;

@@ -47,7 +47,7 @@ Triangles trianglesOf(const RawSurface& raw, const Points& points, const std::fi
           file.string(), "export the surface again");
   }
   if (triangles.empty())
-    throw DataError("It holds no triangles", file.string(), "export it as a surface of triangles");
+    throw DataError("It holds no triangles", file.string(), "export it as STL, OBJ, PLY or GLB");
   Triangles result(static_cast<Eigen::Index>(triangles.size()), 3);
   for (std::size_t t = 0; t < triangles.size(); ++t)
     for (std::size_t k = 0; k < 3; ++k)

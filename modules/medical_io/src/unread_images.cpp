@@ -15,90 +15,63 @@ namespace {
 
 using namespace std::string_view_literals;
 
-constexpr const char* kConvert = "convert it to .nrrd or .nii.gz with 3D Slicer";
-constexpr const char* kPython = "save the array as .nii.gz with nibabel, together with its position";
-
 /// A kind of file: by bytes at a place in it, by endings, or by either.
 struct UnreadKind {
   std::string_view mark;                     ///< Empty: only endings tell.
   std::size_t place = 0;                     ///< Of the mark.
   std::array<std::string_view, 3> endings{}; ///< In lower case; with a mark, all of them need both.
-  std::string_view description;
-  const char* wayOut;
+  std::string_view name;
+  std::string_view tool; ///< What saves it as a format that Viscera reads, which has this ending.
+  std::string_view ending;
 };
 
 constexpr std::string_view kHdf5 = "\x89HDF\r\n\x1a\n"sv;
 
 /// The first that fits counts.
 const std::array<UnreadKind, 35> kUnreadKinds = {{
-    {kHdf5, 0, {".mnc"}, "a MINC image", "convert it with mnc2nii, and open the .nii"},
-    {"CDF\x01"sv, 0, {".mnc"}, "a MINC image", "convert it with mnc2nii, and open the .nii"},
-    {"CDF\x02"sv, 0, {".mnc"}, "a MINC image", "convert it with mnc2nii, and open the .nii"},
-    {"", 0, {".mnc", ".mnc.gz"}, "a MINC image", "convert it with mnc2nii, and open the .nii"},
-    {kHdf5, 0, {".mat"}, "a MATLAB file", "write its volume with niftiwrite, and open the .nii"},
-    {kHdf5, 0, {".ims"}, "an Imaris image", "export it from Imaris or Fiji, as .nrrd"},
-    {kHdf5, 0, {}, "an HDF5 file", kConvert},
-    {"CDF\x01"sv, 0, {}, "a NetCDF file", kConvert},
-    {"CDF\x02"sv, 0, {}, "a NetCDF file", kConvert},
-    {"MATLAB", 0, {".mat"}, "a MATLAB file", "write its volume with niftiwrite, and open the .nii"},
-    {"\x93NUMPY", 0, {}, "a NumPy array", kPython},
-    {"PK\x03\x04", 0, {".npz"}, "a NumPy archive", kPython},
-    {"II*\0"sv,
-     0,
-     {},
-     "a TIFF image",
-     "convert it to .nrrd with 3D Slicer or Fiji, with the size of its voxels"},
-    {"MM\0*"sv,
-     0,
-     {},
-     "a TIFF image",
-     "convert it to .nrrd with 3D Slicer or Fiji, with the size of its voxels"},
-    {"II+\0"sv,
-     0,
-     {},
-     "a TIFF image",
-     "convert it to .nrrd with 3D Slicer or Fiji, with the size of its voxels"},
-    {"MM\0+"sv,
-     0,
-     {},
-     "a TIFF image",
-     "convert it to .nrrd with 3D Slicer or Fiji, with the size of its voxels"},
-    {"# AmiraMesh", 0, {}, "an AmiraMesh file", "export it from Amira as .nrrd, or as DICOM"},
-    {"# Avizo", 0, {}, "an AmiraMesh file", "export it from Amira as .nrrd, or as DICOM"},
-    {"# HyperSurface", 0, {}, "an Amira surface", "export it from Amira as .stl or .ply"},
-    {"!INTERFILE", 0, {}, "an Interfile image", kConvert},
-    {"MATRIX7", 0, {}, "an ECAT image", "convert it to .nii.gz with nibabel or dcm2niix"},
-    {"mrtrix", 0, {}, "an MRtrix image", "convert it with mrconvert, and open the .nii.gz"},
-    {"CTDATA-HEADER_V1", 0, {}, "a Scanco image", kConvert},
-    {"ZISRAWFILE", 0, {}, "a Zeiss image", "export it from Fiji, as .nrrd"},
-    {"MAP "sv, 208, {}, "an MRC image", kConvert},
-    {"",
-     0,
-     {".brik", ".head", ".brik.gz"},
-     "an AFNI image",
-     "convert it with 3dAFNItoNIFTI, and open the .nii"},
-    {"", 0, {".par", ".rec"}, "a Philips PAR/REC image", "convert it with dcm2niix, and open the .nii.gz"},
-    {"",
-     0,
-     {".mif", ".mif.gz", ".mih"},
-     "an MRtrix image",
-     "convert it with mrconvert, and open the .nii.gz"},
-    {"", 0, {".am", ".amiramesh"}, "an AmiraMesh file", "export it from Amira as .nrrd, or as DICOM"},
-    {"", 0, {".h5", ".hdf5", ".hdf"}, "an HDF5 file", kConvert},
-    {"", 0, {".npy", ".npz"}, "a NumPy array", kPython},
-    {"", 0, {".mat"}, "a MATLAB file", "write its volume with niftiwrite, and open the .nii"},
-    {"",
-     0,
-     {".tif", ".tiff"},
-     "a TIFF image",
-     "convert it to .nrrd with 3D Slicer or Fiji, with the size of its voxels"},
-    {"", 0, {".vmr", ".v16"}, "a BrainVoyager image", "export it from BrainVoyager as .nii"},
-    {"",
-     0,
-     {".raw", ".vol"},
-     "a file of plain numbers",
-     "write a .nhdr or .mhd header for it, which says its size"},
+    {kHdf5, 0, {".mnc"}, "MINC", "mnc2nii", ".nii"},
+    {"CDF\x01"sv, 0, {".mnc"}, "MINC", "mnc2nii", ".nii"},
+    {"CDF\x02"sv, 0, {".mnc"}, "MINC", "mnc2nii", ".nii"},
+    {"", 0, {".mnc", ".mnc.gz"}, "MINC", "mnc2nii", ".nii"},
+    {kHdf5, 0, {".mat"}, "MATLAB", "niftiwrite", ".nii"},
+    {kHdf5, 0, {".ims"}, "Imaris", "Fiji", ".nrrd"},
+    {kHdf5, 0, {}, "HDF5", "3D Slicer", ".nrrd"},
+    {"CDF\x01"sv, 0, {}, "NetCDF", "3D Slicer", ".nrrd"},
+    {"CDF\x02"sv, 0, {}, "NetCDF", "3D Slicer", ".nrrd"},
+    {"MATLAB", 0, {".mat"}, "MATLAB", "niftiwrite", ".nii"},
+    {"\x93NUMPY", 0, {}, "NumPy", "nibabel", ".nii.gz"},
+    {"PK\x03\x04", 0, {".npz"}, "NumPy", "nibabel", ".nii.gz"},
+    {"II*\0"sv, 0, {}, "TIFF", "3D Slicer", ".nrrd"},
+    {"MM\0*"sv, 0, {}, "TIFF", "3D Slicer", ".nrrd"},
+    {"II+\0"sv, 0, {}, "TIFF", "3D Slicer", ".nrrd"},
+    {"MM\0+"sv, 0, {}, "TIFF", "3D Slicer", ".nrrd"},
+    {"# AmiraMesh", 0, {}, "AmiraMesh", "Amira", ".nrrd"},
+    {"# Avizo", 0, {}, "AmiraMesh", "Amira", ".nrrd"},
+    {"# HyperSurface", 0, {}, "HyperSurface", "Amira", ".stl"},
+    {"!INTERFILE", 0, {}, "Interfile", "3D Slicer", ".nrrd"},
+    {"MATRIX7", 0, {}, "ECAT", "nibabel", ".nii.gz"},
+    {"mrtrix", 0, {}, "MRtrix", "mrconvert", ".nii.gz"},
+    {"CTDATA-HEADER_V1", 0, {}, "Scanco", "3D Slicer", ".nrrd"},
+    {"ZISRAWFILE", 0, {}, "Zeiss CZI", "Fiji", ".nrrd"},
+    {"MAP "sv, 208, {}, "MRC", "3D Slicer", ".nrrd"},
+    {"", 0, {".brik", ".head", ".brik.gz"}, "AFNI", "3dAFNItoNIFTI", ".nii"},
+    {"", 0, {".par", ".rec"}, "Philips PAR/REC", "dcm2niix", ".nii.gz"},
+    {"", 0, {".mif", ".mif.gz", ".mih"}, "MRtrix", "mrconvert", ".nii.gz"},
+    {"", 0, {".am", ".amiramesh"}, "AmiraMesh", "Amira", ".nrrd"},
+    {"", 0, {".h5", ".hdf5", ".hdf"}, "HDF5", "3D Slicer", ".nrrd"},
+    {"", 0, {".npy", ".npz"}, "NumPy", "nibabel", ".nii.gz"},
+    {"", 0, {".mat"}, "MATLAB", "niftiwrite", ".nii"},
+    {"", 0, {".tif", ".tiff"}, "TIFF", "3D Slicer", ".nrrd"},
+    {"", 0, {".vmr", ".v16"}, "BrainVoyager", "BrainVoyager", ".nii"},
+    {"", 0, {".raw", ".vol"}, "RAW", {}, {}},
 }};
+
+/// Numbers alone, without their size, need a header in place of a tool.
+Text wayOutOf(const UnreadKind& kind) {
+  if (kind.tool.empty())
+    return "write a .nhdr or .mhd header for it, which says its size";
+  return phrase("save it as %1 with %2", std::string(kind.ending), std::string(kind.tool));
+}
 
 bool fits(const UnreadKind& kind, std::string_view bytes, std::string_view name, bool byEnding) {
   if (kind.mark.empty() && !byEnding)
@@ -133,7 +106,8 @@ std::optional<UnreadImage> unreadImage(const FileBytes& file) {
     constexpr std::uint64_t kEnough = 4096;
     kind = unreadKindOf(unpacked(file, file.view(), Packing::zlib, kEnough), plainName, byEnding);
   }
-  return kind == nullptr ? std::nullopt : std::optional(UnreadImage{kind->description, kind->wayOut});
+  return kind == nullptr ? std::nullopt
+                         : std::optional(UnreadImage{std::string(kind->name), wayOutOf(*kind)});
 }
 
 } // namespace viscera::medical_io

@@ -1,16 +1,17 @@
 #pragma once
 
 #include <optional>
-#include <string_view>
+#include <string>
 
 #include "file_bytes.h"
+#include "viscera/core/phrase.h"
 
 namespace viscera::medical_io {
 
 /// A kind of image that Viscera names, but does not read.
 struct UnreadImage {
-  std::string_view description; ///< For a sentence: "a MINC image".
-  const char* wayOut;
+  std::string name; ///< The format's, the same in every language: "MINC".
+  Text wayOut;
 };
 
 /// The kind of an image of a format that Viscera does not read, which the first bytes tell, or else the

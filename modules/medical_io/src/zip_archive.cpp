@@ -260,7 +260,7 @@ std::string zipped(const std::vector<std::pair<std::string, std::string>>& parts
   for (const auto& [name, bytes] : parts) {
     if (bytes.size() >= std::numeric_limits<std::uint32_t>::max())
       throw CannotCreateError("the surface is too large for 3MF, whose parts end at 4 GB", {},
-                              "write PLY or VTP");
+                              phrase("let its name end in %1", ".ply, .vtp"));
     ZipArchive::Part part;
     part.name = name;
     part.header = out.size();
@@ -283,7 +283,7 @@ std::string zipped(const std::vector<std::pair<std::string, std::string>>& parts
   }
   if (out.size() >= std::numeric_limits<std::uint32_t>::max())
     throw CannotCreateError("the surface is too large for 3MF, whose parts end at 4 GB", {},
-                            "write PLY or VTP");
+                            phrase("let its name end in %1", ".ply, .vtp"));
   const auto begin = static_cast<std::uint32_t>(out.size());
   out += list;
   out += kEndMark;

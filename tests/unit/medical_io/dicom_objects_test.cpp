@@ -133,18 +133,18 @@ TEST_F(DicomObjects, OfOtherKindsAreNamedWithTheWayOut) {
   EXPECT_THAT(refusal(kStorage + "481.3"),
               AllOf(HasSubstr("RTSTRUCT"), HasSubstr("contours"), HasSubstr("convert it to a segmentation"),
                     HasSubstr("3D Slicer")));
-  EXPECT_THAT(refusal(kStorage + "481.5"), HasSubstr("a plan of radiotherapy"));
-  EXPECT_THAT(refusal(kStorage + "88.33"), HasSubstr("a structured report"));
+  EXPECT_THAT(refusal(kStorage + "481.5"), HasSubstr("RT Plan"));
+  EXPECT_THAT(refusal(kStorage + "88.33"), HasSubstr("Structured Report"));
   EXPECT_THAT(refusal(kStorage + "88.59"), HasSubstr("Key Object Selection"));
-  EXPECT_THAT(refusal(kStorage + "11.1"), HasSubstr("a presentation state"));
-  EXPECT_THAT(refusal(kStorage + "9.1.1"), HasSubstr("an electrocardiogram"));
-  EXPECT_THAT(refusal(kStorage + "9.2.1"), HasSubstr("a recorded signal"));
-  EXPECT_THAT(refusal(kStorage + "104.1"), HasSubstr("a PDF document"));
-  EXPECT_THAT(refusal(kStorage + "66.1"), HasSubstr("a spatial registration"));
-  EXPECT_THAT(refusal(kStorage + "66.5"), HasSubstr("a surface segmentation"));
-  EXPECT_THAT(refusal(kStorage + "66.6"), HasSubstr("tractography"));
-  EXPECT_THAT(refusal(kStorage + "66"), HasSubstr("raw data"));
-  EXPECT_THAT(refusal(kStorage + "77.1.6"), HasSubstr("a whole-slide image"));
+  EXPECT_THAT(refusal(kStorage + "11.1"), HasSubstr("Presentation State"));
+  EXPECT_THAT(refusal(kStorage + "9.1.1"), HasSubstr("ECG Waveform"));
+  EXPECT_THAT(refusal(kStorage + "9.2.1"), HasSubstr("Waveform"));
+  EXPECT_THAT(refusal(kStorage + "104.1"), HasSubstr("Encapsulated PDF"));
+  EXPECT_THAT(refusal(kStorage + "66.1"), HasSubstr("Spatial Registration"));
+  EXPECT_THAT(refusal(kStorage + "66.5"), HasSubstr("Surface Segmentation"));
+  EXPECT_THAT(refusal(kStorage + "66.6"), HasSubstr("Tractography"));
+  EXPECT_THAT(refusal(kStorage + "66"), HasSubstr("Raw Data"));
+  EXPECT_THAT(refusal(kStorage + "77.1.6"), HasSubstr("Whole Slide"));
   EXPECT_THAT(refusal(kStorage + "481.3", "RS.1.2.3"), HasSubstr("RTSTRUCT")) << "without an ending";
   EXPECT_THAT(refusal("UI1.2.840.10008.1.3.10", "DICOMDIR"),
               AllOf(HasSubstr("DICOMDIR"), HasSubstr(folder_.path().string())));
@@ -165,7 +165,7 @@ TEST_F(DicomObjects, WithPicturesAreNamed) {
   const auto file = folder_.put("a.dcm", tests::dicomBytes(e));
   Progress progress;
   EXPECT_THAT(messageOf([&] { readScan(file, {}, progress); }),
-              AllOf(HasSubstr("a secondary capture"), HasSubstr("where in the patient")));
+              AllOf(HasSubstr("Secondary Capture"), HasSubstr("where in the patient")));
 }
 
 } // namespace

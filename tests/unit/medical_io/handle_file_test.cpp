@@ -256,7 +256,7 @@ TEST(HandleFile, WhatIsNoHandleFileIsRefusedWithAReason) {
   EXPECT_THAT(problemOfHandles(folder.put("axes.mrk.json",
                                           markups(point("a", "[1,0,0]"), R"(, "coordinateSystem": "LAS")"))),
               HasSubstr("LAS"));
-  EXPECT_THAT(problemOfHandles(folder.put("off.off", "OFF\n1 0 0\n0 0 0\n")), HasSubstr("an OFF surface"));
+  EXPECT_THAT(problemOfHandles(folder.put("off.off", "OFF\n1 0 0\n0 0 0\n")), HasSubstr("looks like OFF"));
 }
 
 TEST(Fcsv, ReadsSlicersTable) {

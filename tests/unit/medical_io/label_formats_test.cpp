@@ -178,7 +178,7 @@ TEST_F(LabelFormats, OfNiftiInTwoFilesWithoutTheOtherHalfSayWhichIsMissing) {
   EXPECT_THAT(missing(folder_.put("b.img", halves.voxels)), HasSubstr("\"b.hdr\", is not beside it"));
   folder_.put("a.img", halves.voxels.substr(1));
   EXPECT_THAT(problemOfLabels(folder_ / "a.hdr"),
-              HasSubstr("\"a.img\", cannot be used: The file is cut off"));
+              HasSubstr("\"a.img\", cannot be read: The file is cut off"));
   EXPECT_THAT(problemOfLabels(folder_ / "a.img"), HasSubstr("cut off"));
 }
 
@@ -351,11 +351,11 @@ TEST_F(LabelFormats, ThatPromiseMoreThanTheyHaveAreRefusedBeforeMemoryIsTaken) {
 
 TEST_F(LabelFormats, UnderAnotherNameSayWhatTheyAre) {
   EXPECT_THAT(problemOfLabels(folder_.put("a.nii", tests::nrrdFile(twoPlainOrgans()))),
-              HasSubstr("an NRRD image"));
+              HasSubstr("looks like NRRD"));
   EXPECT_THAT(problemOfLabels(folder_.put("a.nrrd", tests::niftiFile(twoPlainOrgans()))),
-              HasSubstr("a NIfTI image"));
+              HasSubstr("looks like NIfTI"));
   EXPECT_THAT(problemOfLabels(folder_.put("a.stl", tests::niftiFile(twoPlainOrgans()))),
-              HasSubstr("It is named .stl but looks like a NIfTI image"));
+              HasSubstr("It is named .stl but looks like NIfTI"));
 }
 
 class LabelFolder : public testing::Test {

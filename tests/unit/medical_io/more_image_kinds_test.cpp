@@ -176,15 +176,15 @@ TEST_F(MoreImageKinds, ThatAreNotReadAreNamed) {
     EXPECT_THAT(said, testing::Not(HasSubstr(".stl,")));
     EXPECT_THROW(refuse(folder_ / file), DataError);
   };
-  names("a.mnc", hdf5, "a MINC image");
-  names("b.mnc", "CDF\x01" + std::string(50, 'x'), "a MINC image");
-  names("a.h5", hdf5, "an HDF5 file");
-  names("a.mat", hdf5, "a MATLAB file");
-  names("b.mat", "MATLAB 5.0 MAT-file, Platform: GLNXA64" + std::string(100, ' '), "a MATLAB file");
-  names("a.npy", "\x93NUMPY\x01" + std::string(100, ' '), "a NumPy array");
-  names("a.tif", "II*\0"s + std::string(100, '\0'), "a TIFF image");
-  names("b.tiff", "MM\0*"s + std::string(100, '\0'), "a TIFF image");
-  names("a.am", "# AmiraMesh BINARY-LITTLE-ENDIAN 2.1\n", "an AmiraMesh file");
+  names("a.mnc", hdf5, "MINC");
+  names("b.mnc", "CDF\x01" + std::string(50, 'x'), "MINC");
+  names("a.h5", hdf5, "HDF5");
+  names("a.mat", hdf5, "MATLAB");
+  names("b.mat", "MATLAB 5.0 MAT-file, Platform: GLNXA64" + std::string(100, ' '), "MATLAB");
+  names("a.npy", "\x93NUMPY\x01" + std::string(100, ' '), "NumPy");
+  names("a.tif", "II*\0"s + std::string(100, '\0'), "TIFF");
+  names("b.tiff", "MM\0*"s + std::string(100, '\0'), "TIFF");
+  names("a.am", "# AmiraMesh BINARY-LITTLE-ENDIAN 2.1\n", "AmiraMesh");
   names("a.nii.zst", "\x28\xb5\x2f\xfd" + std::string(50, 'x'), "an archive");
   names("a.nii.xz",
         "\xfd"
@@ -193,11 +193,11 @@ TEST_F(MoreImageKinds, ThatAreNotReadAreNamed) {
         "an archive");
   names("a.vti", "<?xml version=\"1.0\"?>\n<VTKFile type=\"ImageData\" version=\"0.1\">\n",
         "a VTK XML file that holds no surface");
-  names("a.mif", "mrtrix image\ndim: 4,4,4\n", "an MRtrix image");
-  names("a.mif.gz", gzipped("mrtrix image\ndim: 4,4,4\n"), "an MRtrix image");
-  names("a+orig.BRIK", std::string(100, '\0'), "an AFNI image");
-  names("a.nrrd", hdf5, "an HDF5 file");
-  names("a.nii", "II*\0"s + std::string(400, '\0'), "a TIFF image");
+  names("a.mif", "mrtrix image\ndim: 4,4,4\n", "MRtrix");
+  names("a.mif.gz", gzipped("mrtrix image\ndim: 4,4,4\n"), "MRtrix");
+  names("a+orig.BRIK", std::string(100, '\0'), "AFNI");
+  names("a.nrrd", hdf5, "HDF5");
+  names("a.nii", "II*\0"s + std::string(400, '\0'), "TIFF");
 }
 
 } // namespace

@@ -66,24 +66,23 @@ TEST(ReadSurface, WhatIsNotReadIsNamedWithAWayOut) {
   EXPECT_THAT(problem("heart.step"), testing::AllOf(HasSubstr("a CAD model"), HasSubstr("export it as STL")));
   EXPECT_THAT(problem("case.mrb"), testing::AllOf(HasSubstr("a scene of 3D Slicer"), HasSubstr("save")));
   EXPECT_THAT(problemOfSurface(folder.put("a.seg.nrrd", "NRRD0004\ntype: short\n")),
-              testing::AllOf(HasSubstr("It is not a surface"), HasSubstr("an NRRD image")));
+              testing::AllOf(HasSubstr("It is not a surface"), HasSubstr("looks like NRRD")));
 }
 
 TEST(ReadSurface, AWronglyNamedFileIsNamedAsWhatItIs) {
   const TemporaryFolder folder;
   const geometry::TriangleMesh mesh = organ();
   const std::vector<std::pair<std::string, std::string>> kinds = {
-      {".stl", "an STL surface"},     {".obj", "an OBJ surface"},    {".ply", "a PLY surface"},
-      {".off", "an OFF surface"},     {".vtk", "a legacy VTK file"}, {".vtp", "a VTK XML surface"},
-      {".glb", "a binary glTF scene"}};
+      {".stl", "STL"}, {".obj", "OBJ"}, {".ply", "PLY"}, {".off", "OFF"},
+      {".vtk", "VTK"}, {".vtp", "VTP"}, {".glb", "GLB"}};
   for (const auto& [real, description] : kinds)
     for (const auto& [claimed, other] : kinds) {
       if (real == claimed)
         continue;
       writeSurface(folder / ("right" + real), mesh);
       const auto file = folder.put("wrong" + claimed, contentsOf(folder / ("right" + real)));
-      EXPECT_THAT(problemOfSurface(file),
-                  testing::AllOf(HasSubstr(description), HasSubstr("rename it"), HasSubstr(real)));
+      EXPECT_THAT(problemOfSurface(file), testing::AllOf(HasSubstr("looks like " + description + " "),
+                                                         HasSubstr("rename it"), HasSubstr(real)));
     }
 }
 

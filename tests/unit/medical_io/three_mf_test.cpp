@@ -352,7 +352,7 @@ TEST(ThreeMf, ItsKindIsToldByItsContents) {
   EXPECT_EQ(fileKind(folder.put("a.3mf", bytes)), FileKind::surface);
   EXPECT_EQ(fileKind(folder.put("a.zip", bareModel(modelXml("", "")))), FileKind::surface);
   EXPECT_EQ(fileKind(folder.put("b.zip", zipFile({{"a.txt", "text"}}))), FileKind::unknown);
-  EXPECT_THAT(problemOfThreeMf(bareModel(modelXml("", "")), "a.stl"), HasSubstr("a 3MF model"));
+  EXPECT_THAT(problemOfThreeMf(bareModel(modelXml("", "")), "a.stl"), HasSubstr("looks like 3MF"));
 }
 
 TEST(WriteThreeMf, KeepsEveryBitNameAxesAndColours) {

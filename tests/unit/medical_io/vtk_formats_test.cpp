@@ -273,7 +273,7 @@ TEST(VtpFile, OtherVtkXmlIsNamed) {
   EXPECT_THAT(problemOfFile("a.vtp", R"(<VTKFile type="ImageData"><ImageData/></VTKFile>)"),
               HasSubstr("no surface"));
   EXPECT_THAT(problemOfFile("a.vtp", R"(<VTKFile type="UnstructuredGrid"><UnstructuredGrid/></VTKFile>)"),
-              HasSubstr("mesh of cells"));
+              HasSubstr("looks like VTU"));
 }
 
 /// A tetrahedron of 100 mm in text, with these values behind it.

@@ -95,7 +95,7 @@ std::vector<std::filesystem::path> dicomImages(const std::filesystem::path& file
     failAsDicomObject(FileBytes{other, {}}, dicomClass(other));
   if (list.empty())
     throw DataError(isFolder ? "It has no DICOM files with images" : "It is a DICOM file without an image",
-                    fileOrFolder.string(), "name the folder of a CT or MR series, or one of its files");
+                    fileOrFolder.string(), "name the folder of a CT or MR series");
   std::sort(list.begin(), list.end(), beforeByName);
   return list;
 }

@@ -133,8 +133,7 @@ private:
     const bool plain = colours.empty() || colours.starts_with("MONOCHROME") ||
                        (isSegmentation_ && colours.starts_with("PALETTE")); // Labels with their colours.
     if (number(DCM_SamplesPerPixel, 1) != 1 || !plain) {
-      const Text kind = nameOfDicomClass(header_.classUid);
-      header_.notAScan = kind.empty() ? Text("is a colour image") : phrase("is %1 in colour", kind);
+      header_.notAScan = withKind("is a colour image");
       return false;
     }
     DicomPixelFormat& format = header_.format;
@@ -221,6 +220,12 @@ private:
       placePlainFrames(dataset);
   }
 
+  /// What keeps an object from being a slice, with the kind of object that it is.
+  Text withKind(const char* problem) const {
+    const std::string kind = nameOfDicomClass(header_.classUid);
+    return kind.empty() ? Text(problem) : phrase("%1 (%2)", Text(problem), kind);
+  }
+
   void readFrame(const FrameItems& items, int number) {
     DicomFrame frame;
     frame.frame = number;
@@ -228,10 +233,7 @@ private:
     const auto directions = items.numbers(DCM_PlaneOrientationSequence, DCM_ImageOrientationPatient);
     const auto spacing = items.numbers(DCM_PixelMeasuresSequence, DCM_PixelSpacing);
     if (position.size() != 3 || directions.size() != 6) {
-      const Text kind = nameOfDicomClass(header_.classUid);
-      header_.notAScan = kind.empty()
-                             ? Text("does not say where in the patient it lies")
-                             : phrase("is %1, which does not say where in the patient it lies", kind);
+      header_.notAScan = withKind("does not say where in the patient it lies");
       return;
     }
     if (spacing.size() != 2 || !(spacing[0] > 0 && spacing[1] > 0)) {

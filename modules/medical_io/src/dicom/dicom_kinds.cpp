@@ -18,75 +18,71 @@ constexpr std::string_view kDirectoryClass = "1.2.840.10008.1.3.10";
 constexpr const char* kOpenItsImages =
     "open the images or the segmentation of the same patient, which are other files";
 constexpr const char* kAsSegmentation =
-    "open it in 3D Slicer, convert it to a segmentation there, and save that as .seg.nrrd";
+    "load it in 3D Slicer with its images, convert it to a segmentation there, and save that as .seg.nrrd";
+constexpr const char* kExportASurface = "export it as STL, OBJ, PLY or GLB";
 
-/// Classes of storage, by the end of their UID; a point at its end stands for all below.
+/// Classes of storage, by the end of their UID; a point at its end stands for all below. Their names are
+/// DICOM's terms, the same in every language.
 struct ObjectClass {
   std::string_view uid;
   DicomKind kind;
-  const char* name;
+  std::string_view name;
   const char* wayOut = kOpenItsImages;
 };
 
 /// The first that fits counts.
 constexpr auto kClasses = std::to_array<ObjectClass>({
-    {"66.4", DicomKind::segmentation, "a segmentation"},
-    {"66.7", DicomKind::segmentation, "a label map segmentation"},
-    {"104.3", DicomKind::surface, "an STL surface in a DICOM file"},
-    {"104.4", DicomKind::surface, "an OBJ surface in a DICOM file"},
-    {"104.1", DicomKind::other, "a PDF document in a DICOM file"},
-    {"104.2", DicomKind::other, "a text document (CDA) in a DICOM file"},
-    {"104.5", DicomKind::other, "the materials of an OBJ surface in a DICOM file",
-     "open the DICOM file with the OBJ surface itself"},
-    {"104.", DicomKind::other, "a document in a DICOM file"},
-    {"481.3", DicomKind::other,
-     "a structure set of radiotherapy (RTSTRUCT): contours, without voxels or surfaces",
-     "load it in 3D Slicer with its CT, convert it to a segmentation there, and save that as .seg.nrrd"},
-    {"481.1", DicomKind::image, "a projection image of radiotherapy"},
-    {"481.2", DicomKind::image, "a dose of radiotherapy"},
-    {"481.5", DicomKind::other, "a plan of radiotherapy (RTPLAN)"},
-    {"481.8", DicomKind::other, "a plan of radiotherapy with ions"},
-    {"481.", DicomKind::other, "a record of radiotherapy"},
-    {"88.59", DicomKind::other, "a list of selected images (Key Object Selection)"},
-    {"88.67", DicomKind::other, "a report of the radiation dose"},
-    {"88.", DicomKind::other, "a structured report (SR)"},
-    {"11.", DicomKind::other, "a presentation state, which says how to display images"},
-    {"9.1.", DicomKind::other, "an electrocardiogram (waveform)"},
-    {"9.4.", DicomKind::other, "a sound recording (waveform)"},
-    {"9.", DicomKind::other, "a recorded signal (waveform)"},
-    {"66.1", DicomKind::other, "a spatial registration, which only says how images lie to each other"},
-    {"66.2", DicomKind::other, "a list of reference points of images (spatial fiducials)",
-     "load it in 3D Slicer, and save its points as .mrk.json"},
-    {"66.3", DicomKind::other, "a deformable registration, which only says how images lie to each other"},
-    {"66.5", DicomKind::other, "a surface segmentation", kAsSegmentation},
-    {"66.6", DicomKind::other, "tracts of nerve fibres (tractography)",
-     "load it in 3D Slicer, and save its fibre bundles as .vtk"},
-    {"66", DicomKind::other, "raw data of a scanner"},
-    {"67", DicomKind::other, "a mapping of image values to units"},
-    {"68.1", DicomKind::other, "a mesh of a surface scanner", "export the surface as STL, OBJ or PLY"},
-    {"68.2", DicomKind::other, "a point cloud of a surface scanner", "export the surface as STL, OBJ or PLY"},
-    {"77.1.5.3", DicomKind::other, "measurements of the eye"},
-    {"77.1.5.4", DicomKind::image, "a tomogram of the eye"},
-    {"77.1.6", DicomKind::other, "a whole-slide image of microscopy",
-     "open it in a viewer for microscopy, such as QuPath"},
-    {"77.1.1", DicomKind::image, "a picture of endoscopy"},
-    {"77.1.", DicomKind::image, "a photograph"},
-    {"78.", DicomKind::other, "measurements of the eye"},
-    {"79.", DicomKind::other, "measurements of the eye"},
-    {"80.", DicomKind::other, "measurements of the eye"},
-    {"4.2", DicomKind::other, "a spectrum of magnetic resonance"},
-    {"7", DicomKind::image, "a secondary capture (a picture of a screen or a page)"},
-    {"6.1", DicomKind::image, "an ultrasound image"},
-    {"3.1", DicomKind::image, "an ultrasound film"},
-    {"6.2", DicomKind::image, "an ultrasound volume"},
-    {"12.", DicomKind::image, "a projection image of X-rays"},
-    {"1.1", DicomKind::image, "a projection image of X-rays"},
-    {"1.2", DicomKind::image, "a mammogram"},
-    {"1.3", DicomKind::image, "a dental X-ray image"},
-    {"13.", DicomKind::image, "a tomogram of X-rays"},
-    {"20", DicomKind::image, "an image of nuclear medicine"},
-    {"200.", DicomKind::other, "a protocol of a scanner"},
-    {"201.", DicomKind::other, "settings of a device or a protocol of storage"},
+    {"66.4", DicomKind::segmentation, "Segmentation (SEG)"},
+    {"66.7", DicomKind::segmentation, "Label Map Segmentation (SEG)"},
+    {"104.3", DicomKind::surface, "Encapsulated STL"},
+    {"104.4", DicomKind::surface, "Encapsulated OBJ"},
+    {"104.1", DicomKind::other, "Encapsulated PDF"},
+    {"104.2", DicomKind::other, "Encapsulated CDA"},
+    {"104.5", DicomKind::other, "Encapsulated MTL, the materials of an OBJ"},
+    {"104.", DicomKind::other, "Encapsulated Document"},
+    {"481.3", DicomKind::other, "RT Structure Set (RTSTRUCT), contours", kAsSegmentation},
+    {"481.1", DicomKind::image, "RT Image"},
+    {"481.2", DicomKind::image, "RT Dose"},
+    {"481.5", DicomKind::other, "RT Plan (RTPLAN)"},
+    {"481.8", DicomKind::other, "RT Ion Plan"},
+    {"481.", DicomKind::other, "RT Record"},
+    {"88.59", DicomKind::other, "Key Object Selection (KO)"},
+    {"88.67", DicomKind::other, "Radiation Dose Report (SR)"},
+    {"88.", DicomKind::other, "Structured Report (SR)"},
+    {"11.", DicomKind::other, "Presentation State (PR)"},
+    {"9.1.", DicomKind::other, "ECG Waveform"},
+    {"9.4.", DicomKind::other, "Audio Waveform"},
+    {"9.", DicomKind::other, "Waveform"},
+    {"66.1", DicomKind::other, "Spatial Registration (REG)"},
+    {"66.2", DicomKind::other, "Spatial Fiducials"},
+    {"66.3", DicomKind::other, "Deformable Spatial Registration (REG)"},
+    {"66.5", DicomKind::other, "Surface Segmentation", kAsSegmentation},
+    {"66.6", DicomKind::other, "Tractography Results"},
+    {"66", DicomKind::other, "Raw Data"},
+    {"67", DicomKind::other, "Real World Value Mapping"},
+    {"68.1", DicomKind::other, "Surface Scan Mesh", kExportASurface},
+    {"68.2", DicomKind::other, "Surface Scan Point Cloud", kExportASurface},
+    {"77.1.5.3", DicomKind::other, "Stereometric Relationship"},
+    {"77.1.5.4", DicomKind::image, "Ophthalmic Tomography"},
+    {"77.1.6", DicomKind::other, "VL Whole Slide Microscopy"},
+    {"77.1.1", DicomKind::image, "VL Endoscopic Image"},
+    {"77.1.", DicomKind::image, "VL Photographic Image"},
+    {"78.", DicomKind::other, "Ophthalmic Measurements"},
+    {"79.", DicomKind::other, "Ophthalmic Measurements"},
+    {"80.", DicomKind::other, "Ophthalmic Measurements"},
+    {"4.2", DicomKind::other, "MR Spectroscopy"},
+    {"7", DicomKind::image, "Secondary Capture"},
+    {"6.1", DicomKind::image, "Ultrasound Image"},
+    {"3.1", DicomKind::image, "Ultrasound Multi-frame Image"},
+    {"6.2", DicomKind::image, "Enhanced US Volume"},
+    {"12.", DicomKind::image, "X-Ray Angiographic Image"},
+    {"1.1", DicomKind::image, "Digital X-Ray Image"},
+    {"1.2", DicomKind::image, "Digital Mammography X-Ray Image"},
+    {"1.3", DicomKind::image, "Digital Intra-Oral X-Ray Image"},
+    {"13.", DicomKind::image, "X-Ray 3D Image"},
+    {"20", DicomKind::image, "Nuclear Medicine Image"},
+    {"200.", DicomKind::other, "Protocol"},
+    {"201.", DicomKind::other, "Protocol"},
 });
 
 const ObjectClass* classOf(std::string_view classUid) {
@@ -114,9 +110,11 @@ bool isSegmentationClass(std::string_view classUid) {
   return kindOfDicomClass(classUid) == DicomKind::segmentation;
 }
 
-Text nameOfDicomClass(std::string_view classUid) {
-  const ObjectClass* known = classOf(classUid);
-  return known == nullptr ? Text() : Text(known->name);
+std::string nameOfDicomClass(std::string_view classUid) {
+  if (const ObjectClass* known = classOf(classUid))
+    return std::string(known->name);
+  const char* name = dcmFindNameOfUID(std::string(classUid).c_str(), nullptr);
+  return name == nullptr ? std::string() : name;
 }
 
 void failAsDicomObject(const FileBytes& file, std::string_view classUid) {
@@ -127,17 +125,14 @@ void failAsDicomObject(const FileBytes& file, std::string_view classUid) {
         phrase("open the folder that it lists, %1", folder.empty() ? std::string(".") : folder.string()));
   }
   const ObjectClass* known = classOf(classUid);
-  if (known != nullptr && known->kind == DicomKind::segmentation)
-    file.fail(phrase("It is %1, not a scan", Text(known->name)), "open it as a label map");
-  if (known != nullptr && known->kind == DicomKind::surface)
-    file.fail(phrase("It is %1, not a scan", Text(known->name)), "open it as a surface");
-  if (known != nullptr)
-    file.fail(phrase("It is a DICOM file that holds no scan, label map or surface: %1", Text(known->name)),
-              known->wayOut);
-  const char* name = dcmFindNameOfUID(std::string(classUid).c_str(), nullptr);
+  const DicomKind kind = known == nullptr ? DicomKind::other : known->kind;
+  const std::string name = nameOfDicomClass(classUid);
+  if (kind == DicomKind::segmentation || kind == DicomKind::surface)
+    file.fail(phrase("%1; it looks like %2", Text("It is not a scan in a known format"), name),
+              kind == DicomKind::surface ? "open it as a surface" : "open it as a label map");
   file.fail(phrase("It is a DICOM file that holds no scan, label map or surface: %1",
-                   name != nullptr ? Text(std::string(name)) : Text("an object of an unknown kind")),
-            kOpenItsImages);
+                   name.empty() ? Text("an object of an unknown kind") : Text(name)),
+            known == nullptr ? kOpenItsImages : known->wayOut);
 }
 
 } // namespace viscera::medical_io

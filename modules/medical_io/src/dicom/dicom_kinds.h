@@ -22,9 +22,9 @@ DicomKind kindOfDicomClass(std::string_view classUid);
 /// Whether a class is one of the two of segmentations (PS3.3, A.51 and A.51 with label maps, of 2024).
 bool isSegmentationClass(std::string_view classUid);
 
-/// What objects of a class are, as a part of a sentence: "an ultrasound image"; empty for what has no name
-/// here.
-Text nameOfDicomClass(std::string_view classUid);
+/// What DICOM calls objects of a class, the same in every language: "Ultrasound Image"; empty for an unknown
+/// class.
+std::string nameOfDicomClass(std::string_view classUid);
 
 /// Throws `DataError` that names the kind of an object that is not read, and what can be done with it.
 [[noreturn]] void failAsDicomObject(const FileBytes& file, std::string_view classUid);

@@ -136,7 +136,7 @@ public:
     if (header.format.allocated == 1)
       file_.fail(phrase("its pixels of one bit are packed in a way that is not supported (%1)",
                         header.transferSyntax),
-                 "save it without compression, or as RLE");
+                 "save it without compression");
     DcmElement* element = nullptr;
     if (format_->getDataset()->findAndGetElement(DCM_PixelData, element).good())
       pixels_ = dynamic_cast<DcmPixelData*>(element);

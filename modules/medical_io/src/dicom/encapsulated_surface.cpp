@@ -62,8 +62,7 @@ void takeUnit(DcmItem& dataset, RawSurface& raw) {
                                  [&](const UcumUnit& one) { return one.code == code; });
   if (unit == kUcumUnits.end()) {
     if (!code.empty())
-      raw.warnings.push_back(
-          phrase("its unit \"%1\" is not known; its numbers were read as millimetres", code));
+      raw.warnings.push_back(phrase("its unit %1 is not known; mm are assumed", inQuotes(code)));
     return;
   }
   for (double& coordinate : raw.coordinates)

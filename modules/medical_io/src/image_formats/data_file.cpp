@@ -28,13 +28,13 @@ std::filesystem::path besideOf(const FileBytes& file, const StoredValues& stored
   const std::filesystem::path name(*stored.beside);
   if (name.empty() || name.has_root_path())
     file.fail(phrase("its voxels are in another folder (%1)", inQuotes(*stored.beside)),
-              "put both files into one folder, and name the other without a folder");
+              "put both files into one folder");
   return file.file.parent_path() / name;
 }
 
 [[noreturn]] void failAsUseless(const FileBytes& file, const StoredValues& stored, const DataError& error) {
   file.fail(
-      phrase("the file with its voxels, %1, cannot be used: %2", inQuotes(*stored.beside), error.problem()));
+      phrase("the file with its voxels, %1, cannot be read: %2", inQuotes(*stored.beside), error.problem()));
 }
 
 /// Calls `read` with the file that has the voxels; errors name `file`.

@@ -58,7 +58,7 @@ ImageHeader giplHeaderOf(const FileBytes& file) {
   raw.scalar = scalarOfGipl(file, at(std::uint16_t{}, kGiplType, 0));
   raw.order = std::endian::big;
   raw.space = "LPS";
-  raw.warnings.push_back("it does not say which axes it uses; LPS is assumed");
+  raw.warnings.push_back("the file does not state its axes: LPS is assumed");
   header.stored.headerEnd = kGiplHeaderBytes;
   return header;
 }

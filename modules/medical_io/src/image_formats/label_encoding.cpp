@@ -10,7 +10,7 @@ namespace viscera::medical_io {
 namespace {
 
 constexpr std::size_t kEncodedBlock = std::size_t{1} << 20U; ///< Values between two looks at the progress.
-constexpr const char* kTryLabels = "open the segmentation that was made from the image";
+constexpr const char* kTryLabels = "open the segmentation that was made from it";
 
 [[noreturn]] void failAsTooMany(const FileBytes& file) {
   file.fail(phrase("It holds an image, not labels: it has more than %1 different values", kMostLabels),

@@ -225,10 +225,10 @@ Eigen::Affine3d gridInRas(const FileBytes& file, const Header& h, RawImage& raw)
 double unitInMm(int units, std::vector<Text>& warnings) {
   switch (units & 7) {
   case 1:
-    warnings.push_back("its unit is the metre; converted to mm");
+    warnings.push_back(phrase("converted from %1 to mm", "m"));
     return 1000;
   case 3:
-    warnings.push_back("its unit is the micrometre; converted to mm");
+    warnings.push_back(phrase("converted from %1 to mm", "µm"));
     return 1e-3;
   default:
     return 1;
@@ -323,8 +323,7 @@ void replaceByHeader(FileBytes& file) {
   file.bytes = {};
   const auto header = otherHalf(file.file, ".hdr");
   if (!header)
-    throw NoInputError(phrase("It holds only the voxels of a NIfTI image in two files; the file with the "
-                              "header, %1, is not beside it",
+    throw NoInputError(phrase("the other file that belongs to it, %1, is not beside it",
                               inQuotes(stemOf(file.file) + ".hdr")),
                        file.name(), "put both files into one folder");
   FileBytes other = readWholeFile(*header);
@@ -336,8 +335,7 @@ void replaceByHeader(FileBytes& file) {
 StoredValues inOtherHalf(const FileBytes& file) {
   const auto voxels = otherHalf(file.file, ".img");
   if (!voxels)
-    throw NoInputError(phrase("It holds only the header of a NIfTI image in two files; the file with the "
-                              "voxels, %1, is not beside it",
+    throw NoInputError(phrase("the other file that belongs to it, %1, is not beside it",
                               inQuotes(stemOf(file.file) + ".img")),
                        file.name(), "put both files into one folder");
   StoredValues stored;

@@ -156,7 +156,7 @@ Vec3 turnToLps(std::string_view space, RawImage& raw) {
     return say("RAS", {-1, -1, 1});
   if (is("left-anterior-superior", "las"))
     return say("LAS", {1, -1, 1});
-  raw.warnings.push_back(name.empty() ? "it does not say which axes it uses; LPS is assumed"
+  raw.warnings.push_back(name.empty() ? "the file does not state its axes: LPS is assumed"
                                       : phrase("its axes %1 are unknown; LPS is assumed", inQuotes(space)));
   return say("LPS", {1, 1, 1});
 }

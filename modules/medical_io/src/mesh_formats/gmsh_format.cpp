@@ -95,7 +95,7 @@ private:
   void readFormat() {
     const std::string_view word = values_.text().word();
     if (word == "$NOD")
-      file_.fail("It is of gmsh's format 1, which Viscera does not read",
+      file_.fail(phrase("It is of gmsh's format %1, which Viscera does not read", 1),
                  "open it with gmsh and save it as version 2 or 4");
     if (word != "$MeshFormat")
       file_.fail(diagnostic("It does not begin with \"$MeshFormat\": it is not a gmsh file"),
@@ -333,8 +333,8 @@ private:
   CellKind kindOf(std::int64_t type) const {
     const auto kind = lookUp(kGmshKinds, type);
     if (!kind)
-      file_.fail(phrase("It has elements of gmsh's type %1, which Viscera does not read", type),
-                 "save the mesh with straight elements (gmsh -order 1)");
+      file_.fail(phrase("It has elements of the type %1, which Viscera does not read", type),
+                 "save the mesh as tetrahedra");
     return *kind;
   }
 

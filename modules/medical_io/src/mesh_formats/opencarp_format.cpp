@@ -66,8 +66,9 @@ private:
       if (std::filesystem::exists(other, ignored))
         return readWholeFile(other);
     } while (base.has_extension());
-    file_.fail(phrase("The other half of the mesh, %1, is not beside it", first.filename().string()),
-               phrase("copy %1 into its folder", first.filename().string()));
+    file_.fail(phrase("the other file that belongs to it, %1, is not beside it",
+                      inQuotes(first.filename().string())),
+               "put both files into one folder");
   }
 
   void readPoints(const FileBytes& file) {

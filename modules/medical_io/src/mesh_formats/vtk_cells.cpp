@@ -79,8 +79,8 @@ void addVtkCell(CellMesh& mesh, std::int64_t type, std::span<const std::int64_t>
   } else if (lookUp(kVtkThinCells, type)) {
     ++mesh.surface.ignoredCells;
   } else {
-    file.fail(phrase("It has cells of VTK's type %1, which Viscera does not read", type),
-              "divide them into tetrahedra first (ParaView: Tetrahedralize)");
+    file.fail(phrase("It has elements of the type %1, which Viscera does not read", type),
+              "save the mesh as tetrahedra");
   }
 }
 

@@ -24,7 +24,7 @@ public:
   CellMesh run() {
     const XmlElement* data = document_.type() == "UnstructuredGrid" ? document_.data() : nullptr;
     if (data == nullptr)
-      file_.fail(phrase("It holds %1, not a mesh of cells (UnstructuredGrid)", inQuotes(document_.type())),
+      file_.fail(phrase("It holds %1, not %2", inQuotes(document_.type()), inQuotes("UnstructuredGrid")),
                  "extract its surface first");
     document_.readFields(mesh_.surface);
     for (const XmlElement& child : data->children)

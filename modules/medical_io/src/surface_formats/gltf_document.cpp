@@ -141,7 +141,7 @@ void GltfDocument::requireUnderstood() const {
                                       [&](std::string_view prefix) { return name.starts_with(prefix); });
     if (!harmless)
       file_.fail(phrase("It needs the glTF extension %1, which Viscera does not know", inQuotes(name)),
-                 "export it without this extension, or as STL or PLY");
+                 "export it as STL, OBJ, PLY or GLB");
   }
 }
 

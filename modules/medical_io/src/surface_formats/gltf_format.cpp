@@ -417,7 +417,8 @@ public:
     const std::string json = padded(document().dump(-1, ' ', false, Json::error_handler_t::replace), ' ');
     const std::uint64_t size = 12 + 8 + json.size() + 8 + binary_.size();
     if (size > std::numeric_limits<std::uint32_t>::max())
-      throw CannotCreateError("the surface is too large for GLB, which ends at 4 GB", {}, "write PLY or VTP");
+      throw CannotCreateError("the surface is too large for GLB, which ends at 4 GB", {},
+                              phrase("let its name end in %1", ".ply, .vtp"));
     std::string glb = "glTF";
     appendValue(glb, std::uint32_t{2});
     appendValue(glb, static_cast<std::uint32_t>(size));

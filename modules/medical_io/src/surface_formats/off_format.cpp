@@ -58,8 +58,7 @@ private:
     if (trimmed(line).empty())
       line = nextLine("the number of points");
     if (trimmed(line) == "BINARY")
-      file_.fail("It is a binary OFF file, which Viscera does not read",
-                 "export it as text, or as STL or PLY");
+      file_.fail("It is a binary OFF file, which Viscera does not read", "export it as STL, OBJ, PLY or GLB");
     points_ = takeCount(line, "the number of points", 6);
     faces_ = takeCount(line, "the number of faces", 2);
   }

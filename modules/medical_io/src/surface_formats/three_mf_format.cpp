@@ -212,10 +212,9 @@ private:
 
   void addWarnings(std::vector<Text>& warnings) const {
     if (unknownUnit_)
-      warnings.push_back(phrase("the file has the unit %1, which Viscera does not know; mm are assumed",
-                                inQuotes(model_.unit)));
+      warnings.push_back(phrase("its unit %1 is not known; mm are assumed", inQuotes(model_.unit)));
     if (model_.mm != 1)
-      warnings.push_back(phrase("the file was converted from %1 to mm", model_.unit));
+      warnings.push_back(phrase("converted from %1 to mm", model_.unit));
     if (unprinted_ > 0)
       warnings.push_back(phrase(
           "%n {object that the file does not place is|objects that the file does not place are} left out",

@@ -159,7 +159,7 @@ private:
     const std::string_view type = scanner_.word();
     isGrid_ = lowered(type) == "unstructured_grid";
     if (lowered(type) != "polydata" && !isGrid_)
-      file_.fail(phrase("It holds a VTK dataset of type %1, not a surface (POLYDATA)", inQuotes(type)),
+      file_.fail(phrase("It holds %1, not %2", inQuotes(type), inQuotes("POLYDATA")),
                  "extract its surface first");
   }
 

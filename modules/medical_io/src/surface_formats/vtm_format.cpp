@@ -28,7 +28,7 @@ public:
       file_.fail(diagnostic("It is not complete XML: %1", tree.error));
     const std::string_view type = tree.root.attribute("type");
     if (tree.root.name != "VTKFile" || !type.starts_with("vtkMultiBlock") || tree.root.child(type) == nullptr)
-      file_.fail(phrase("It holds %1, not VTK blocks (vtkMultiBlockDataSet)", inQuotes(type)),
+      file_.fail(phrase("It holds %1, not %2", inQuotes(type), inQuotes("vtkMultiBlockDataSet")),
                  "save the surfaces as .vtp");
     readBlocks(*tree.root.child(type), {});
     if (blocks_ == 0)

@@ -31,7 +31,7 @@ public:
 
   RawSurface run() {
     if (document_.type() != "PolyData")
-      file_.fail(phrase("It holds %1, not a VTK surface (PolyData)", inQuotes(document_.type())),
+      file_.fail(phrase("It holds %1, not %2", inQuotes(document_.type()), inQuotes("PolyData")),
                  "extract its surface first");
     const XmlElement* data = document_.data();
     if (data == nullptr)
