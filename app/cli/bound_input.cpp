@@ -56,7 +56,7 @@ WitnessedOrgan interiorOf(const BoundInput& input, const live::WitnessOptions& w
     throw DataError(std::to_string(within - failures.begin()) +
                         " witness points have no coordinates (the first is number " +
                         std::to_string(failures.front()) + ")",
-                    "handles", "enclose the organ: viscera handles ORGAN --enclosing");
+                    "handles", "enclose the organ: viscera handles ORGAN does so");
   if (!failures.empty())
     warnings.push_back(std::to_string(failures.size()) +
                        " points of the surface have no coordinates; they are shown at rest.");

@@ -18,7 +18,7 @@ public:
 
   const deformation::Placement& placement() const { return placement_; }
   /// The smallest and the largest number of handles that can be chosen.
-  int fewest() const { return placement_.enclosing ? 9 : 4; }
+  int fewest() const { return deformation::fewestHandles(placement_.enclosing); }
   int most() const { return 200; }
 
   /// Sets the number of handles and places them anew; all changes until `finish` are one undo step.

@@ -99,11 +99,15 @@ public:
     CLI::Option* count =
         options.add_option("--count", count_, "How many handles, the enclosing ones included")
             ->type_name("N")
-            ->check(CLI::Range(4, kMostPlacedHandles))
+            ->check(CLI::Range(deformation::fewestHandles(false), kMostPlacedHandles))
             ->capture_default_str();
-    CLI::Option* enclosing =
-        options.add_flag("--enclosing", enclosing_,
-                         "Let the first eight be the corners of a box, so that nothing lies outside");
+    CLI::Option* enclosing = options.add_flag(
+        "--enclosing", enclosing_,
+        "Let the first eight be the corners of a box, so that nothing lies outside; this is so by default, "
+        "but for --groups and --group-by, which add corners where a part needs them");
+    options
+        .add_flag("--no-enclosing", notEnclosing_, "Place all handles just off the surface, without the box")
+        ->excludes(enclosing);
     options
         .add_option("--cage", cage_,
                     "Take the vertices of this closed surface around the organ; bind with the same --cage")
@@ -126,19 +130,20 @@ public:
   }
 
   Outcome run(CommandContext& context) override {
-    if (enclosing_ && count_ < kEnclosing)
+    const bool enclosing = encloses();
+    if (cage_.empty() && count_ < deformation::fewestHandles(enclosing))
       throw UsageError("It is too few for the eight enclosing handles", "--count " + std::to_string(count_),
-                       "ask for 8 or more");
+                       "ask for 8 or more, or leave the box out with --no-enclosing");
     document::GroupingChoice choice;
     choice.by = groupBy_.empty() ? choice.by : document::groupingFromName(groupBy_);
     choice.count = groups_ > 0 ? groups_ : choice.count;
     const document::Organ organ = organInput(organ_, context.samples, context.progress);
     deformation::Placement placement;
     placement.count = count_;
-    placement.enclosing = enclosing_;
+    placement.enclosing = enclosing;
     const auto cage = cage_.empty() ? nullptr : document::readCage(cage_, context.progress).mesh;
     const Points positions = cage ? cage->points : deformation::placeHandles(*organ.mesh, placement);
-    const Rig rig = grouped() ? groupedRig(positions, organ, choice) : plainRig(positions, enclosing_);
+    const Rig rig = grouped() ? groupedRig(positions, organ, choice) : plainRig(positions, enclosing);
     const std::size_t outside = cage ? outsideCage(*cage, organ.mesh->points)
                                      : geometry::ConvexHull(rig.positions).outside(organ.mesh->points).size();
     context.progress.throwIfCancelled();
@@ -146,7 +151,7 @@ public:
 
     Outcome outcome;
     const Eigen::Index added = rig.positions.rows() - rig.placed;
-    outcome.json = {{"organ", organ.name},   {"handles", rig.positions.rows()}, {"enclosing", enclosing_},
+    outcome.json = {{"organ", organ.name},   {"handles", rig.positions.rows()}, {"enclosing", enclosing},
                     {"addedHandles", added}, {"outsideHull", outside},          {"file", output_}};
     Listing listing;
     listing.add("handles", std::to_string(rig.positions.rows()));
@@ -164,22 +169,26 @@ public:
             .text();
     outcome.warnings = organ.warnings;
     if (outside > 0)
-      outcome.warnings.push_back(std::to_string(outside) +
-                                 (cage ? " vertices lie outside the cage, so most systems cannot bind the "
-                                         "organ to it; move the cage's vertices outward"
-                                       : " vertices lie outside the handles' hull, so the organ "
-                                         "cannot be bound to them; --enclosing adds handles around it"));
+      outcome.warnings.push_back(
+          std::to_string(outside) +
+          (cage ? " vertices lie outside the cage, so most systems cannot bind the "
+                  "organ to it; move the cage's vertices outward"
+                : " vertices lie outside the handles' hull, so the organ "
+                  "cannot be bound to them; without --no-enclosing a box around it is added"));
     return outcome;
   }
 
 private:
   bool grouped() const { return groups_ > 0 || !groupBy_.empty(); }
+  /// A cage encloses the organ by itself, and so do groups, which get corners where they do not hold a part.
+  bool encloses() const { return enclosing_ || (!notEnclosing_ && !grouped() && cage_.empty()); }
 
   std::string organ_;
   std::string output_;
   int count_ = 30;
-  bool enclosing_ = false;
-  int groups_ = 0; ///< 0: none asked for.
+  bool enclosing_ = false;    ///< Asked for.
+  bool notEnclosing_ = false; ///< Asked not to.
+  int groups_ = 0;            ///< 0: none asked for.
   std::string groupBy_;
   std::string cage_; ///< A surface file whose vertices become the handles; empty: they are placed.
 };

@@ -15,7 +15,7 @@ namespace viscera::deformation {
 namespace {
 
 constexpr int kCorners = 8;
-constexpr int kLeastWithoutBox = 4;
+constexpr int kLeastOfASurface = 4; ///< Vertices, and triangles: a tetrahedron.
 
 /// Of the wanted offset: what must remain to every part of the surface, and between two handles. A vertex in
 /// a groove can be so deep that its handle would come out on the other side.
@@ -154,11 +154,11 @@ double nearestRow(const Points& points, Eigen::Index rows, const Vec3& to) {
 }
 
 void requireEnough(const geometry::TriangleMesh& organ, const Placement& placement) {
-  if (organ.points.rows() < kLeastWithoutBox || organ.triangles.rows() < kLeastWithoutBox)
+  if (organ.points.rows() < kLeastOfASurface || organ.triangles.rows() < kLeastOfASurface)
     throw DataError(phrase("a surface of %1 vertices and %2 triangles is too small for handles",
                            organ.points.rows(), organ.triangles.rows()),
                     "organ", "load a closed surface");
-  const int least = placement.enclosing ? kCorners : kLeastWithoutBox;
+  const int least = fewestHandles(placement.enclosing);
   if (placement.count < least)
     throw DataError(phrase("%n {handle is|handles are} too few", placement.count), "handles",
                     phrase("ask for at least %1", least));

@@ -130,6 +130,25 @@ TEST_F(CliJson, HandlesBindAndDeform) {
   EXPECT_LT(deformed["maxDisplacementMm"].get<double>(), 1e-7);
 }
 
+TEST_F(CliJson, HandlesEncloseTheOrganUnlessToldOtherwise) {
+  const std::string organ = put("cube.off", cubeOff(10));
+  const auto place = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), {"handles", organ, "-o", path("h.mrk.json")});
+    return runJson(more);
+  };
+  const json standard = place({"--count", "12"});
+  EXPECT_EQ(standard["enclosing"], true);
+  EXPECT_EQ(standard["outsideHull"], 0);
+  EXPECT_EQ(place({"--count", "12", "--enclosing"}), standard) << "the old word is still taken";
+  const json loose = place({"--count", "4", "--no-enclosing"});
+  EXPECT_EQ(loose["enclosing"], false);
+  EXPECT_EQ(loose["handles"], 4);
+  EXPECT_GT(loose["outsideHull"], 0);
+  expectFailure({"handles", organ, "-o", path("h.mrk.json"), "--count", "7"}, kUsage, "--no-enclosing");
+  expectFailure({"handles", organ, "-o", path("h.mrk.json"), "--enclosing", "--no-enclosing"}, kUsage,
+                "--enclosing");
+}
+
 TEST_F(CliJson, DeformFollowsTheHandles) {
   const std::string organ = put("cube.off", cubeOff(5));
   const std::string rest = put("rest.mrk.json", markups(corners(10)));

@@ -80,7 +80,7 @@ TEST_F(Readme, SaysTheStomachsVolumeAsItIsMeasured) {
 TEST_F(Readme, SaysTheErrorsOfCoordinatesAsTheyAreMeasured) {
   double identity = 0, unity = 0, least = 1;
   for (const std::string& organ : boundOrgans()) {
-    runJson({"handles", organ, "-o", path("h.mrk.json"), "--count", "30", "--enclosing"});
+    runJson({"handles", organ, "-o", path("h.mrk.json"), "--count", "30"});
     const json bound = runJson({"bind", organ, "--handles", path("h.mrk.json")});
     EXPECT_EQ(bound["failures"], 0) << organ;
     if (organ == "sample:liver")
@@ -101,7 +101,7 @@ TEST_F(Readme, DividesTheTimeOfBindingByVerticesAndHandles) {
   const double ms = numberSaid(row + R"(([0-9.]+) ms, that is [0-9.]+ ns a vertex and handle \|)");
   const double ns = numberSaid(row + R"([0-9.]+ ms, that is ([0-9.]+) ns a vertex and handle \|)");
   const double handles = numberSaid(R"(bunny, ([0-9]+) handles: identity error)");
-  runJson({"handles", "sample:liver", "-o", path("h.mrk.json"), "--count", "30", "--enclosing"});
+  runJson({"handles", "sample:liver", "-o", path("h.mrk.json"), "--count", "30"});
   const json bound = runJson({"bind", "sample:liver", "--handles", path("h.mrk.json")});
   EXPECT_EQ(bound["vertices"], 14759);
   EXPECT_EQ(bound["handles"], handles);
@@ -110,7 +110,7 @@ TEST_F(Readme, DividesTheTimeOfBindingByVerticesAndHandles) {
 
 TEST_F(Readme, SaysTheErrorOfALockedVolumeAsItIsMeasured) {
   const std::string rest = path("rest.mrk.json");
-  runJson({"handles", "sample:liver", "-o", rest, "--count", "30", "--enclosing"});
+  runJson({"handles", "sample:liver", "-o", rest, "--count", "30"});
   json rig = json::parse(contents(rest));
   json& x = rig.at("markups").back().at("controlPoints").at(2).at("position").at(0);
   x = x.get<double>() + 12;

@@ -130,7 +130,7 @@ TEST_F(CliReport, CommandsNeedASession) {
 TEST_F(CliReport, AnOrganOfASessionIsAnOrganForEveryCommand) {
   const std::string file = session("play_recorded_locked");
   for (const char* organ : {"/ball", "/1"})
-    EXPECT_EQ(runJson({"handles", file + organ, "-o", path("h.mrk.json"), "--count", "5"})["organ"], "ball");
+    EXPECT_EQ(runJson({"handles", file + organ, "-o", path("h.mrk.json"), "--count", "8"})["organ"], "ball");
   expectFailure({"handles", file + "/liver", "-o", path("h.mrk.json")}, kUsage, "it has ball");
 }
 

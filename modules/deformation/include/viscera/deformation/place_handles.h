@@ -4,9 +4,16 @@
 
 namespace viscera::deformation {
 
+/// The fewest handles that `placeHandles` places: the eight corners of a box when they enclose the organ, else
+/// the four of a tetrahedron, to which an organ could be bound. The window, the command line and Python have
+/// the same limit.
+constexpr int fewestHandles(bool enclosing) {
+  return enclosing ? 8 : 4;
+}
+
 /// The options of `placeHandles`: number, distance and further settings.
 struct Placement {
-  int count = 30;        ///< All handles, the enclosing eight included; at least 8 when enclosing, else 4.
+  int count = 30;        ///< All handles, the enclosing eight included; at least `fewestHandles(enclosing)`.
   bool enclosing = true; ///< The eight corners of a box around the organ come first: nothing lies outside.
   double offsetFraction = 0.03; ///< Distance of a handle from the surface, as a part of the organ's diagonal.
   double boxMargin = 0.15;      ///< Distance of the box from the organ, as a part of the organ's diagonal.
