@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "cli/output_option.h"
 #include "viscera/coordinates/registry.h"
 #include "viscera/core/parallel.h"
 #include "viscera/core/phrase.h"
@@ -44,6 +45,9 @@ public:
 
   /// Adds its options and arguments, tied to its own members. Called once, before `run`.
   virtual void addOptions(CLI::App& options) = 0;
+
+  /// Its options and arguments for what it writes.
+  virtual std::vector<OutputOption> outputs() const { return {}; }
 
   /// Runs the command. Throws `Error`; leaves no half-written file.
   virtual Outcome run(CommandContext& context) = 0;

@@ -5,10 +5,12 @@
 #include <exception>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <ostream>
 #include <string>
 #include <string_view>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 #include <unistd.h>
@@ -17,9 +19,14 @@
 
 #include "available_systems.h"
 #include "cli/command.h"
+#include "cli/command_files.h"
 #include "cli/commands/all_commands.h"
+#include "cli/failure.h"
 #include "cli/interrupt.h"
 #include "cli/manual.h"
+#include "cli/misspelt.h"
+#include "cli/number_bounds.h"
+#include "cli/shell_completion.h"
 #include "cli/stage_options.h"
 #include "cli/version_text.h"
 #include "viscera/core/error.h"
@@ -73,14 +80,16 @@ private:
 /// The options of every subcommand.
 struct CommonOptions {
   bool json = false;
+  bool force = false;
   int threads = 0;
   std::vector<std::string> pluginPath;
 
   void addTo(CLI::App& options) {
-    options.add_flag("--json", json, "Print one JSON object instead of text");
+    options.add_flag("--json", json, "Print one JSON object instead of text, also of an error");
+    options.add_flag("--force", force, "Let an output overwrite an input");
     options.add_option("--threads", threads, "Threads to use; 0: all of the machine")
         ->type_name("N")
-        ->check(CLI::Range(0, kMostThreads));
+        ->check(wholeBetween(0, kMostThreads));
     options.add_option("--plugin-path", pluginPath, "Folder or file with plugins; may be repeated")
         ->type_name("PATH")
         ->expected(1)
@@ -107,66 +116,63 @@ void addWindowOptions(CLI::App& app, WindowOptions& window, std::string& size) {
   app.add_flag("--fresh-settings", window.freshSettings, "Neither read nor write the user's settings");
 }
 
-/// One line for a terminal, whatever the message holds.
-std::string oneLine(std::string text) {
-  text = withoutControls(std::move(text));
-  std::replace(text.begin(), text.end(), '\n', ' ');
-  std::erase(text, '\r');
-  while (!text.empty() && text.back() == ' ')
-    text.pop_back();
-  return text;
-}
-
-int complain(std::ostream& err, int exitCode, const std::string& message) {
-  err << "viscera: " << oneLine(message) << std::endl;
-  return exitCode;
-}
-
-/// Calls `work` and turns whatever it throws into one line and an exit code.
-int guarded(std::ostream& err, const std::function<int()>& work) {
+/// Calls `work` and turns whatever it throws into a line and an exit code, with `json` into an object, too.
+/// `told` puts the names that the user gave into the texts.
+int guarded(std::ostream& out, std::ostream& err, bool json, const std::function<int()>& work,
+            const std::function<std::string(std::string)>& told = nullptr) {
   try {
     return work();
-  } catch (const Error& error) {
-    return complain(err, error.exitCode(), error.what());
   } catch (const std::exception& error) {
-    return complain(err, kInternalError,
-                    reportsShortMemory(error) ? notEnoughMemory().what()
-                                              : std::string("internal error: ") + error.what());
+    return printFailure(failureOf(error, told), json, out, err);
   } catch (...) {
-    return complain(err, kInternalError, "internal error of unknown kind");
+    return printFailure({"internal error of unknown kind", {}, {}, "internal error of unknown kind"}, json,
+                        out, err);
   }
 }
 
-void print(std::ostream& out, const Outcome& outcome, bool json) {
-  if (json)
-    out << outcome.json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << '\n';
-  else
-    out << withoutControls(outcome.text); // Names in it come from files.
-  out.flush();
+/// Prints the result: an output that goes to standard output leaves no room there for the text.
+void print(std::ostream& out, std::ostream& err, const Outcome& outcome, const CommandFiles& files,
+           bool json) {
+  if (files.streamsOutput()) {
+    files.sendOutput(out);
+    err << files.told(withoutControls(outcome.text)); // Names in it come from files.
+    return;
+  }
+  const std::string text =
+      json ? outcome.json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + '\n'
+           : withoutControls(outcome.text);
+  out << files.told(text) << std::flush;
   if (!out)
     throw CannotCreateError("It cannot be written", "standard output");
 }
 
-void warn(std::ostream& err, const std::vector<Text>& warnings) {
-  for (const Text& warning : warnings)
-    err << "viscera: warning: " << oneLine(warning.english()) << '\n';
+void warn(std::ostream& err, const std::vector<Text>& warnings, const CommandFiles* files = nullptr) {
+  for (const Text& warning : warnings) {
+    const std::string line = oneLine(warning.english());
+    err << "viscera: warning: " << (files ? files->told(line) : line) << '\n';
+  }
 }
 
-int runCommand(Command& command, const CommonOptions& common, std::ostream& out, std::ostream& err) {
-  return guarded(err, [&] {
+int runCommand(Command& command, CLI::App& options, const CommonOptions& common, std::ostream& out,
+               std::ostream& err) {
+  std::optional<CommandFiles> files;
+  const auto told = [&files](std::string text) { return files ? files->told(std::move(text)) : text; };
+  const auto work = [&] {
     ProgressBar bar(err, ::isatty(STDERR_FILENO) == 1); // Removed before an error is printed.
     Progress progress([&](double fraction, const Text& step) { bar.show(fraction, step); });
     const Interrupt interrupt(progress);
+    files.emplace(options, command.outputs(), FileRules{common.json, common.force}, progress);
     const sample_organs::SampleLibrary samples = sample_organs::standardLibrary();
     const AvailableSystems systems = availableSystems(common.pluginPath);
     warn(err, systems.problems);
     CommandContext context{progress, Threads{common.threads}, samples, systems.registry};
     const Outcome outcome = command.run(context);
     bar.clear();
-    warn(err, outcome.warnings);
-    print(out, outcome, common.json);
+    warn(err, outcome.warnings, &*files);
+    print(out, err, outcome, *files, common.json);
     return 0;
-  });
+  };
+  return guarded(out, err, common.json, work, told);
 }
 
 void readSize(const std::string& text, WindowOptions& window) {
@@ -212,7 +218,7 @@ void requireFiles(const WindowOptions& window, std::ostream& err) {
     const NoInputError missing("there is no such file", file, "check the path");
     if (!some && !window.screenshot.empty())
       throw missing;
-    complain(err, 0, missing.what());
+    err << "viscera: " << oneLine(missing.what()) << std::endl;
   }
 }
 
@@ -250,10 +256,50 @@ ValueWords valueWords() {
   return words;
 }
 
-/// The subcommand's own name where there is one: "viscera bind".
-std::string nameOf(const CLI::App& app) {
+/// The subcommand that was chosen, or the program itself.
+const CLI::App& chosenOf(const CLI::App& app) {
   const auto chosen = app.get_subcommands();
-  return chosen.empty() ? "viscera" : "viscera " + chosen.front()->get_name();
+  return chosen.empty() ? app : *chosen.front();
+}
+
+/// The option that was probably meant by the first one that there is not: "--handles"; empty for none.
+std::string meantOption(const CLI::App& app, int argc, const char* const* argv) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : chosenOf(app).get_options())
+    for (const std::string& name : option->get_lnames())
+      names.push_back("--" + name);
+  for (int i = 1; i < argc; ++i) {
+    const std::string word = std::string(argv[i]).substr(0, std::string_view(argv[i]).find('='));
+    if (word.starts_with("--") && word.size() > 2 &&
+        std::find(names.begin(), names.end(), word) == names.end())
+      return meantBy(word, names);
+  }
+  return {};
+}
+
+/// What is wrong with the options, as CLI11 says it, with what to try.
+Failure usageFailure(const CLI::ParseError& error, const CLI::App& app, int argc, const char* const* argv) {
+  const bool isProgram = &chosenOf(app) == &app;
+  const std::string name = isProgram ? "viscera" : "viscera " + chosenOf(app).get_name();
+  const std::string meant =
+      dynamic_cast<const CLI::ExtrasError*>(&error) ? meantOption(app, argc, argv) : std::string();
+  const std::string advice =
+      (meant.empty() ? "" : "did you mean '" + meant + "'? ") + "try '" + name + " --help'";
+  return {error.what(), name, advice, error.what() + (" (" + advice + ")"), kUsage};
+}
+
+/// Whether the first word is meant for a command and is none.
+std::optional<UnknownCommand> unknownCommand(const CLI::App& app, int argc, const char* const* argv) {
+  const std::string word = argc > 1 ? argv[1] : "";
+  std::vector<std::string> names;
+  for (const CLI::App* command : commandsOf(app))
+    names.push_back(command->get_name());
+  std::error_code unreachable;
+  if (word.empty() || word.front() == '-' || word.find_first_of("/.:") != std::string::npos ||
+      std::find(names.begin(), names.end(), word) != names.end() ||
+      std::filesystem::exists(word, unreachable))
+    return std::nullopt;
+  return UnknownCommand{word, meantBy(word, names)};
 }
 
 /// Whether to create the options of this command: only for those that may be on the command line, since there
@@ -294,6 +340,11 @@ int runCommandLine(int argc, const char* const* argv, std::ostream& out, std::os
     }
     options->callback([&chosen, it = command.get()] { chosen = it; });
   }
+  const bool json = std::any_of(argv + std::min(argc, 1), argv + argc,
+                                [](std::string_view word) { return word == "--json"; });
+  if (const auto unknown = unknownCommand(app, argc, argv))
+    return printFailure({unknown->problem(), unknown->word, unknown->advice(), unknown->line(), kUsage}, json,
+                        out, err);
   try {
     app.parse(argc, argv);
   } catch (const CLI::CallForHelp&) {
@@ -303,16 +354,18 @@ int runCommandLine(int argc, const char* const* argv, std::ostream& out, std::os
     out << version.what() << std::endl;
     return 0;
   } catch (const CLI::ParseError& error) {
-    return complain(err, kUsage, std::string(error.what()) + " (try '" + nameOf(app) + " --help')");
+    return printFailure(usageFailure(error, app, argc, argv), json, out, err);
   }
   if (chosen)
-    return runCommand(*chosen, common, out, err);
-  return guarded(err, [&] {
+    return runCommand(*chosen, *app.get_subcommands().front(), common, out, err);
+  return guarded(out, err, false, [&] {
     if (!manual.empty()) {
       writeManual(app, valueWords(), manual);
       return 0;
     }
     readSize(windowSize, window);
+    if (!window.screenshot.empty())
+      requireEnding(pictureOutput("--screenshot"), window.screenshot);
     takeSample(window, sample_organs::standardLibrary());
     requireFiles(window, err);
     return openWindow(window);

@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 
 #include "cli/listing.h"
+#include "cli/number_bounds.h"
 #include "viscera/medical_io/image_beside.h"
 
 namespace viscera::app::cli {
@@ -92,7 +93,7 @@ void ScanInputOptions::addChoiceTo(CLI::App& options) {
           },
           "Of a scan or label maps with several volumes in time; the first is 0")
       ->type_name("N")
-      ->check(CLI::NonNegativeNumber);
+      ->check(atLeast(0));
 }
 
 medical_io::Scan ScanInputOptions::read(const std::string& file, Progress& progress) const {

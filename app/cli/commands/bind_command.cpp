@@ -57,6 +57,7 @@ class BindCommand final : public Command {
 public:
   std::string name() const override { return "bind"; }
   std::string summary() const override { return "Compute an organ's coordinates"; }
+  std::vector<OutputOption> outputs() const override { return {{"--output", {".npy"}}}; }
 
   void addOptions(CLI::App& options) override {
     input_.addTo(options, false);

@@ -33,6 +33,9 @@ public:
   std::string summary() const override {
     return "Compute pressures, volumes and flows of heart and circulation";
   }
+  std::vector<OutputOption> outputs() const override {
+    return {tableOutput("--csv"), pictureOutput("--png")};
+  }
   void addOptions(CLI::App& options) override;
   Outcome run(CommandContext& context) override;
 

@@ -13,6 +13,7 @@
 
 #include "cli/inputs.h"
 #include "cli/listing.h"
+#include "cli/number_bounds.h"
 #include "cli/organ_group.h"
 #include "viscera/anatomy/part.h"
 #include "viscera/core/error.h"
@@ -65,6 +66,9 @@ public:
   std::string summary() const override {
     return "Convert organs or a handle file, for printing and finite elements, too";
   }
+  std::vector<OutputOption> outputs() const override {
+    return {{"--output"}, {.name = "IN", .last = true}};
+  }
 
   void addOptions(CLI::App& options) override {
     // One list: the library gives a list of names all that follow, and leaves none for a name behind it.
@@ -75,6 +79,8 @@ public:
             "(.mrk.json, .fcsv), and the file to write, whose ending says the format. For .3mf, .glb, .inp "
             "and .vtu also several organs, a session, a label map or sample:heart")
         ->required();
+    options.add_option("-o,--output", output_, "The file to write; all arguments are then inputs")
+        ->type_name("FILE");
     options.add_option("--space", space_, "Axes to write in: LPS or RAS")
         ->check(CLI::IsMember({"LPS", "RAS"}))
         ->capture_default_str();
@@ -90,7 +96,7 @@ public:
         .add_option("--remesh", remesh_,
                     "Make the surface anew with about N triangles: closed, without intersections")
         ->type_name("N")
-        ->check(CLI::Range(kFewestConvertedTriangles, kMostConvertedTriangles));
+        ->check(wholeBetween(kFewestConvertedTriangles, kMostConvertedTriangles));
     options.add_flag("--mirror", mirror_, "Exchange left and right");
     options
         .add_option("--element-size", elementMm_,
@@ -120,13 +126,17 @@ public:
   }
 
 private:
-  /// The last argument.
+  /// What -o names, else the last argument.
   void takeOutput() {
+    in_ = inputs_.front();
+    out_ = output_;
+    if (!out_.empty())
+      return;
     if (inputs_.size() < 2)
-      throw UsageError("There is no file to write", inputs_.front(), "name it last: viscera convert IN OUT");
+      throw UsageError("There is no file to write", inputs_.front(),
+                       "name it last, viscera convert IN OUT, or with -o");
     out_ = inputs_.back();
     inputs_.pop_back();
-    in_ = inputs_.front();
   }
 
   /// Whether it is more than a surface file: a sample organ, a session, a label map, or one organ of these.
@@ -431,6 +441,7 @@ private:
   std::vector<std::string> inputs_; ///< Of the arguments all but the last.
   std::string in_;                  ///< The first of them.
   std::string out_;
+  std::string output_; ///< By -o; empty: the last argument.
   std::vector<std::string> cavities_;
   std::optional<double> elementMm_;
   std::string space_ = "LPS";

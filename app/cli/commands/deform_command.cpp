@@ -11,6 +11,7 @@
 
 #include "cli/bound_input.h"
 #include "cli/listing.h"
+#include "cli/number_bounds.h"
 #include "viscera/core/error.h"
 #include "viscera/deformation/bind_organ.h"
 #include "viscera/deformation/deformer.h"
@@ -36,6 +37,9 @@ class DeformCommand final : public Command {
 public:
   std::string name() const override { return "deform"; }
   std::string summary() const override { return "Pose an organ by its handles"; }
+  std::vector<OutputOption> outputs() const override {
+    return {{"--output"}, {"--displacement"}, {"--transform"}};
+  }
 
   void addOptions(CLI::App& options) override {
     input_.addTo(options, true);
@@ -44,7 +48,7 @@ public:
                          "Move the handles that the pose leaves at rest so that the volume is kept");
     options.add_option("--target-ml", targetMl_, "As --lock-volume, but for this volume")
         ->type_name("ML")
-        ->check(CLI::PositiveNumber)
+        ->check(above(0))
         ->excludes(lock);
     options.add_option("--compensate", compensate_, "Move only these handles to reach the volume")
         ->type_name("LABEL");
@@ -72,7 +76,7 @@ public:
             ->type_name("FILE");
     options.add_option("--spacing", spacing_, "Spacing of the displacement field's grid")
         ->type_name("MM")
-        ->check(CLI::PositiveNumber)
+        ->check(above(0))
         ->needs(transform)
         ->capture_default_str();
   }

@@ -7,6 +7,7 @@
 
 #include "cli/inputs.h"
 #include "cli/listing.h"
+#include "cli/number_bounds.h"
 #include "viscera/core/error.h"
 #include "viscera/deformation/place_handles.h"
 #include "viscera/document/group_commands.h"
@@ -90,6 +91,7 @@ class HandlesCommand final : public Command {
 public:
   std::string name() const override { return "handles"; }
   std::string summary() const override { return "Place handles around an organ"; }
+  std::vector<OutputOption> outputs() const override { return {handleOutput("--output")}; }
 
   void addOptions(CLI::App& options) override {
     options.add_option("ORGAN", organ_, "A surface file, or sample:NAME[/SURFACE][@RESOLUTION]")->required();
@@ -99,7 +101,7 @@ public:
     CLI::Option* count =
         options.add_option("--count", count_, "How many handles, the enclosing ones included")
             ->type_name("N")
-            ->check(CLI::Range(deformation::fewestHandles(false), kMostPlacedHandles))
+            ->check(wholeBetween(deformation::fewestHandles(false), kMostPlacedHandles))
             ->capture_default_str();
     CLI::Option* enclosing = options.add_flag(
         "--enclosing", enclosing_,
@@ -119,7 +121,7 @@ public:
             "--groups", groups_,
             "Put the handles into so many groups; corners of a box are added where they do not hold a part")
         ->type_name("N")
-        ->check(CLI::Range(1, kMostGroups));
+        ->check(wholeBetween(1, kMostGroups));
     options
         .add_option(
             "--group-by", groupBy_,

@@ -13,6 +13,7 @@
 
 #include "cli/inputs.h"
 #include "cli/listing.h"
+#include "cli/number_bounds.h"
 #include "cli/played_sequence.h"
 #include "cli/session_input.h"
 #include "viscera/core/error.h"
@@ -82,6 +83,7 @@ public:
   std::string summary() const override {
     return "Make a lesson of organs in motion that opens in any browser, or animated glTF";
   }
+  std::vector<OutputOption> outputs() const override { return {{"--output"}}; }
   void addOptions(CLI::App& options) override;
   Outcome run(CommandContext& context) override;
 
@@ -132,12 +134,12 @@ void LessonCommand::addOptions(CLI::App& options) {
       ->type_name("FILE");
   options.add_option("--handles", handles_, "How many handles there are to drag; 0: none")
       ->type_name("N")
-      ->check(CLI::Range(0, kMostLessonHandles));
+      ->check(wholeBetween(0, kMostLessonHandles));
   options
       .add_option("--rate", rate_,
                   "Rate at which the page starts, in cycles a minute; the only rate of a .glb")
       ->type_name("PER_MINUTE")
-      ->check(CLI::PositiveNumber);
+      ->check(above(0));
   options.add_option("--title", title_, "What the lesson is called");
   options.add_option("--language", language_, "Of the page's own texts: " + languages())->type_name("CODE");
   options.add_option("--name", names_, "Another name for an organ or a phase; may be repeated")

@@ -11,6 +11,7 @@
 #include <vtkImageData.h>
 
 #include "cli/listing.h"
+#include "cli/number_bounds.h"
 #include "cli/played_sequence.h"
 #include "cli/stage_options.h"
 #include "viscera/anatomy/part.h"
@@ -193,6 +194,10 @@ class PlayCommand final : public Command {
 public:
   std::string name() const override { return "play"; }
   std::string summary() const override { return "Play a sequence, measure it and record it"; }
+  std::vector<OutputOption> outputs() const override {
+    return {tableOutput("--csv"), pictureOutput("--sheet"),        {"--movie"},
+            {"--frames"},         handleOutput("--write-handles"), handleOutput("--write-landmarks")};
+  }
 
   void addOptions(CLI::App& options) override {
     options
@@ -239,17 +244,17 @@ public:
                     "Ejection fraction of the left ventricle of a heart with chambers that --organ names "
                     "(default 0.58)")
         ->type_name("PART")
-        ->check(CLI::PositiveNumber);
+        ->check(above(0));
     options.add_option("--rate", rate_, "Cycles a minute; the sequence's or session's own when not said")
         ->type_name("PER_MINUTE")
-        ->check(CLI::PositiveNumber);
+        ->check(above(0));
     options.add_option("--cycles", cycles_, "How many cycles")
         ->type_name("N")
-        ->check(CLI::Range(1, kMostCycles))
+        ->check(wholeBetween(1, kMostCycles))
         ->capture_default_str();
     options.add_option("--fps", framesPerSecond_, "Frames a second")
         ->type_name("F")
-        ->check(CLI::Range(kLowestRate, kHighestRate))
+        ->check(between(kLowestRate, kHighestRate))
         ->capture_default_str();
     options.add_option("--frames", frames_, "Folder for numbered PNG pictures")->type_name("FOLDER");
     options.add_option("--movie", movie_, "Movie to write: .ogv, or .mp4 and .gif where ffmpeg is installed")
@@ -258,7 +263,7 @@ public:
     options.add_option("--sheet", sheet_, "One picture (.png) of all frames, side by side")
         ->type_name("FILE");
     options.add_option("--columns", columns_, "Frames beside each other on the sheet")
-        ->check(CLI::Range(1, kMostColumns))
+        ->check(wholeBetween(1, kMostColumns))
         ->capture_default_str();
     addStageOptions(options, stage_, size_);
   }

@@ -11,6 +11,7 @@
 #include <CLI/CLI.hpp>
 
 #include "cli/listing.h"
+#include "cli/number_bounds.h"
 #include "cli/system_options.h"
 #include "viscera/coordinates/measure/system_properties.h"
 #include "viscera/core/atomic_file.h"
@@ -219,6 +220,7 @@ class PropertiesCommand final : public Command {
 public:
   std::string name() const override { return "properties"; }
   std::string summary() const override { return "Measure the properties of the coordinate systems"; }
+  std::vector<OutputOption> outputs() const override { return {tableOutput("--output")}; }
 
   void addOptions(CLI::App& options) override {
     options.add_option("--systems", systems_, "Only these systems; 'viscera systems' lists them")
@@ -232,7 +234,7 @@ public:
         ->type_name("FILE");
     options.add_option("--points", points_, "Points in the cloud and on the organ")
         ->type_name("N")
-        ->check(CLI::Range(10, kMostPoints))
+        ->check(wholeBetween(10, kMostPoints))
         ->capture_default_str();
   }
 

@@ -4,6 +4,7 @@
 
 #include "cli/commands/all_commands.h"
 #include "cli/listing.h"
+#include "cli/number_bounds.h"
 #include "viscera/core/text.h"
 #include "viscera/live/taught_quantities.h"
 
@@ -43,7 +44,7 @@ public:
         ->capture_default_str();
     options.add_option("--body-surface", surfaceM2_, "Ranges of a person of that body surface, m2")
         ->type_name("M2")
-        ->check(CLI::Range(anatomy::kSmallestBodySurfaceM2, anatomy::kLargestBodySurfaceM2));
+        ->check(between(anatomy::kSmallestBodySurfaceM2, anatomy::kLargestBodySurfaceM2));
     options.add_flag("--markdown", markdown_, "As a table in Markdown, as in docs/reference_values.md");
   }
 

@@ -15,6 +15,7 @@
 
 #include "cli/inputs.h"
 #include "cli/listing.h"
+#include "cli/number_bounds.h"
 #include "cli/session_input.h"
 #include "cli/slice_picture.h"
 #include "cli/stage_options.h"
@@ -156,6 +157,7 @@ class RenderCommand final : public Command {
 public:
   std::string name() const override { return "render"; }
   std::string summary() const override { return "Draw organs and handles as a PNG"; }
+  std::vector<OutputOption> outputs() const override { return {pictureOutput("--output")}; }
 
   void addOptions(CLI::App& options) override {
     options
@@ -165,8 +167,10 @@ public:
     options.add_option("-o,--output", output_, "Picture to write (.png)")->type_name("FILE")->required();
     addStageOptions(options, stage_, size_);
     options
-        .add_option("--views", views_,
-                    "Several sides beside each other in one picture: anterior,left,superior")
+        .add_option(
+            "--views", views_,
+            "Several sides beside each other in one picture: anterior,left,superior; --size is the size of "
+            "each")
         ->type_name("NAMES")
         ->delimiter(',')
         ->excludes("--view");
@@ -192,7 +196,7 @@ public:
     options.add_flag("--regions", parts_.regions, "Draw the regions of the handles' groups");
     options.add_flag("--zones", parts_.zones, "Draw the zones in which regions meet");
     options.add_flag("--super-regions", parts_.superRegions, "Draw the super-regions of the zones");
-    options.add_option("--opacity", opacity_, "Of the organs, 0 to 1")->check(CLI::Range(0.0, 1.0));
+    options.add_option("--opacity", opacity_, "Of the organs, 0 to 1")->check(between(0.0, 1.0));
     CLI::Option* slice =
         options
             .add_option("--slice", slice_,
@@ -200,7 +204,7 @@ public:
                         "coronal:MM or sagittal:MM, in mm LPS")
             ->type_name("DIRECTION:MM");
     CLI::Option* width = options.add_option("--window", width_, "Width of the values from black to white")
-                             ->check(CLI::PositiveNumber)
+                             ->check(above(0))
                              ->needs(slice);
     CLI::Option* level = options.add_option("--level", level_, "The value that is middle grey")->needs(slice);
     width->needs(level);

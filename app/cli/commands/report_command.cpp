@@ -26,6 +26,7 @@ public:
   std::string summary() const override {
     return "Report on a session or on organs as PDF or HTML: pictures, volumes, measurements, stress, motion";
   }
+  std::vector<OutputOption> outputs() const override { return {{"--output"}}; }
 
   void addOptions(CLI::App& options) override {
     options

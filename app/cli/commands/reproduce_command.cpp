@@ -42,6 +42,7 @@ class ReproduceCommand final : public Command {
 public:
   std::string name() const override { return "reproduce"; }
   std::string summary() const override { return "Reproduce the thesis's figures and tables as one page"; }
+  std::vector<OutputOption> outputs() const override { return {{"--output"}}; }
 
   void addOptions(CLI::App& options) override {
     options.add_option("-o,--output", output_, "Folder for index.html, pictures (.svg) and tables (.csv)")

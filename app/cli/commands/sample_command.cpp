@@ -31,6 +31,7 @@ class SampleCommand final : public Command {
 public:
   std::string name() const override { return "sample"; }
   std::string summary() const override { return "List the sample organs, or make one"; }
+  std::vector<OutputOption> outputs() const override { return {{"--output"}}; }
 
   void addOptions(CLI::App& options) override {
     CLI::Option* list = options.add_flag("--list", list_, "List the sample organs");

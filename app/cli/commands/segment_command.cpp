@@ -11,6 +11,7 @@
 #include <CLI/CLI.hpp>
 
 #include "cli/listing.h"
+#include "cli/number_bounds.h"
 #include "viscera/core/error.h"
 #include "viscera/core/phrase.h"
 #include "viscera/medical_io/label_map.h"
@@ -126,6 +127,7 @@ class SegmentCommand final : public Command {
 public:
   std::string name() const override { return "segment"; }
   std::string summary() const override { return "Make organ surfaces of a label map"; }
+  std::vector<OutputOption> outputs() const override { return {{"--output"}}; }
 
   void addOptions(CLI::App& options) override {
     options.add_option("LABELMAP", file_, "A label map, or a folder with a mask for each organ")->required();
@@ -140,12 +142,12 @@ public:
         ->check(CLI::NonNegativeNumber);
     options.add_option("--triangles", options_.triangles, "About as many as a surface may have; 0: all")
         ->type_name("N")
-        ->check(CLI::Range(0, kMostSegmentTriangles))
+        ->check(wholeBetween(0, kMostSegmentTriangles))
         ->capture_default_str();
     options
         .add_option("--smoothing", options_.smoothing,
                     "0: the voxels' steps stay; 0.5: gentle; 2: very smooth")
-        ->check(CLI::Range(0.0, kSmoothest))
+        ->check(between(0.0, kSmoothest))
         ->capture_default_str();
     options.add_flag("--largest-piece", options_.largestPieceOnly, "Leave out the smaller pieces of a label");
     options.add_option("--format", format_, "Kind of file")

@@ -11,6 +11,7 @@
 
 #include "cli/bound_input.h"
 #include "cli/listing.h"
+#include "cli/number_bounds.h"
 #include "cli/stress_marks.h"
 #include "viscera/deformation/tetrahedralise.h"
 #include "viscera/live/stress_files.h"
@@ -99,6 +100,13 @@ class StressCommand final : public Command {
 public:
   std::string name() const override { return "stress"; }
   std::string summary() const override { return "Measure how a pose distorts the tissue inside an organ"; }
+  std::vector<OutputOption> outputs() const override {
+    return {{"--output"},
+            tableOutput("--csv"),
+            tableOutput("--histogram"),
+            tableOutput("--probes-csv"),
+            tableOutput("--profile-csv")};
+  }
 
   void addOptions(CLI::App& options) override {
     input_.addTo(options, true);
@@ -120,7 +128,7 @@ public:
         ->capture_default_str();
     options.add_option("--memory-limit", memoryMb_, "Memory limit for TetGen, in MB")
         ->type_name("MB")
-        ->check(CLI::Range(1.0, 1e7))
+        ->check(between(1.0, 1e7))
         ->capture_default_str();
     options.add_option("-o,--output", output_, "The solid with all values, for ParaView (.vtu)")
         ->type_name("FILE");

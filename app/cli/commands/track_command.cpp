@@ -11,6 +11,7 @@
 #include <CLI/CLI.hpp>
 
 #include "cli/listing.h"
+#include "cli/number_bounds.h"
 #include "viscera/core/atomic_file.h"
 #include "viscera/core/error.h"
 #include "viscera/core/phrase.h"
@@ -28,6 +29,9 @@ class TrackCommand final : public Command {
 public:
   std::string name() const override { return "track"; }
   std::string summary() const override { return "Find a patient's own motion in a series of phases"; }
+  std::vector<OutputOption> outputs() const override {
+    return {{.name = "--output", .endings = {".sequence.json"}, .stream = true}, handleOutput("--write-handles"), {"--write-organs"}};
+  }
   void addOptions(CLI::App& options) override;
   Outcome run(CommandContext& context) override;
 
@@ -160,15 +164,15 @@ void TrackCommand::addOptions(CLI::App& options) {
       ->type_name("DIR");
   auto* count = options.add_option("--handles", handles_,
                                    "How many handles; 60 for one surface, 120 for more when not said");
-  count->type_name("N")->check(CLI::Range(kFewestHandles, kMostHandles));
+  count->type_name("N")->check(wholeBetween(kFewestHandles, kMostHandles));
   options.add_option("--rig", rig_, "Handles to use in the place of new ones (.mrk.json)")
       ->type_name("FILE")
       ->excludes(count);
   auto* period = options.add_option("--period-ms", periodMs_, "How long one cycle lasts");
-  period->type_name("T")->check(CLI::PositiveNumber);
+  period->type_name("T")->check(above(0));
   options.add_option("--rate", rate_, "Cycles a minute, in the place of the period")
       ->type_name("PER_MIN")
-      ->check(CLI::PositiveNumber)
+      ->check(above(0))
       ->excludes(period);
   options.add_option("--times-ms", timesMs_, "When each phase is; evenly over the period when not said")
       ->type_name("T1,T2,...")
@@ -188,11 +192,11 @@ void TrackCommand::addOptions(CLI::App& options) {
   options
       .add_option("--smoothing", smoothing_,
                   "Temporal smoothness; 1e-5 for surfaces with the same triangles, else 1e-4")
-      ->check(CLI::NonNegativeNumber);
+      ->check(atLeast(0));
   options
       .add_option("--robust-mm", robustMm_,
                   "Distances beyond it count less: for label maps with outliers; 0: all alike")
-      ->check(CLI::NonNegativeNumber);
+      ->check(atLeast(0));
   auto* textbook = options.add_flag(
       "--textbook", textbook_, "PHASES is one image of a heart with cavities: fit the textbook's beat to it");
   options

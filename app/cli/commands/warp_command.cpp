@@ -28,6 +28,7 @@ class WarpCommand final : public Command {
 public:
   std::string name() const override { return "warp"; }
   std::string summary() const override { return "Warp a scan or label map along with the handles"; }
+  std::vector<OutputOption> outputs() const override { return {{"--output"}}; }
 
   void addOptions(CLI::App& options) override {
     scan_.addTo(options);

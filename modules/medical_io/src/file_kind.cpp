@@ -1,6 +1,7 @@
 #include "viscera/medical_io/file_kind.h"
 
 #include <array>
+#include <utility>
 
 #include "dicom/dicom_mark.h"
 #include "file_bytes.h"
@@ -53,6 +54,12 @@ FileKind fileKind(const std::filesystem::path& file) {
 
 void refuse(const std::filesystem::path& file, FileKind wanted) {
   refuse(beginOf(file), wanted);
+}
+
+std::string usualEnding(const std::filesystem::path& file) {
+  const Signature found = signatureOf(beginOf(file));
+  // Of the formats, NIfTI is the one that is packed as a whole.
+  return found == Signature::gzip ? ".nii.gz" : std::string(usualEnding(found));
 }
 
 std::string_view nameOf(FileKind kind) {

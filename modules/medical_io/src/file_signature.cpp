@@ -342,6 +342,12 @@ FileKind fileKind(Signature signature) {
   return format == nullptr ? FileKind::unknown : format->kind;
 }
 
+std::string_view usualEnding(Signature signature) {
+  const Format* format = signature == Signature::unknown ? nullptr : rowOf(kRead, signature, {});
+  std::string_view endings = format == nullptr ? std::string_view() : format->endings;
+  return takeWord(endings);
+}
+
 const std::vector<FileFormat>& fileFormats() {
   static const std::vector<FileFormat> kFormats = [] {
     std::vector<FileFormat> list;

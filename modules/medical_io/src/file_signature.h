@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "file_bytes.h"
 #include "viscera/core/phrase.h"
@@ -64,6 +65,9 @@ Signature signatureFor(const FileBytes& file, FileKind wanted);
 
 /// What a file of that signature holds.
 FileKind fileKind(Signature signature);
+
+/// The usual ending of a file of that signature, with its dot; empty where Viscera reads none.
+std::string_view usualEnding(Signature signature);
 
 /// See `refuse` in file_kind.h, for a file of which the beginning is in memory.
 [[noreturn]] void refuse(const FileBytes& file, FileKind wanted);

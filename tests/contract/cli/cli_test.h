@@ -70,18 +70,33 @@ protected:
     return result;
   }
 
-  /// Runs with and without --json; both have to fail with `exitCode`, with one line on stderr that holds
-  /// `says`, and with nothing on stdout.
+  /// Runs with and without --json; both have to fail with `exitCode` and with one line on stderr that holds
+  /// `says`. On stdout there is nothing, with --json one object with the error.
   void expectFailure(std::vector<std::string> arguments, int exitCode, const std::string& says) const {
     for (const bool withJson : {false, true}) {
       if (withJson)
         arguments.push_back("--json");
       const test::ProcessResult result = run(arguments);
       EXPECT_EQ(result.exitCode, exitCode) << result.err;
-      EXPECT_EQ(result.out, "");
+      if (withJson)
+        expectError(result.out, exitCode);
+      else
+        EXPECT_EQ(result.out, "");
       EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
       EXPECT_NE(result.err.find(says), std::string::npos) << "should say \"" << says << "\": " << result.err;
     }
+  }
+
+  /// The text has to be the object that --json prints of an error, and nothing else.
+  static void expectError(const std::string& text, int exitCode) {
+    const json object = json::parse(text, nullptr, false);
+    ASSERT_TRUE(object.is_object()) << text;
+    EXPECT_EQ(object.value("exitCode", -1), exitCode) << text;
+    const json error = object.value("error", json::object());
+    for (const char* key : {"what", "where", "try"})
+      EXPECT_TRUE(error.contains(key) && error[key].is_string()) << key << " in " << text;
+    EXPECT_NE(error.value("what", ""), "") << text;
+    EXPECT_EQ(object.size(), 2U) << text;
   }
 
   /// The number of entries in the test's folder, to check that no half-written file stays.

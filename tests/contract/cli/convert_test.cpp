@@ -40,6 +40,13 @@ TEST_F(CliConvert, GoesThroughEveryFormatAndBackToTheSameBytes) {
   EXPECT_EQ(runJson({"info", last})["boundsMm"], runJson({"info", cube()})["boundsMm"]);
 }
 
+TEST_F(CliConvert, TheOutputMayBeNamedAsWithOtherCommands) {
+  EXPECT_EQ(runJson({"convert", cube(), "-o", path("a.stl")})["out"], path("a.stl"));
+  EXPECT_EQ(runJson({"convert", "--output", path("b.stl"), cube()})["vertices"], 8);
+  expectFailure({"convert", cube()}, kUsage, "-o");
+  expectFailure({"convert", cube(), path("c.stl"), "-o", path("d.stl")}, kUsage, "excludes");
+}
+
 TEST_F(CliConvert, WritesTheAxesAskedForAndSaysSoInTheFile) {
   EXPECT_EQ(runJson({"convert", cube(), path("ras.stl"), "--space", "RAS"})["space"], "RAS");
   EXPECT_NE(contents(path("ras.stl")).find("SPACE=RAS"), std::string::npos);

@@ -13,7 +13,7 @@ TEST_P(CliInterrupt, LeavesNothingHalfWritten) {
       interrupted({"sample", "stomach_and_bowel@high", "-o", path("d.vtp"), "--json"},
                   std::chrono::milliseconds(GetParam()), {"d.vtp", "cache"});
   ASSERT_EQ(result.exitCode, kCancelled) << result.err;
-  EXPECT_EQ(result.out, "");
+  expectError(result.out, kCancelled);
   EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
   EXPECT_FALSE(std::filesystem::exists(path("d.vtp")));
   for (const auto& entry : std::filesystem::recursive_directory_iterator(folder_))

@@ -33,6 +33,33 @@ TEST_F(CliUsage, UnknownOptionsAndCommandsAreUsageErrors) {
   EXPECT_EQ(run({"nosuchcommand"}).exitCode, kUsage);
 }
 
+TEST_F(CliUsage, AMisspeltCommandOrOptionSaysWhatWasMeant) {
+  const std::string organ = put("cube.off", cubeOff(4));
+  const std::pair<const char*, const char*> words[] = {{"defrom", "deform"}, {"paly", "play"},
+                                                       {"inof", "info"},     {"Render", "render"},
+                                                       {"seg", "segment"},   {"circulat", "circulate"}};
+  for (const auto& [typed, meant] : words)
+    expectFailure({typed, organ, "--handles", "h.mrk.json"}, kUsage,
+                  "'" + std::string(typed) + "' is no command; did you mean '" + meant + "'?");
+  EXPECT_EQ(run({"defrom", organ}).err, "viscera: 'defrom' is no command; did you mean 'deform'?\n");
+  expectFailure({"patient", organ}, kUsage, "neither a command nor a file");
+  expectFailure({"info", organ, "--serise", "1"}, kUsage, "did you mean '--series'?");
+}
+
+TEST_F(CliUsage, ANumberOutOfRangeIsRefusedInAShortSentence) {
+  const std::string organ = put("cube.off", cubeOff(4));
+  const std::string handles = put("h.mrk.json", markups(corners(10)));
+  const std::string out = path("o.mrk.json");
+  expectFailure({"play", "heartbeat", "--rate", "75bpm"}, kUsage, "75bpm is no number; it has to be above 0");
+  expectFailure({"play", "heartbeat", "--rate", "-3"}, kUsage, "-3 is out of range; it has to be above 0");
+  expectFailure({"play", "heartbeat", "--fps", "inf"}, kUsage, "it has to be 0.1 to 240");
+  expectFailure({"handles", organ, "-o", out, "--count", "8.5"}, kUsage, "8.5 is no whole number");
+  expectFailure({"handles", organ, "-o", out, "--count", "3"}, kUsage, "it has to be 4 to 10000");
+  expectFailure({"render", organ, "-o", path("p.png"), "--opacity", "1,5"}, kUsage, "it has to be 0 to 1");
+  for (const std::string command : {"play", "deform", "track", "lesson", "stress"})
+    EXPECT_EQ(run({command, "--help"}).out.find("1.79769"), std::string::npos) << command;
+}
+
 TEST_F(CliUsage, TheWindowOpensOneSampleOrganThatThereIs) {
   const auto refusal = [this](const std::vector<std::string>& arguments) {
     const test::ProcessResult result = run(arguments);

@@ -18,6 +18,11 @@ enum class FileKind { unknown, surface, handles, sequence, session, labelMap, sc
 /// extension disagree, the bytes count. Throws `NoInputError` when it is missing or not readable.
 FileKind fileKind(const std::filesystem::path& file);
 
+/// The ending that a file with these bytes usually has, with its dot: ".stl", ".nii.gz"; for bytes that came
+/// without a name, since readers choose by the ending. Empty for bytes of no known kind. Throws
+/// `NoInputError` when the file is missing or not readable, `DataError` when it is empty.
+std::string usualEnding(const std::filesystem::path& file);
+
 /// "surface", "handles", "sequence", "session", "label map", "scan", "unknown": as `viscera info` prints it.
 std::string_view nameOf(FileKind kind);
 
