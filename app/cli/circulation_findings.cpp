@@ -15,8 +15,14 @@ using circulation::Indices;
 /// Digits that a number of a table is written with: more than the integration is exact to.
 constexpr int kDigits = 9;
 
+constexpr double kMsPerS = 1000;
+
 nlohmann::ordered_json chamberJson(const ChamberIndices& c) {
-  return {{"edvMl", c.edvMl},
+  return {{"endDiastolicVolumeMl", c.edvMl},
+          {"endSystolicVolumeMl", c.esvMl},
+          {"strokeVolumeMl", c.svMl},
+          {"ejectionFraction", c.ef},
+          {"edvMl", c.edvMl}, // The names before those of every command.
           {"esvMl", c.esvMl},
           {"svMl", c.svMl},
           {"ef", c.ef},
@@ -49,6 +55,7 @@ nlohmann::ordered_json circulationJson(const Indices& indices) {
     json[circulation::nameOf(static_cast<Compartment>(i))] = chamberJson(indices.chambers[i]);
   json["aorta"] = arteryJson(indices.aorta);
   json["pulmonaryArtery"] = arteryJson(indices.pulmonaryArtery);
+  json["cardiacOutputLPerMinute"] = indices.cardiacOutputLMin;
   json["cardiacOutputLMin"] = indices.cardiacOutputLMin;
   json["forwardStrokeMl"] = indices.forwardStrokeMl;
   json["mitralRegurgitationMl"] = indices.mitralRegurgitationMl;
@@ -57,6 +64,8 @@ nlohmann::ordered_json circulationJson(const Indices& indices) {
   json["aorticMeanGradientMmHg"] = indices.aorticMeanGradient;
   json["aorticPeakGradientMmHg"] = indices.aorticPeakGradient;
   json["mitralMeanGradientMmHg"] = indices.mitralMeanGradient;
+  json["ejectionMs"] = kMsPerS * indices.ejectionSeconds;
+  json["relaxationMs"] = kMsPerS * indices.relaxationSeconds;
   json["ejectionSeconds"] = indices.ejectionSeconds;
   json["relaxationSeconds"] = indices.relaxationSeconds;
   json["arterialElastance"] = indices.arterialElastance;

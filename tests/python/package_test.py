@@ -10,6 +10,7 @@ import sys
 import threading
 import time
 import unittest
+import warnings
 
 import numpy as np
 
@@ -79,6 +80,33 @@ class Numbers(unittest.TestCase):
         moved = self.pose.copy()
         moved[11] += [1, 2, 3]
         np.testing.assert_allclose(points, self.binding.pose(moved), atol=1e-10)
+
+    def test_the_volume_of_an_open_surface_warns(self):
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            viscera.volume(self.points, self.triangles)
+        with self.assertWarnsRegex(UserWarning, "open .3 edges"):
+            viscera.volume(self.points, self.triangles[1:])
+        turned = self.triangles.copy()
+        turned[0] = turned[0][::-1]
+        with self.assertWarnsRegex(UserWarning, "face the same way"):
+            viscera.volume(self.points, turned)
+        tube = np.array([[0, 1, 3], [1, 4, 3], [1, 2, 4], [2, 5, 4], [2, 0, 5], [0, 3, 5]])  # its two holes are alike
+        rings = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1], [1, 0, 1], [0, 1, 1]]
+        with self.assertWarns(UserWarning):
+            viscera.volume(rings, tube)
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            self.assertRaises(UserWarning, viscera.volume, rings, tube)
+
+    def test_the_package_has_the_version_of_the_program(self):
+        self.assertRegex(viscera.__version__, r"^\d+\.\d+\.\d+$")
+
+    def test_the_fewest_handles_are_those_of_the_program(self):
+        for enclosing, fewest in ((True, 8), (False, 4)):
+            place = lambda count: viscera.place_handles(self.points, self.triangles, count, enclosing=enclosing)  # noqa: E731
+            self.assertEqual(len(place(fewest)), fewest)
+            self.assertRaises(viscera.DataError, place, fewest - 1)
 
     def test_lock_keeps_the_volume_exactly(self):
         pose = self.handles.copy()
@@ -172,8 +200,8 @@ class Circulation(unittest.TestCase):
         self.assertLess(found.volume_error_ml, 1e-4)
         curves, lv = found.curves, found.indices["lv"]
         self.assertEqual({len(curve) for curve in curves.values()}, {len(curves["time_s"])})
-        self.assertAlmostEqual(curves["lv_ml"].max(), lv["edv_ml"], 1)
-        self.assertAlmostEqual(curves["lv_ml"].min(), lv["esv_ml"], 1)
+        self.assertAlmostEqual(curves["lv_ml"].max(), lv["end_diastolic_volume_ml"], 1)
+        self.assertAlmostEqual(curves["lv_ml"].min(), lv["end_systolic_volume_ml"], 1)
         work = np.trapz(-curves["lv_mmHg"], curves["lv_ml"]) * 133.322e-6  # mmHg ml in J
         self.assertAlmostEqual(work / lv["stroke_work_J"], 1, 2)
         self.assertEqual(found.parameters["rate"], 72)

@@ -10,6 +10,7 @@
 #include <CLI/CLI.hpp>
 #include <vtkImageData.h>
 
+#include "cli/cardiac_keys.h"
 #include "cli/listing.h"
 #include "cli/number_bounds.h"
 #include "cli/played_sequence.h"
@@ -454,17 +455,14 @@ private:
         continue;
       const heart::CardiacIndices indices = heart::cardiacIndices(values, rate);
       if (hasKeys)
-        outcome.json["indices"][played.surfaces[i].name] = {
-            {"endDiastolicMl", indices.endDiastolicMl},
-            {"endSystolicMl", indices.endSystolicMl},
-            {"strokeVolumeMl", indices.strokeVolumeMl},
-            {"ejectionFraction", indices.ejectionFraction},
-            {"cardiacOutputLPerMinute", indices.cardiacOutputLPerMinute}};
+        setUnderNames(outcome.json["indices"], played.surfaces[i].name, cardiacJson(indices));
       if (!isVentricle)
         continue;
       outcome.json["ejectionFraction"] = indices.ejectionFraction;
       outcome.json["strokeVolumeMl"] = indices.strokeVolumeMl;
       outcome.json["cardiacOutputLPerMinute"] = indices.cardiacOutputLPerMinute;
+      outcome.json["endDiastolicVolumeMl"] = indices.endDiastolicMl;
+      outcome.json["endSystolicVolumeMl"] = indices.endSystolicMl;
       listing.add("ejection fraction", fixed(indices.ejectionFraction, 3))
           .add("stroke volume", fixed(indices.strokeVolumeMl, 1) + " ml")
           .add("output", fixed(indices.cardiacOutputLPerMinute, 2) + " l a minute");
@@ -490,7 +488,8 @@ private:
       const std::vector<double> values = measured.of(i);
       const auto [low, high] = std::minmax_element(values.begin(), values.end());
       const double rest = played.restMl(i);
-      outcome.json["volumes"][surface.name] = {{"minMl", *low}, {"maxMl", *high}, {"restMl", rest}};
+      setUnderNames(outcome.json["volumes"], surface.name,
+                    {{"minMl", *low}, {"maxMl", *high}, {"restMl", rest}});
       listing.add(surface.name, fixed(*low, 1) + " to " + fixed(*high, 1) + " ml");
       if (i == 0 && rest > 0) // An open surface has no volume.
         outerChange = std::max(*high - rest, rest - *low) / rest;

@@ -10,6 +10,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "cli/cardiac_keys.h"
 #include "cli/listing.h"
 #include "cli/number_bounds.h"
 #include "viscera/core/atomic_file.h"
@@ -319,11 +320,8 @@ Outcome TrackCommand::report(const live::PatientMotion& found) const {
   }
   outcome.json["ejectionFraction"] = ordered_json::object();
   for (const auto& [name, indices] : found.indices) {
-    outcome.json["ejectionFraction"][name] = indices.ejectionFraction;
-    outcome.json["indices"][name] = {{"endDiastolicMl", indices.endDiastolicMl},
-                                     {"endSystolicMl", indices.endSystolicMl},
-                                     {"strokeVolumeMl", indices.strokeVolumeMl},
-                                     {"cardiacOutputLPerMinute", indices.cardiacOutputLPerMinute}};
+    setUnderNames(outcome.json["ejectionFraction"], name, indices.ejectionFraction);
+    setUnderNames(outcome.json["indices"], name, cardiacJson(indices));
     listing.add(name + " EF", fixed(indices.ejectionFraction, 3) + " (" + fixed(indices.endDiastolicMl, 1) +
                                   " to " + fixed(indices.endSystolicMl, 1) + " ml)");
   }

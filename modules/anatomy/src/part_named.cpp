@@ -213,6 +213,14 @@ std::optional<Part> chamberNamed(std::string_view name) {
   return part && !abbreviationOf(*part).empty() ? part : std::nullopt;
 }
 
+std::string chamberKey(std::string_view name) {
+  const std::optional<Part> chamber = chamberNamed(name);
+  std::string key(chamber ? abbreviationOf(*chamber) : std::string_view());
+  for (char& letter : key)
+    letter = static_cast<char>(letter - 'A' + 'a');
+  return key;
+}
+
 std::optional<Vec3> colorNamed(std::string_view name) {
   const Meant meant = meantBy(name);
   if (meant.part)

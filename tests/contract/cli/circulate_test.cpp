@@ -11,8 +11,16 @@ namespace viscera::app::cli {
 class CliCirculate : public CliTest {
 protected:
   static void expectChamber(const json& object, const std::string& name) {
-    for (const char* key : {"edvMl", "esvMl", "svMl", "ef", "edpMmHg", "dpdtMax", "strokeWorkJ"})
+    for (const char* key : {"edpMmHg", "dpdtMax", "strokeWorkJ"})
       EXPECT_TRUE(object[name][key].is_number()) << name << " " << key;
+    const std::pair<const char*, const char*> names[] = {{"endDiastolicVolumeMl", "edvMl"},
+                                                         {"endSystolicVolumeMl", "esvMl"},
+                                                         {"strokeVolumeMl", "svMl"},
+                                                         {"ejectionFraction", "ef"}};
+    for (const auto& [key, older] : names) {
+      EXPECT_TRUE(object[name][key].is_number()) << name << " " << key;
+      EXPECT_EQ(object[name][key], object[name][older]) << name << " " << key;
+    }
   }
 };
 
@@ -29,7 +37,10 @@ TEST_F(CliCirculate, RestHasTheKeysOfTheContract) {
     for (const char* key : {"systolic", "diastolic", "mean"})
       EXPECT_TRUE(rest[artery][key].is_number()) << artery << " " << key;
   EXPECT_NEAR(rest["aorta"]["systolic"].get<double>(), 120, 5);
-  EXPECT_NEAR(rest["cardiacOutputLMin"].get<double>(), 5.5, 0.5);
+  EXPECT_NEAR(rest["cardiacOutputLPerMinute"].get<double>(), 5.5, 0.5);
+  EXPECT_EQ(rest["cardiacOutputLPerMinute"], rest["cardiacOutputLMin"]);
+  EXPECT_NEAR(rest["ejectionMs"].get<double>(), 1000 * rest["ejectionSeconds"].get<double>(), 1e-9);
+  EXPECT_NEAR(rest["relaxationMs"].get<double>(), 1000 * rest["relaxationSeconds"].get<double>(), 1e-9);
   EXPECT_LT(rest["volumeErrorMl"].get<double>(), 1e-9);
   EXPECT_TRUE(rest["seconds"].is_number());
 }

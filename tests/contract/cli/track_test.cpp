@@ -55,6 +55,8 @@ TEST_F(Track, KeepsItsContractAndIsPlayedAgainWithTheSameVolumes) {
   const json played =
       runJson({"play", path("m.sequence.json"), "--fps", std::to_string(6 / 0.9), "--csv", path("v.csv")});
   EXPECT_NEAR(played["ejectionFraction"].get<double>(), found["ejectionFraction"]["LV"].get<double>(), 1e-4);
+  EXPECT_EQ(played["volumes"]["lv"], played["volumes"]["LV"]);
+  EXPECT_EQ(played["endDiastolicVolumeMl"], played["indices"]["lv"]["endDiastolicVolumeMl"]);
   EXPECT_NEAR(played["indices"]["RV"]["ejectionFraction"].get<double>(),
               found["ejectionFraction"]["RV"].get<double>(), 1e-4);
   const auto volumes = table(path("v.csv"));
@@ -82,6 +84,11 @@ TEST_F(Track, LetsOneImageOfAHeartBeatAsTheTextbooks) {
   EXPECT_NEAR(found["indices"]["RV"]["strokeVolumeMl"].get<double>() /
                   found["indices"]["LV"]["strokeVolumeMl"].get<double>(),
               1, 0.03);
+  EXPECT_EQ(found["ejectionFraction"]["lv"], found["ejectionFraction"]["LV"]);
+  EXPECT_EQ(found["indices"]["rv"], found["indices"]["RV"]);
+  for (const char* key : {"endDiastolicVolumeMl", "endSystolicVolumeMl", "strokeVolumeMl", "ejectionFraction",
+                          "cardiacOutputLPerMinute", "endDiastolicMl", "endSystolicMl"})
+    EXPECT_TRUE(found["indices"]["lv"][key].is_number()) << key;
   EXPECT_NEAR(found["periodMs"].get<double>(), 1000, 1e-6);
   const json played = runJson({"play", path("t.sequence.json"), "--fps", "25", "--csv", path("v.csv")});
   EXPECT_NEAR(played["ejectionFraction"].get<double>(), found["ejectionFraction"]["LV"].get<double>(), 1e-4);
@@ -92,7 +99,7 @@ TEST_F(Track, SaysWhatIsMissingAndLeavesNothing) {
   const std::string file = cine();
   const auto before = files();
   expectFailure({"track", file, "-o", path("m.sequence.json")}, kUsage, "say which surfaces they make");
-  expectFailure({"track", file, "-o", path("m.json"), "--surface", "LV=1"}, kUsage, "ends in .sequence.json");
+  expectFailure({"track", file, "-o", path("m.json"), "--surface", "LV=1"}, kUsage, "end in .sequence.json");
   expectFailure({"track", file, "-o", path("m.sequence.json"), "--surface", "LV"}, kUsage,
                 "a name and labels");
   expectFailure({"track", file, "-o", path("m.sequence.json"), "--surface", "LV=9"}, kUsage, "9");

@@ -85,6 +85,10 @@ TEST(ChamberNamed, FindsCavitiesAndNeitherWallsNorMuscle) {
   for (const char* right : {"rv", "patient1_RV_ENDOCARDIAL", "right ventricle"})
     EXPECT_EQ(chamberNamed(right), kRightVentricle) << right;
   EXPECT_EQ(chamberNamed("left_atrium"), kLeftAtrium);
+  EXPECT_EQ(chamberKey("LV cavity"), "lv");
+  EXPECT_EQ(chamberKey("Heart/la"), "la");
+  EXPECT_EQ(chamberKey("patient1_RV_ENDOCARDIAL"), "rv");
+  EXPECT_EQ(chamberKey("myocardium"), "");
   EXPECT_EQ(chamberNamed("RA"), kRightAtrium);
   for (const char* other :
        {"Heart", "lv_wall", "LV myocardium", "EPICARDIAL", "left kidney", "liver", "lavage", ""})

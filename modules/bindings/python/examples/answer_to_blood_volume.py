@@ -16,8 +16,8 @@ with open(results() / "starling.csv", "w", newline="") as file:
         for scenario in ("rest", "heart-failure-reduced-ef")
     )
     for volume, one, other in zip(blood, healthy, failing):
-        table.writerow([volume, one["edp_mmHg"], one["sv_ml"], other["edp_mmHg"], other["sv_ml"]])
-assert all(later["sv_ml"] > earlier["sv_ml"] for earlier, later in zip(healthy, healthy[1:]))
+        table.writerow([volume, one["edp_mmHg"], one["stroke_volume_ml"], other["edp_mmHg"], other["stroke_volume_ml"]])
+assert all(later["stroke_volume_ml"] > earlier["stroke_volume_ml"] for earlier, later in zip(healthy, healthy[1:]))
 
 stenosis = viscera.circulate("aortic-stenosis")
 curves = stenosis.curves

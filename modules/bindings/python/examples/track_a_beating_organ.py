@@ -25,8 +25,8 @@ motion.write(results() / "cavity.sequence.json")  # `viscera play` and the windo
 for phase in motion.phases:
     print(f"{1000 * phase['seconds']:4.0f} ms: {phase['mean_mm']:.2f} mm away, {phase['fit']}")
 found = motion.indices["cavity"]
-print(f"{found['edv_ml']:.1f} to {found['esv_ml']:.1f} ml: ejection fraction {found['ef']:.2f}")
-assert abs(found["ef"] - (1 - min(volumes) / max(volumes))) < 1e-4
+print(f"{found['end_diastolic_volume_ml']:.1f} to {found['end_systolic_volume_ml']:.1f} ml: ejection fraction {found['ejection_fraction']:.2f}")
+assert abs(found["ejection_fraction"] - (1 - min(volumes) / max(volumes))) < 1e-4
 
 beat = motion.sequence
 rest, faces = beat.surfaces["cavity"]

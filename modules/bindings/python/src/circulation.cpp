@@ -56,7 +56,11 @@ std::shared_ptr<Circulation> circulate(const std::string& scenario, const GivenN
 
 py::dict chamberDict(const circulation::ChamberIndices& chamber) {
   py::dict all;
-  all["edv_ml"] = chamber.edvMl;
+  all["end_diastolic_volume_ml"] = chamber.edvMl;
+  all["end_systolic_volume_ml"] = chamber.esvMl;
+  all["stroke_volume_ml"] = chamber.svMl;
+  all["ejection_fraction"] = chamber.ef;
+  all["edv_ml"] = chamber.edvMl; // The names before those of the command line.
   all["esv_ml"] = chamber.esvMl;
   all["sv_ml"] = chamber.svMl;
   all["ef"] = chamber.ef;
@@ -94,6 +98,7 @@ py::dict indexDict(const Indices& indices) {
         chamberDict(indices.chambers[i]);
   all["aorta"] = arteryDict(indices.aorta);
   all["pulmonary_artery"] = arteryDict(indices.pulmonaryArtery);
+  all["cardiac_output_l_per_minute"] = indices.cardiacOutputLMin;
   all["cardiac_output_l_min"] = indices.cardiacOutputLMin;
   all["forward_stroke_ml"] = indices.forwardStrokeMl;
   all["mitral_regurgitation_ml"] = indices.mitralRegurgitationMl;
@@ -102,6 +107,9 @@ py::dict indexDict(const Indices& indices) {
   all["aortic_mean_gradient_mmHg"] = indices.aorticMeanGradient;
   all["aortic_peak_gradient_mmHg"] = indices.aorticPeakGradient;
   all["mitral_mean_gradient_mmHg"] = indices.mitralMeanGradient;
+  constexpr double kMsPerS = 1000;
+  all["ejection_ms"] = kMsPerS * indices.ejectionSeconds;
+  all["relaxation_ms"] = kMsPerS * indices.relaxationSeconds;
   all["ejection_s"] = indices.ejectionSeconds;
   all["relaxation_s"] = indices.relaxationSeconds;
   all["arterial_elastance"] = indices.arterialElastance;
@@ -204,10 +212,11 @@ void addCirculation(py::module_& module) {
           "1), \"ecg_mV\", \"sound\".")
       .def_property_readonly(
           "indices", [](const Circulation& c) { return indexDict(c.indices); },
-          "What a chart shows beside its curves: for \"lv\", \"rv\", \"la\", \"ra\" a dict (edv_ml, esv_ml, "
-          "sv_ml, ef, edp_mmHg, mean_mmHg, highest_mmHg, dpdt_max in mmHg/s, stroke_work_J); \"aorta\" and "
+          "What a chart shows beside its curves: for \"lv\", \"rv\", \"la\", \"ra\" a dict "
+          "(end_diastolic_volume_ml, end_systolic_volume_ml, stroke_volume_ml, ejection_fraction, edp_mmHg, "
+          "mean_mmHg, highest_mmHg, dpdt_max in mmHg/s, stroke_work_J); \"aorta\" and "
           "\"pulmonary_artery\" (systolic, diastolic, mean, mmHg); \"valves\" (opens, shuts, s); "
-          "cardiac_output_l_min and others whose names have their units.")
+          "cardiac_output_l_per_minute, ejection_ms, relaxation_ms and others whose names have their units.")
       .def_property_readonly("sounds", &sounds,
                              "The heart sounds of the beat: name, second, loudness (1: the first at rest).")
       .def("__repr__", [](const Circulation& c) {

@@ -70,6 +70,7 @@ void addSystems(py::module_& module) {
 PYBIND11_MODULE(_core, module) {
   module.doc() = "Coordinates, deformation, volume, stress, motion and circulation on arrays of numpy: mm, "
                  "LPS, float64.";
+  module.attr("__version__") = VISCERA_VERSION;
   viscera::python::translateErrors();
   viscera::python::addSystems(module);
   viscera::python::addBinding(module);

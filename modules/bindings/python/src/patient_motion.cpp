@@ -15,6 +15,7 @@
 #include "file_motion.h"
 #include "long_jobs.h"
 #include "parts.h"
+#include "viscera/anatomy/part.h"
 #include "viscera/core/phrase.h"
 #include "viscera/sequences/keyframes.h"
 
@@ -118,12 +119,20 @@ py::dict indices(const PatientMotion& found) {
   py::dict all;
   for (const auto& [name, each] : found.indices) {
     py::dict row;
-    row["edv_ml"] = each.endDiastolicMl;
+    row["end_diastolic_volume_ml"] = each.endDiastolicMl;
+    row["end_systolic_volume_ml"] = each.endSystolicMl;
+    row["stroke_volume_ml"] = each.strokeVolumeMl;
+    row["ejection_fraction"] = each.ejectionFraction;
+    row["cardiac_output_l_per_minute"] = each.cardiacOutputLPerMinute;
+    row["edv_ml"] = each.endDiastolicMl; // The names before those of the command line.
     row["esv_ml"] = each.endSystolicMl;
     row["sv_ml"] = each.strokeVolumeMl;
     row["ef"] = each.ejectionFraction;
     row["cardiac_output_l_min"] = each.cardiacOutputLPerMinute;
     all[py::str(name)] = row;
+    const std::string chamber = anatomy::chamberKey(name);
+    if (!chamber.empty() && !all.contains(chamber))
+      all[py::str(chamber)] = row;
   }
   return all;
 }
@@ -159,7 +168,10 @@ void addPatientMotion(py::module_& module) {
                              "fitted_ml, free_ml, distances, dice, flipped triangles).")
       .def_property_readonly(
           "indices", &indices,
-          "Of each cavity, or of the only surface: edv_ml, esv_ml, sv_ml, ef, cardiac_output_l_min.")
+          "Of each cavity, or of the only surface: end_diastolic_volume_ml, end_systolic_volume_ml, "
+          "stroke_volume_ml, ejection_fraction, cardiac_output_l_per_minute; a chamber of the heart under "
+          "its "
+          "name and as \"lv\", \"rv\", \"la\", \"ra\".")
       .def_readonly("tissue_ml", &PatientMotion::tissueMl,
                     "The outer surface less its cavities, a number a phase; empty for one surface.")
       .def_property_readonly(

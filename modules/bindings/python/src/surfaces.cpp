@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <cstdint>
 #include <string>
 
 #include <pybind11/stl.h>
@@ -38,13 +40,55 @@ void requireIndices(const Triangles& triangles, Eigen::Index points) {
 
 namespace {
 
+/// A pseudo-random number for the edge from `a` to `b`, and its negative for the edge from `b` to `a`.
+std::uint64_t edgeNumber(std::int32_t a, std::int32_t b) {
+  // Steele, Lea and Flood, "Fast splittable pseudorandom number generators", 2014,
+  // doi 10.1145/2660193.2660195.
+  std::uint64_t z = (static_cast<std::uint64_t>(static_cast<std::uint32_t>(std::min(a, b))) << 32U) |
+                    static_cast<std::uint32_t>(std::max(a, b));
+  z += 0x9E3779B97F4A7C15U;
+  z = (z ^ (z >> 30U)) * 0xBF58476D1CE4E5B9U;
+  z = (z ^ (z >> 27U)) * 0x94D049BB133111EBU;
+  z ^= z >> 31U;
+  return a < b ? z : 0 - z;
+}
+
+/// Whether every edge is run through as often in one direction as in the other, as in a closed surface of
+/// consistent triangles. An open surface passes once in 2^64. O(m), without memory: volumes are asked for
+/// frame by frame.
+bool edgesCancel(const Triangles& triangles) {
+  std::uint64_t sum = 0;
+  for (const auto& triangle : triangles.rowwise())
+    for (int k = 0; k < 3; ++k)
+      if (triangle[k] != triangle[(k + 1) % 3])
+        sum += edgeNumber(triangle[k], triangle[(k + 1) % 3]);
+  return sum == 0;
+}
+
+/// Warns as Python does, so that a script can turn it off or into an error. Throws what the filter asks for.
+void warnOfOpenSurface(const Points& points, const Triangles& triangles) {
+  const geometry::SurfaceReport report = geometry::checkSurface({points, triangles, {}});
+  const std::string text =
+      report.closed() ? "the triangles do not all face the same way, so the surface has no certain volume"
+                      : "the surface is open (" + std::to_string(report.boundaryEdges) +
+                            " edges have one triangle), so it has no volume: the number depends on where the "
+                            "surface lies";
+  if (PyErr_WarnEx(PyExc_UserWarning, text.c_str(), 1) < 0)
+    throw py::error_already_set();
+}
+
 double volume(const py::object& points, const py::object& triangles, int threads) {
   const auto corners = pointsFrom(points, "points");
   const auto faces = trianglesFrom(triangles, "triangles");
-  return unlocked([&] {
+  bool isClosed = true;
+  const double found = unlocked([&] {
     requireIndices(*faces, corners->rows());
+    isClosed = edgesCancel(*faces);
     return geometry::volume(*corners, *faces, {threads});
   });
+  if (!isClosed)
+    warnOfOpenSurface(*corners, *faces);
+  return found;
 }
 
 double area(const py::object& points, const py::object& triangles) {
@@ -158,7 +202,9 @@ void addSurfaces(py::module_& module) {
   const auto points = py::arg("points");
   const auto triangles = py::arg("triangles");
   module.def("volume", &volume, points, triangles, py::arg("threads") = 0,
-             "The signed volume (mm^3) inside a closed surface: points n x 3 mm, triangles m x 3. O(m).");
+             "The signed volume (mm^3) inside a closed surface: points n x 3 mm, triangles m x 3. Warns "
+             "(UserWarning) "
+             "of a surface that is open, or whose triangles face different ways. O(m).");
   module.def("area", &area, points, triangles,
              "The area (mm^2) of a surface: points n x 3 mm, triangles m x 3. O(m).");
   module.def("point_volume_gradient", &pointGradient, points, triangles, py::arg("threads") = 0,

@@ -17,6 +17,7 @@ from ._core import (
     StressPoints,
     System,
     VolumeLock,
+    __version__,
     area,
     as_points,
     as_triangles,

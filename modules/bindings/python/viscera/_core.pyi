@@ -7,6 +7,8 @@ Floats = NDArray[np.float64]
 Ints = NDArray[np.int32]
 Progress = Callable[[float, str], Optional[bool]]
 
+__version__: str
+
 class Parameter:
     name: str
     minimum: float

@@ -55,6 +55,10 @@ std::optional<Part> partNamed(std::string_view name);
 /// walls and muscle too.
 std::optional<Part> chamberNamed(std::string_view name);
 
+/// The key of that chamber in JSON and in Python, one for all names of it: "lv", "rv", "la" or "ra"; empty for
+/// all else.
+std::string chamberKey(std::string_view name);
+
 /// The colour of the part that a name means, red, green and blue from 0 to 1. Of several organs, the first
 /// one's; of "tumour" without an organ, that of a lesion. None for other names.
 std::optional<Vec3> colorNamed(std::string_view name);
