@@ -21,6 +21,7 @@
 #include "viscera/live/sequence_file.h"
 #include "viscera/live/sequence_setup.h"
 #include "viscera/live/textbook_motion.h"
+#include "viscera/live/unsuited_motion.h"
 #include "viscera/medical_io/handle_file.h"
 #include "viscera/presentation/view_state.h"
 
@@ -258,8 +259,8 @@ PlayedSequence onOtherOrgan(const PlayRequest& request, CommandContext& context)
   document::Organ organ = organInput(name, context.samples, context.progress);
   live::RetargetedSequence fitted =
       live::retargetSequence(request.sequence, organ, given, context.progress, context.threads);
+  played.warnings.insert(played.warnings.begin(), fitted.warnings.begin(), fitted.warnings.end());
   played.warnings.insert(played.warnings.end(), organ.warnings.begin(), organ.warnings.end());
-  played.warnings.insert(played.warnings.end(), fitted.warnings.begin(), fitted.warnings.end());
   played.sequence = fitted.sequence;
   played.rig = fitted.rig;
   Surfaces surfaces;
@@ -278,6 +279,8 @@ PlayedSequence fromFile(const PlayRequest& request, CommandContext& context) {
   Surfaces surfaces;
   std::vector<Text> warnings;
   for (document::Organ& organ : organInputs(request.organ, context.samples, context.progress)) {
+    if (Text unsuited = live::unsuitedTo(file, organ.name); surfaces.names.empty() && !unsuited.empty())
+      warnings.push_back(std::move(unsuited));
     warnings.insert(warnings.end(), organ.warnings.begin(), organ.warnings.end());
     const std::string name = surfaces.names.empty() ? "outer" : organ.name.substr(organ.name.find('/') + 1);
     surfaces.add(name, std::move(organ));
@@ -324,6 +327,8 @@ PlayedSequence fromSession(const PlayRequest& request, CommandContext& context) 
   played.sequence = sequenceOf(state, view, context);
   if (!played.sequence || state.organs->empty())
     throw UsageError("It moves no organ", request.sequence, "choose a motion in the window and save it");
+  if (Text unsuited = unsuitedMotion(state, view, *played.sequence); !unsuited.empty())
+    played.warnings.insert(played.warnings.begin(), std::move(unsuited));
   document::requireFits(*state.rig, *played.sequence);
   if (view.playing && view.playing->ratePerMinute > 0)
     played.ratePerMinute = std::clamp(view.playing->ratePerMinute, played.sequence->lowestRatePerMinute(),

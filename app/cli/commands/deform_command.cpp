@@ -1,5 +1,6 @@
 #include "cli/commands/all_commands.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <memory>
@@ -27,9 +28,68 @@ namespace {
 
 constexpr const char* kLeastDisplacement = "least-displacement";
 constexpr const char* kLeastStress = "least-stress";
+constexpr std::size_t kMovesListed = 8;
+constexpr double kAsAskedMm = 0.005; ///< What two digits do not show.
 
 int movedHandles(const Points& rest, const Points& pose) {
   return static_cast<int>(((pose - rest).rowwise().squaredNorm().array() > 0).count());
+}
+
+/// How far a handle is from rest: as the pose asks, and as it is with a kept volume.
+struct HandleMove {
+  std::string label;
+  double askedMm = 0;
+  double givenMm = 0;
+  double offMm = 0; ///< From the place that the pose asks for.
+};
+
+/// The handles that the pose moves, and those that compensate.
+std::vector<HandleMove> movesOf(const RigInput& rig, const Points& asked, const Points& given) {
+  const Points& rest = rig.handles.positions;
+  std::vector<HandleMove> moves;
+  for (Eigen::Index row = 0; row < rest.rows(); ++row) {
+    const HandleMove move{rig.labels[static_cast<std::size_t>(row)], (asked.row(row) - rest.row(row)).norm(),
+                          (given.row(row) - rest.row(row)).norm(), (given.row(row) - asked.row(row)).norm()};
+    if (move.askedMm > 0 || move.givenMm > 0)
+      moves.push_back(move);
+  }
+  return moves;
+}
+
+nlohmann::ordered_json movesJson(const std::vector<HandleMove>& moves) {
+  auto list = nlohmann::ordered_json::array();
+  for (const HandleMove& move : moves)
+    list.push_back(
+        {{"label", move.label}, {"askedMm", move.askedMm}, {"givenMm", move.givenMm}, {"offMm", move.offMm}});
+  return list;
+}
+
+std::string moveText(const HandleMove& move) {
+  return fixed(move.askedMm, 2) + " mm asked, " + fixed(move.givenMm, 2) + " mm given";
+}
+
+/// Lists what was asked and given, and warns of handles that are not where the pose asks for them.
+void tellMoves(const std::vector<HandleMove>& moves, Listing& listing, std::vector<Text>& warnings) {
+  std::size_t asked = 0, compensating = 0;
+  double farthest = 0;
+  std::string changed;
+  for (const HandleMove& move : moves) {
+    if (move.askedMm > 0 && asked++ < kMovesListed)
+      listing.add("handle " + move.label, moveText(move));
+    if (move.askedMm > 0 && move.offMm > kAsAskedMm)
+      changed += (changed.empty() ? "" : "; ") + move.label + " " + moveText(move);
+    if (move.askedMm == 0) {
+      ++compensating;
+      farthest = std::max(farthest, move.givenMm);
+    }
+  }
+  if (asked > kMovesListed)
+    listing.add("", std::to_string(asked - kMovesListed) + " more, which --json lists");
+  listing.add("compensating",
+              std::to_string(compensating) + " handles, by " + fixed(farthest, 2) + " mm at most");
+  if (!changed.empty())
+    warnings.push_back("to keep the volume, handles that the pose moves are elsewhere than it asks: " +
+                       changed + "; --compensate with other handles leaves them there");
 }
 
 /// `viscera deform`: poses an organ and reports the change of its volume.
@@ -98,12 +158,13 @@ public:
     const double error = (nowMl - targetMl(deformer)) / std::abs(targetMl(deformer));
     const double change = (nowMl - restMl) / std::abs(restMl);
     const int moved = movedHandles(rig.handles.positions, deformer.pose());
+    const std::vector<HandleMove> moves = movesOf(rig, pose, deformer.pose());
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     outcome.json = {{"organ", organ.name},      {"system", system->id()},
                     {"closed", organ.closed()}, {"volumeRestMl", restMl},
                     {"volumeMl", nowMl},        {"relativeVolumeError", error},
                     {"movedHandles", moved},    {"maxDisplacementMm", deformer.maxDisplacementMm()},
-                    {"seconds", seconds}};
+                    {"seconds", seconds},       {"handles", movesJson(moves)}};
     Listing listing;
     if (organ.closed())
       listing.add("volume at rest", fixed(restMl, 3) + " ml")
@@ -112,7 +173,9 @@ public:
     else
       listing.add("volume", "none: the surface is open");
     listing.add("moved handles", std::to_string(moved))
-        .add("largest displacement", fixed(deformer.maxDisplacementMm(), 2) + " mm");
+        .add("largest displacement", fixed(deformer.maxDisplacementMm(), 2) + " mm of the surface");
+    if (lockVolume_ || targetMl_)
+      tellMoves(moves, listing, outcome.warnings);
     writeOutputs(input, deformer, context.progress, outcome, listing);
     outcome.text = listing.text();
     outcome.warnings.insert(outcome.warnings.end(), organ.warnings.begin(), organ.warnings.end());

@@ -189,6 +189,10 @@ LessonCommand::Material LessonCommand::ofSession(CommandContext& context) const 
   material.warnings = opened.warnings;
   material.document = std::make_unique<BoundDocument>(opened.contents.state, context);
   material.source.sequence = sequenceOf(opened.contents.state, view, context);
+  if (material.source.sequence)
+    if (Text unsuited = unsuitedMotion(opened.contents.state, view, *material.source.sequence);
+        !unsuited.empty())
+      material.warnings.insert(material.warnings.begin(), std::move(unsuited));
   if (view.playing)
     material.source.ratePerMinute = view.playing->ratePerMinute;
   material.source.prescribed = prescribedOf(opened.contents.state, view);

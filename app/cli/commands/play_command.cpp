@@ -286,6 +286,7 @@ public:
     outcome.warnings = std::move(played.warnings);
     if (!measured.obstacle.empty())
       outcome.warnings.push_back(measured.obstacle);
+    outcome.json["warnings"] = outcome.warnings;
     outcome.json["seconds"] = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     return outcome;
   }
@@ -476,7 +477,8 @@ private:
                     {"ratePerMinute", rate},
                     {"frames", volumes.rows()},
                     {"cycles", cycles_},
-                    {"framesPerSecond", framesPerSecond_}};
+                    {"framesPerSecond", framesPerSecond_},
+                    {"warnings", played.warnings}};
     if (!request_.scenario.empty())
       outcome.json["scenario"] = request_.scenario;
     Listing listing;

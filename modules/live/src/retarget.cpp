@@ -16,6 +16,7 @@
 #include "viscera/heart/heart_fit.h"
 #include "viscera/heart/outer_heartbeat.h"
 #include "viscera/heart/scaled_sequence.h"
+#include "viscera/live/unsuited_motion.h"
 #include "viscera/sequences/peristalsis.h"
 #include "viscera/sequences/stomach_fit.h"
 
@@ -164,6 +165,8 @@ RetargetedSequence retargetSequence(const std::string& id, const document::Organ
                               : id == "peristalsis" ? retargeter.peristalsis(std::move(landmarks), progress)
                                                     : retargeter.breathing(std::move(landmarks));
   progress.throwIfCancelled();
+  if (Text unsuited = unsuitedTo(id, organ.name); !unsuited.empty())
+    result.warnings.insert(result.warnings.begin(), std::move(unsuited)); // Before all about its numbers.
   progress.report(1);
   return result;
 }

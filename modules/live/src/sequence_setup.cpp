@@ -80,7 +80,9 @@ const std::vector<SampleSequence>& sampleSequences() {
 
 SequenceMatch matchesOrgan(const SampleSequence& sequence, const std::string& organName) {
   const auto part = anatomy::partNamed(organName);
-  if (!part || part->extent != anatomy::Extent::whole || part->chamber != anatomy::Chamber::none)
+  if (!part || part->extent != anatomy::Extent::whole)
+    return SequenceMatch::unknown;
+  if (part->chamber != anatomy::Chamber::none && sequence.organ == anatomy::kHeart.organ)
     return SequenceMatch::unknown;
   const bool muscle = part->organ == "myocardium" && sequence.organ == anatomy::kHeart.organ;
   return muscle || part->organ == sequence.organ ? SequenceMatch::yes : SequenceMatch::no;

@@ -198,6 +198,39 @@ TEST_F(CliJson, DeformKeepsOrReachesAVolume) {
                 "volume");
 }
 
+TEST_F(CliJson, ALockedDeformationSaysWhatWasAskedAndGiven) {
+  const std::string organ = put("cube.off", cubeOff(5));
+  const std::string rest = put("rest.mrk.json", markups(corners(10)));
+  auto positions = corners(10);
+  positions[7][0] += 6;
+  positions[6][0] += 2;
+  const std::vector<std::string> deform{"deform",       organ,    "--handles",
+                                        rest,           "--pose", put("pose.mrk.json", markups(positions)),
+                                        "--lock-volume"};
+  const auto with = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), deform.begin(), deform.end());
+    return more;
+  };
+  const json kept = runJson(deform);
+  ASSERT_EQ(kept["handles"].size(), 8U);
+  for (const json& handle : kept["handles"]) {
+    const double asked = handle["label"] == "H-8" ? 6 : handle["label"] == "H-7" ? 2 : 0;
+    EXPECT_NEAR(handle["askedMm"].get<double>(), asked, 1e-9) << handle;
+    if (asked > 0)
+      EXPECT_NEAR(handle["offMm"].get<double>(), 0, 1e-9) << "those at rest compensate: " << handle;
+  }
+  const auto warnsOf = [](const json& outcome, const std::string& words) {
+    return outcome["warnings"].dump().find(words) != std::string::npos;
+  };
+  EXPECT_FALSE(warnsOf(kept, "elsewhere")) << kept["warnings"];
+  EXPECT_NE(run(deform).out.find("6.00 mm asked, 6.00 mm given"), std::string::npos) << run(deform).out;
+
+  const json changed = runJson(with({"--compensate", "H-8"}));
+  ASSERT_EQ(changed["handles"].size(), 2U);
+  EXPECT_GT(changed["handles"][1]["offMm"].get<double>(), 0.01);
+  EXPECT_TRUE(warnsOf(changed, "elsewhere than it asks: H-8 6.00 mm asked")) << changed["warnings"];
+}
+
 TEST_F(CliJson, WeightsAreANumPyFile) {
   const std::string organ = put("cube.off", cubeOff(5));
   const std::string rest = put("rest.mrk.json", markups(corners(10)));

@@ -233,6 +233,21 @@ TEST_F(CliPlay, HandlesComeBackFromTheirFileInTheirGroups) {
       {"play", "heartbeat", "--organ", "sample:heart@low", "--fps", "5", "--handles", path("h.mrk.json")});
 }
 
+TEST_F(CliPlay, SaysFirstThatAMotionIsNotMadeForTheOrgan) {
+  const json liver = runJson({"play", "heartbeat", "--organ", "sample:liver@low", "--fps", "2"});
+  ASSERT_FALSE(liver["warnings"].empty());
+  EXPECT_NE(liver["warnings"][0].get<std::string>().find("Heartbeat is made for another organ (Heart)"),
+            std::string::npos)
+      << liver["warnings"];
+  const test::ProcessResult said =
+      run({"play", "breathing", "--organ", "sample:kidney_left@low", "--fps", "2"});
+  EXPECT_NE(said.err.find("Breathing is made for another organ (Liver) than this one (Left kidney)"),
+            std::string::npos)
+      << said.err;
+  EXPECT_TRUE(
+      runJson({"play", "breathing", "--organ", "sample:liver@low", "--fps", "2"})["warnings"].empty());
+}
+
 TEST_F(CliPlay, PlaysARecordedSequenceOnAnOrganWithinItsHandles) {
   json file{{"format", "viscera-sequence"}, {"version", 1}, {"periodSeconds", 2}, {"handles", json::array()}};
   const auto places = corners(60);

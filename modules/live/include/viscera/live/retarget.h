@@ -71,7 +71,8 @@ struct RetargetedSequence {
   Landmarks landmarks;           ///< All landmarks that were used.
   double scale = 1;              ///< The organ's size as a multiple of the sample organ's.
   double restVolumeMl = 0;       ///< Of the organ.
-  std::vector<Text> warnings;    ///< Warnings for the user, such as an implausible size.
+  std::vector<Text> warnings;    ///< Warnings for the user: first that the organ is of another kind than the
+                                 ///< sequence's, then others, such as an implausible size.
 };
 
 /// Makes the sequence `id` for `organ`: finds missing landmarks, places handles around this organ and applies
