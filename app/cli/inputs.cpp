@@ -263,6 +263,31 @@ RigInput rigInput(const std::filesystem::path& file, std::vector<Text>& warnings
   return input;
 }
 
+RigInput drawnHandles(const std::filesystem::path& file, std::vector<Text>& warnings) {
+  const medical_io::HandleFile contents = medical_io::readHandles(file);
+  for (const Text& warning : contents.warnings)
+    warnings.push_back(phrase("%1: %2", file.string(), warning));
+  RigInput input;
+  std::vector<Vec3> places;
+  for (const medical_io::HandleGroupRecord& group : contents.groups) {
+    coordinates::HandleGroup rows{group.name, {}};
+    for (const medical_io::HandleRecord& handle : group.handles) {
+      const auto known = std::find(places.begin(), places.end(), handle.position); // In another group, too.
+      rows.handles.push_back(static_cast<int>(known - places.begin()));
+      if (known == places.end()) {
+        places.push_back(handle.position);
+        input.labels.push_back(handle.label);
+      }
+    }
+    input.handles.groups.push_back(std::move(rows));
+    input.groupColors.push_back(group.color);
+  }
+  input.handles.positions.resize(static_cast<Eigen::Index>(places.size()), 3);
+  for (std::size_t i = 0; i < places.size(); ++i)
+    input.handles.positions.row(static_cast<Eigen::Index>(i)) = places[i].transpose();
+  return input;
+}
+
 Points poseInput(const std::filesystem::path& file, const RigInput& rest, std::vector<Text>& warnings) {
   const medical_io::HandleFile contents = medical_io::readHandles(file);
   for (const Text& warning : contents.warnings)

@@ -92,6 +92,10 @@ struct RigInput {
 RigInput rigInput(const std::filesystem::path& file, std::vector<Text>& warnings,
                   const std::filesystem::path& cage = {});
 
+/// Reads a handle file as points that are only drawn, such as landmarks: any number of them, anywhere. Throws
+/// `NoInputError`, and `DataError` for what is no handle file.
+RigInput drawnHandles(const std::filesystem::path& file, std::vector<Text>& warnings);
+
 /// Reads a handle file as a pose of `rest`, `n x 3` mm: handles are matched by label, those that the file
 /// does not have stay at rest. Throws `DataError` for a label that the rest handles do not have or that comes
 /// twice.

@@ -70,8 +70,9 @@ bool addImage(Contents& contents, const std::string& file, Progress& progress) {
   return true;
 }
 
+/// Handles that no organ is bound to are only drawn: they may be landmarks.
 Contents read(const std::vector<std::string>& files, const std::string& cage, const CommandContext& context,
-              bool withScan) {
+              bool withScan, bool bound) {
   Contents contents;
   for (const std::string& file : files) {
     if (withScan && !contents.scan && addImage(contents, file, context.progress))
@@ -79,7 +80,7 @@ Contents read(const std::vector<std::string>& files, const std::string& cage, co
     if (document::isHandleFile(file)) {
       if (contents.rig)
         throw UsageError("a second handle file", file, "name one handle file");
-      contents.rig = rigInput(file, contents.warnings, cage);
+      contents.rig = bound ? rigInput(file, contents.warnings, cage) : drawnHandles(file, contents.warnings);
       continue;
     }
     add(contents, organInputs(file, context.samples, context.progress));
@@ -220,7 +221,8 @@ public:
     stage_.size = pictureSize(size_);
     if (views_.empty())
       views_.push_back(stage_.view);
-    Contents contents = read(files_, system_.cage(), context, !slice_.empty());
+    const bool bound = !influence_.empty() || !pose_.empty() || parts_.any() || !system_.cage().empty();
+    Contents contents = read(files_, system_.cage(), context, !slice_.empty(), bound);
     if (!contents.rig && (!influence_.empty() || parts_.any()))
       throw UsageError("It needs a handle file among the files", influence_.empty()
                                                                      ? "--regions, --zones or --super-regions"

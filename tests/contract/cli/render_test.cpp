@@ -19,6 +19,14 @@ protected:
   }
 };
 
+TEST_F(CliRender, LandmarksAreDrawnThoughTheyAreTooFewForCoordinates) {
+  const std::string organ = put("cube.off", cubeOff(20));
+  const std::string landmarks = put("l.mrk.json", markups({{20, 0, 0}, {0, 20, 0}, {0, 0, 20}}));
+  const json drawn = runJson({"render", organ, landmarks, "-o", path("l.png"), "--size", "160x120"});
+  EXPECT_EQ(drawn["handles"], 3);
+  expectFailure({"render", organ, landmarks, "-o", path("i.png"), "--influence", "H-1"}, kBadData, "four");
+}
+
 TEST_F(CliRender, WritesAPictureOfTheSizeAskedForWithoutADisplay) {
   const json result = runJson({"render", "sample:stomach@low", "-o", path("s.png"), "--size", "320x200"});
   EXPECT_EQ(result["png"], path("s.png"));
