@@ -25,7 +25,7 @@ bool sameFile(const fs::path& a, const fs::path& b) {
   return fs::equivalent(a, b, unreachable) && !unreachable;
 }
 
-/// Whether a folder that is read as a whole is read for the sake of files like this one.
+/// Whether a folder that is read as a whole, or a session, may be read for the sake of a file like this one.
 bool isOrganOrImage(const fs::path& file) {
   try {
     const medical_io::FileKind kind = medical_io::fileKind(file);
@@ -74,7 +74,8 @@ bool isRead(const fs::path& output, const std::string& argument) {
       return false;
     if (fs::is_directory(input, unreachable))
       return sameFile(absolutePath(output).parent_path(), input) && isOrganOrImage(output);
-    return sameFile(output, input) || (document::isSessionFile(input) && sessionNames(input, output));
+    return sameFile(output, input) ||
+           (document::isSessionFile(input) && isOrganOrImage(output) && sessionNames(input, output));
   });
 }
 

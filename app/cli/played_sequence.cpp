@@ -23,6 +23,7 @@
 #include "viscera/live/textbook_motion.h"
 #include "viscera/live/unsuited_motion.h"
 #include "viscera/medical_io/handle_file.h"
+#include "viscera/presentation/unsuited_motion.h"
 #include "viscera/presentation/view_state.h"
 
 namespace viscera::app::cli {
@@ -327,7 +328,7 @@ PlayedSequence fromSession(const PlayRequest& request, CommandContext& context) 
   played.sequence = sequenceOf(state, view, context);
   if (!played.sequence || state.organs->empty())
     throw UsageError("It moves no organ", request.sequence, "choose a motion in the window and save it");
-  if (Text unsuited = unsuitedMotion(state, view, *played.sequence); !unsuited.empty())
+  if (Text unsuited = presentation::unsuitedMotion(state, view, *played.sequence); !unsuited.empty())
     played.warnings.insert(played.warnings.begin(), std::move(unsuited));
   document::requireFits(*state.rig, *played.sequence);
   if (view.playing && view.playing->ratePerMinute > 0)

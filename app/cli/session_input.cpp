@@ -18,9 +18,9 @@
 #include "viscera/live/live_stress.h"
 #include "viscera/live/motion_copy.h"
 #include "viscera/live/motion_recipe.h"
-#include "viscera/live/unsuited_motion.h"
 #include "viscera/presentation/presenter.h"
 #include "viscera/presentation/space_parts.h"
+#include "viscera/presentation/unsuited_motion.h"
 #include "viscera/sequences/volume_curve.h"
 
 namespace viscera::app::cli {
@@ -84,11 +84,6 @@ std::optional<heart::ValveInstants> valvesOf(const document::DocumentState& stat
                            view.playing->ratePerMinute, quiet);
 }
 
-/// The motion of the list that the session plays, or the first that it offers; -1: the one that it holds.
-int motionOf(const presentation::ViewState& view) {
-  return view.playing ? view.playing->motion : view.motions.empty() ? -1 : 0;
-}
-
 } // namespace
 
 std::optional<live::PrescribedVolume> prescribedOf(const document::DocumentState& state,
@@ -99,19 +94,10 @@ std::optional<live::PrescribedVolume> prescribedOf(const document::DocumentState
   return live::PrescribedVolume{prescribed.organ, sequences::volumeCurve(prescribed.curve), prescribed.file};
 }
 
-Text unsuitedMotion(const document::DocumentState& state, const presentation::ViewState& view,
-                    const sequences::Sequence& sequence) {
-  const int motion = motionOf(view);
-  const auto chosen = static_cast<std::size_t>(motion);
-  const auto organ =
-      motion >= 0 && chosen < view.motions.size() ? state.organ(view.motions[chosen].organ) : nullptr;
-  return organ ? live::unsuitedTo(sequence.id(), organ->name) : Text();
-}
-
 std::shared_ptr<const sequences::Sequence> sequenceOf(const document::DocumentState& state,
                                                       const presentation::ViewState& view,
                                                       CommandContext& context) {
-  const int motion = motionOf(view);
+  const int motion = presentation::motionOf(view);
   const auto chosen = static_cast<std::size_t>(motion);
   if (motion >= 0 && chosen < view.motions.size())
     if (const auto organ = state.organ(view.motions[chosen].organ)) {

@@ -36,11 +36,6 @@ std::shared_ptr<const sequences::Sequence> sequenceOf(const document::DocumentSt
                                                       const presentation::ViewState& view,
                                                       CommandContext& context);
 
-/// The warning that this sequence, as `sequenceOf` gives it, is not made for the organ that the session plays
-/// it on; empty for one that is, and for what names do not say.
-Text unsuitedMotion(const document::DocumentState& state, const presentation::ViewState& view,
-                    const sequences::Sequence& sequence);
-
 /// The volume that the session prescribes while its sequence moves the organs; none where it does not, and
 /// where the organ is missing. Throws `DataError` for one that is no curve of volumes.
 std::optional<live::PrescribedVolume> prescribedOf(const document::DocumentState& state,

@@ -25,6 +25,7 @@
 #include "viscera/lesson/lesson_plan.h"
 #include "viscera/live/sequence_file.h"
 #include "viscera/live/sequence_setup.h"
+#include "viscera/presentation/unsuited_motion.h"
 #include "viscera/presentation/view_state.h"
 
 namespace viscera::app::cli {
@@ -190,7 +191,7 @@ LessonCommand::Material LessonCommand::ofSession(CommandContext& context) const 
   material.document = std::make_unique<BoundDocument>(opened.contents.state, context);
   material.source.sequence = sequenceOf(opened.contents.state, view, context);
   if (material.source.sequence)
-    if (Text unsuited = unsuitedMotion(opened.contents.state, view, *material.source.sequence);
+    if (Text unsuited = presentation::unsuitedMotion(opened.contents.state, view, *material.source.sequence);
         !unsuited.empty())
       material.warnings.insert(material.warnings.begin(), std::move(unsuited));
   if (view.playing)

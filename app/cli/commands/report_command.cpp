@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <CLI/CLI.hpp>
@@ -14,6 +15,7 @@
 #include "viscera/core/error.h"
 #include "viscera/core/file_facts.h"
 #include "viscera/document/organ_commands.h"
+#include "viscera/presentation/unsuited_motion.h"
 #include "viscera/report/report_file.h"
 
 namespace viscera::app::cli {
@@ -56,6 +58,10 @@ public:
     source.file = material.file;
     source.notes = material.notes;
     source.sequence = sequenceOf(posed.state(), material.view, context);
+    if (source.sequence)
+      if (Text unsuited = presentation::unsuitedMotion(posed.state(), material.view, *source.sequence);
+          !unsuited.empty())
+        outcome.warnings.insert(outcome.warnings.begin(), std::move(unsuited));
     if (material.view.playing)
       source.ratePerMinute = material.view.playing->ratePerMinute;
     source.prescribed = prescribedOf(posed.state(), material.view);
@@ -79,6 +85,7 @@ public:
     for (const report::Section& section : made.sections)
       if (!section.title.empty())
         outcome.json["sections"].push_back(section.title);
+    outcome.json["warnings"] = outcome.warnings;
     outcome.json["seconds"] = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     outcome.text = Listing()
                        .add("report", output_)

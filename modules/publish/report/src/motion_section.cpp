@@ -9,6 +9,7 @@
 #include "viscera/heart/clinical_numbers.h"
 #include "viscera/live/cycle_curves.h"
 #include "viscera/live/motion_runner.h"
+#include "viscera/presentation/unsuited_motion.h"
 #include "words.h"
 
 namespace viscera::report {
@@ -153,6 +154,9 @@ Section motionSection(const ReportSource& source, Threads threads, Progress& pro
   if (source.prescribed)
     if (const auto organ = source.state.organ(source.prescribed->organ))
       facts.rows.push_back({said("Prescribed"), said("the volume of %1", titleOf(*organ))});
+  if (const Text unsuited = presentation::unsuitedMotion(source.state, source.view, *source.sequence);
+      !unsuited.empty())
+    section.blocks.push_back(Paragraph{inWords(unsuited) + "."}); // Before every number.
   section.blocks.push_back(std::move(facts));
   if (!curves.obstacle.empty())
     section.blocks.push_back(Paragraph{said("A volume could not be kept: %1", inWords(curves.obstacle))});
