@@ -55,8 +55,8 @@ std::optional<Part> partNamed(std::string_view name);
 /// walls and muscle too.
 std::optional<Part> chamberNamed(std::string_view name);
 
-/// The key of that chamber in JSON and in Python, one for all names of it: "lv", "rv", "la" or "ra"; empty for
-/// all else.
+/// The key of that chamber in JSON and in Python, one for all names of it: "lv", "rv", "la" or "ra"; empty
+/// for all else.
 std::string chamberKey(std::string_view name);
 
 /// The colour of the part that a name means, red, green and blue from 0 to 1. Of several organs, the first

@@ -4,9 +4,9 @@
 
 namespace viscera::deformation {
 
-/// The fewest handles that `placeHandles` places: the eight corners of a box when they enclose the organ, else
-/// the four of a tetrahedron, to which an organ could be bound. The window, the command line and Python have
-/// the same limit.
+/// The fewest handles that `placeHandles` places: the eight corners of a box when they enclose the organ,
+/// else the four of a tetrahedron, to which an organ could be bound. The window, the command line and Python
+/// have the same limit.
 constexpr int fewestHandles(bool enclosing) {
   return enclosing ? 8 : 4;
 }

@@ -7,8 +7,8 @@
 
 namespace viscera::presentation {
 
-/// The index in `view.motions` of the motion that a session plays, or else of the first that it offers; -1 for
-/// the one that the document holds.
+/// The index in `view.motions` of the motion that a session plays, or else of the first that it offers; -1
+/// for the one that the document holds.
 int motionOf(const ViewState& view);
 
 /// The warning that `sequence`, which that motion makes, is not made for the organ that it moves
