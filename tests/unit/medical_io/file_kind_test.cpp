@@ -37,6 +37,24 @@ TEST(FileKind, EndingsDecideWhereBytesDoNot) {
   EXPECT_EQ(fileKind(folder.put("notes.txt", "nothing")), FileKind::unknown);
 }
 
+TEST(FileKind, BytesWithoutANameHaveAUsualEnding) {
+  const TemporaryFolder folder;
+  for (const std::string extension : {".stl", ".obj", ".ply", ".off", ".vtk", ".vtp", ".glb"}) {
+    writeSurface(folder / ("organ" + extension), test::organ());
+    std::filesystem::rename(folder / ("organ" + extension), folder / "nameless");
+    EXPECT_EQ(usualEnding(folder / "nameless"), extension);
+  }
+  HandleFile rig;
+  rig.groups.push_back({"A", {1, 0, 0}, {{"A-1", {1, 2, 3}, "", false, true}}});
+  writeHandles(folder / "rig.json", rig);
+  EXPECT_EQ(usualEnding(folder / "rig.json"), ".mrk.json");
+  EXPECT_EQ(usualEnding(folder.put("packed", "\x1f\x8b\x08")), ".nii.gz");
+  EXPECT_EQ(usualEnding(folder.put("image", "NRRD0004\n")), ".nrrd");
+  EXPECT_EQ(usualEnding(folder.put("notes", "nothing")), "");
+  EXPECT_THROW(usualEnding(folder.put("empty", "")), DataError);
+  EXPECT_THROW(usualEnding(folder / "missing"), NoInputError);
+}
+
 TEST(FileKind, BytesWinOverEndings) {
   const TemporaryFolder folder;
   EXPECT_EQ(fileKind(folder.put("a.stl", "NRRD0005\n# label map\n")), FileKind::labelMap);
