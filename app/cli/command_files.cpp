@@ -155,7 +155,8 @@ CommandFiles::CommandFiles(CLI::App& options, const std::vector<OutputOption>& o
   std::vector<const CLI::Option*> outputOptions;
   for (const OutputOption& output : outputs) {
     CLI::Option* option = options.get_option_no_throw(output.name);
-    if (!option || option->count() == 0 || (output.last && (option->count() < 2 || isGiven(options, "--output"))))
+    if (!option || option->count() == 0 ||
+        (output.last && (option->count() < 2 || isGiven(options, "--output"))))
       continue;
     outputOptions.push_back(option);
     std::vector<std::string> values = option->results();

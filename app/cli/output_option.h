@@ -9,8 +9,8 @@ namespace viscera::app::cli {
 struct OutputOption {
   std::string name;                      ///< As on the command line: "--csv", "OUT".
   std::vector<std::string> endings = {}; ///< The formats, the usual one first; empty: its writer checks them.
-  bool last = false;   ///< Of its values only the last, and none where --output is given.
-  bool stream = false; ///< Whether `-` is standard output: what is text.
+  bool last = false;                     ///< Of its values only the last, and none where --output is given.
+  bool stream = false;                   ///< Whether `-` is standard output: what is text.
 };
 
 /// A table as an output.

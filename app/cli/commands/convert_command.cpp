@@ -66,9 +66,7 @@ public:
   std::string summary() const override {
     return "Convert organs or a handle file, for printing and finite elements, too";
   }
-  std::vector<OutputOption> outputs() const override {
-    return {{"--output"}, {.name = "IN", .last = true}};
-  }
+  std::vector<OutputOption> outputs() const override { return {{"--output"}, {.name = "IN", .last = true}}; }
 
   void addOptions(CLI::App& options) override {
     // One list: the library gives a list of names all that follow, and leaves none for a name behind it.

@@ -31,7 +31,9 @@ public:
   std::string name() const override { return "track"; }
   std::string summary() const override { return "Find a patient's own motion in a series of phases"; }
   std::vector<OutputOption> outputs() const override {
-    return {{.name = "--output", .endings = {".sequence.json"}, .stream = true}, handleOutput("--write-handles"), {"--write-organs"}};
+    return {{.name = "--output", .endings = {".sequence.json"}, .stream = true},
+            handleOutput("--write-handles"),
+            {"--write-organs"}};
   }
   void addOptions(CLI::App& options) override;
   Outcome run(CommandContext& context) override;

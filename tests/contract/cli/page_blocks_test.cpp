@@ -121,6 +121,8 @@ protected:
     for (const char* command : {"viscera sample liver -o liver.stl", "viscera sample heart -o patient.stl",
                                 "viscera sample liver@low -o patient_liver.vtk"})
       ASSERT_EQ(shell(command).exitCode, kOk) << command;
+    put("tumour.off", offFile(tests::sphere(2, 12), 1));
+    ASSERT_EQ(shell("viscera convert tumour.off tumour.stl").exitCode, kOk);
     putPose();
     putOrgans();
     putScan();
