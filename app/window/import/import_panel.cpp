@@ -171,6 +171,10 @@ void ImportPanel::addCommon(const document::ImportDraft& draft) {
   std::vector<std::pair<medical_io::Finding, std::vector<std::size_t>>> lines;
   if (draft.arrangement)
     lines.emplace_back(*draft.arrangement, all);
+  const bool unitShared =
+      std::any_of(shared_.begin(), shared_.end(), [](const auto& shared) { return shared.ofThePatient; });
+  if (draft.size && !unitShared)
+    lines.emplace_back(*draft.size, all);
   for (const document::SharedFinding& shared : shared_)
     lines.emplace_back(medical_io::Finding{shared.severity, sharedText(shared, draft).toStdString(),
                                            shared.repairs, shared.subject},

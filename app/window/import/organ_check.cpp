@@ -69,7 +69,13 @@ QString repairName(const std::string& id) {
       {"remesh", QT_TRANSLATE_NOOP("viscera::app::Repairs", "Remesh")},
       {"mirror", QT_TRANSLATE_NOOP("viscera::app::Repairs", "Mirror left and right")},
       {"ras-to-lps", QT_TRANSLATE_NOOP("viscera::app::Repairs", "Convert from RAS to LPS")},
-      {"y-up", QT_TRANSLATE_NOOP("viscera::app::Repairs", "Convert from Y up to LPS")}};
+      {"y-up", QT_TRANSLATE_NOOP("viscera::app::Repairs", "Convert from Y up to LPS")},
+      {"y-up-ras", QT_TRANSLATE_NOOP("viscera::app::Repairs", "Convert from Y up and RAS to LPS")},
+      {"flip-y", QT_TRANSLATE_NOOP("viscera::app::Repairs", "Mirror front and back")},
+      {"flip-z", QT_TRANSLATE_NOOP("viscera::app::Repairs", "Mirror head and feet")},
+      {"flip-yz", QT_TRANSLATE_NOOP("viscera::app::Repairs", "Turn head and feet, front and back")},
+      {"flip-xz", QT_TRANSLATE_NOOP("viscera::app::Repairs", "Turn head and feet, right and left")},
+      {"flip-xyz", QT_TRANSLATE_NOOP("viscera::app::Repairs", "Mirror all three directions")}};
   const auto known = kNames.find(id);
   if (known != kNames.end())
     return repairText(known->second);

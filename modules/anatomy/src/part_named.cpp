@@ -75,12 +75,14 @@ void takeMeaning(Meaning meaning, Reading& reading) {
   reading.denied = reading.denied || meaning == Meaning::denial;
 }
 
-/// Whether no word beside [begin, end) could mean that the name is about something else.
-bool isAlone(const std::vector<NameWord>& words, std::size_t begin, std::size_t end) {
+/// Whether no word beside [begin, end) could mean that the name is about something else. `codes`: a word
+/// before a number, as in "A08_Ren dexter", is the code of a file.
+bool isAlone(const std::vector<NameWord>& words, std::size_t begin, std::size_t end, bool codes) {
   for (std::size_t i = 0; i < words.size(); ++i) {
     const Meaning meaning = meaningOf(words[i].text);
     const bool strange = meaning == Meaning::unknown || meaning == Meaning::denial;
-    if ((i < begin || i >= end) && words[i].text != "#" && strange)
+    const bool code = codes && i < begin && i + 1 < words.size() && words[i + 1].text == "#";
+    if ((i < begin || i >= end) && words[i].text != "#" && strange && !code)
       return false;
   }
   return true;
@@ -98,7 +100,8 @@ Reading read(std::string_view name) {
     const std::size_t end = at + (phrase ? phrase->words.size() : 1);
     // "LA" in capitals is an atrium, whatever is beside it.
     const bool abbreviation = phrase && phrase->rank == 0 && words[at].capitals;
-    if (phrase && (!phrase->alone || abbreviation || isAlone(words, at, end))) {
+    const bool sided = phrase && phrase->organ->place == Place::eitherSide && (reading.left || reading.right);
+    if (phrase && (!phrase->alone || abbreviation || isAlone(words, at, end, sided))) {
       reading.found.push_back(phrase);
       at = end;
     } else {

@@ -21,7 +21,7 @@ constexpr Words kAll[] = {
     {Meaning::noise, "the|of|and|in|der|die|das|des|den|dem|und|le|la|les|l|un|une|du|de|d|et|el|los|las|els|"
                      "del|y|i|e|stl|obj|ply|off|vtk|vtp|vtu|nii|gz|nrrd|seg|nhdr|mha|mhd|hdr|img|glb|gltf|"
                      "mrk|json|dcm|mesh|model|surface|organ|patient|label|mask|segment|segmentation|"
-                     "segmented|roi|final|smooth|smoothed|copy|new|cordis|whole"},
+                     "segmented|roi|pat|case|subject|final|smooth|smoothed|copy|new|cordis|whole"},
     {Meaning::inside, "cavity|cavities|cavum|hohle|hohlraum|cavite|cavidad|cavitat|endo|endocard*|blood|pool|"
                       "bloodpool|blut|lumen"},
     {Meaning::wall, "wall|walls|wand|paroi|pared|paret|paries"},

@@ -17,17 +17,22 @@ using medical_io::Finding;
 using medical_io::FindingSeverity;
 using medical_io::FindingSubject;
 
+/// Whether a user who asks for this repair knows the axes.
+bool changesAxes(const std::string& repair) {
+  return repair == "ras-to-lps" || repair.starts_with("y-up") || repair.starts_with("flip-");
+}
+
 /// `report` as in `assessSurface`; none: not known.
 void assess(DraftOrgan& organ, const std::optional<geometry::SurfaceReport>& report, const OpenedFiles& files,
             std::size_t place, Progress& progress) {
   const auto read = files.surfaces.find(place);
   const bool labelMap = read == files.surfaces.end();
   const bool stated = labelMap || read->second.statedSpace ||
-                      std::any_of(organ.repairs.begin(), organ.repairs.end(),
-                                  [](const std::string& id) { return id == "ras-to-lps" || id == "y-up"; });
+                      std::any_of(organ.repairs.begin(), organ.repairs.end(), changesAxes);
   const auto space = labelMap || !read->second.statedSpace ? std::optional(medical_io::Space::lps)
                                                            : read->second.statedSpace;
   const medical_io::SurfaceOrigin origin{organ.name, stated ? space : std::nullopt, labelMap};
+  organ.answered.reset();
   organ.assessment = report ? medical_io::assessSurface(*organ.mesh, *report, origin, progress)
                             : medical_io::assessSurface(*organ.mesh, origin, progress);
 }
@@ -40,12 +45,50 @@ void repair(DraftOrgan& organ, const medical_io::SurfaceRepair& what, Progress& 
   organ.refusal.reset();
 }
 
-void assessArrangement(ImportDraft& draft) {
+/// The finding about the axes of an organ's file and its side.
+Finding* axesFindingOf(DraftOrgan& organ) {
+  auto& findings = organ.assessment.findings;
+  const auto found = std::find_if(findings.begin(), findings.end(), [](const Finding& finding) {
+    return finding.subject == FindingSubject::axes;
+  });
+  return found == findings.end() ? nullptr : &*found;
+}
+
+/// Where a file has its origin is its own affair: which side an organ is on, the other organs know better.
+void answerSides(ImportDraft& draft, const std::vector<std::size_t>& places) {
+  for (DraftOrgan& organ : draft.organs)
+    if (Finding* finding = axesFindingOf(organ); finding && organ.answered)
+      *finding = *std::exchange(organ.answered, std::nullopt);
+  if (!draft.patient.sidesChecked())
+    return;
+  const auto& misplaced = draft.patient.misplaced;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    Finding* finding = axesFindingOf(draft.organs[places[i]]);
+    const bool wrong = std::find(misplaced.begin(), misplaced.end(), i) != misplaced.end();
+    if (wrong || !finding || finding->severity < FindingSeverity::doubt)
+      continue;
+    draft.organs[places[i]].answered = *finding;
+    *finding = {FindingSeverity::good,
+                "among the other organs it lies on the side that its name says",
+                {},
+                FindingSubject::axes};
+  }
+}
+
+void assessTogether(ImportDraft& draft) {
   std::vector<medical_io::PlacedOrgan> placed;
-  for (const DraftOrgan& organ : draft.organs)
-    if (organ.included)
-      placed.push_back({organ.name, boundsOf(organ.mesh->points)});
-  draft.arrangement = medical_io::assessArrangement(placed);
+  std::vector<std::size_t> places;
+  for (std::size_t i = 0; i < draft.organs.size(); ++i)
+    if (const DraftOrgan& organ = draft.organs[i]; organ.included) {
+      placed.push_back({organ.name, boundsOf(organ.mesh->points), organ.assessment.volumeMl});
+      places.push_back(i);
+    }
+  draft.patient = medical_io::assessPatient(placed);
+  draft.arrangement.reset();
+  draft.size.reset();
+  for (const Finding& finding : draft.patient.findings)
+    (finding.subject == FindingSubject::size ? draft.size : draft.arrangement) = finding;
+  answerSides(draft, places);
 }
 
 bool isIncluded(const ImportDraft& draft, std::size_t organ) {
@@ -136,7 +179,7 @@ Organ finished(const Organ& read, const DraftOrgan& organ) {
 } // namespace
 
 bool ImportDraft::questionable() const {
-  return arrangement || std::any_of(organs.begin(), organs.end(), [](const DraftOrgan& organ) {
+  return arrangement || size || std::any_of(organs.begin(), organs.end(), [](const DraftOrgan& organ) {
            return organ.included && organ.assessment.questionable();
          });
 }
@@ -165,7 +208,7 @@ ImportDraft draftOf(OpenedFiles files, Progress& progress) {
     organ.mesh = organ.asRead;
     assess(organ, item.report, draft.files, i, progress);
   });
-  assessArrangement(draft);
+  assessTogether(draft);
   progress.report(1);
   return draft;
 }
@@ -186,7 +229,7 @@ ImportDraft repaired(ImportDraft draft, const std::vector<std::size_t>& organs, 
       organ.refusal.emplace(error.problem(), organ.name, error.tryThis());
     }
   }
-  assessArrangement(draft);
+  assessTogether(draft);
   return draft;
 }
 
@@ -197,14 +240,14 @@ ImportDraft reverted(ImportDraft draft, std::size_t place, Progress& progress) {
   organ.change.reset();
   organ.refusal.reset();
   assess(organ, draft.files.organs[place].report, draft.files, place, progress);
-  assessArrangement(draft);
+  assessTogether(draft);
   return draft;
 }
 
 ImportDraft withIncluded(ImportDraft draft, const std::vector<std::size_t>& organs, bool included) {
   for (const std::size_t organ : organs)
     draft.organs.at(organ).included = included;
-  assessArrangement(draft);
+  assessTogether(draft);
   return draft;
 }
 

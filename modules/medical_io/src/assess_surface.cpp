@@ -1,7 +1,6 @@
 #include "viscera/medical_io/assess_surface.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdio>
 #include <string_view>
@@ -195,42 +194,6 @@ private:
   double signedMl_ = 0;                           ///< Whose sign says where the triangles face.
 };
 
-/// `first` has the smaller coordinate along the axis in a body (LPS).
-struct Order {
-  anatomy::Part first, second;
-};
-constexpr anatomy::Part kLiver{"liver"}, kSpleen{"spleen"}, kStomach{"stomach"}, kGallbladder{"gallbladder"},
-    kRightKidney{"kidney", anatomy::Side::right}, kLeftKidney{"kidney", anatomy::Side::left};
-constexpr std::array<Order, 8> kRightToLeft = {{{kLiver, kSpleen},
-                                                {kLiver, kStomach},
-                                                {kLiver, kLeftKidney},
-                                                {kRightKidney, kLeftKidney},
-                                                {kRightKidney, kSpleen},
-                                                {kRightKidney, kStomach},
-                                                {kGallbladder, kSpleen},
-                                                {kGallbladder, kStomach}}};
-constexpr std::array<Order, 6> kFrontToBack = {{{kStomach, kLeftKidney},
-                                                {kStomach, kRightKidney},
-                                                {kStomach, kSpleen},
-                                                {kLiver, kLeftKidney},
-                                                {anatomy::kHeart, kLeftKidney},
-                                                {anatomy::kHeart, kRightKidney}}};
-
-/// Pairs in the right order minus pairs in the wrong one.
-template <std::size_t N>
-int votes(const std::vector<PlacedOrgan>& organs, const std::array<Order, N>& orders, int axis) {
-  std::vector<std::optional<anatomy::Part>> parts;
-  for (const PlacedOrgan& organ : organs)
-    parts.push_back(anatomy::partNamed(organ.name));
-  int sum = 0;
-  for (std::size_t a = 0; a < organs.size(); ++a)
-    for (std::size_t b = 0; b < organs.size(); ++b)
-      for (const Order& order : orders)
-        if (parts[a] == order.first && parts[b] == order.second)
-          sum += organs[a].bounds.center()[axis] < organs[b].bounds.center()[axis] ? 1 : -1;
-  return sum;
-}
-
 } // namespace
 
 FindingSeverity SurfaceAssessment::worst() const {
@@ -248,23 +211,6 @@ SurfaceAssessment assessSurface(const TriangleMesh& mesh, const SurfaceOrigin& o
 SurfaceAssessment assessSurface(const TriangleMesh& mesh, const SurfaceReport& report,
                                 const SurfaceOrigin& origin, Progress& progress, Threads threads) {
   return Assessment(mesh, report, origin).run(progress, threads);
-}
-
-std::optional<Finding> assessArrangement(const std::vector<PlacedOrgan>& organs) {
-  const int sides = votes(organs, kRightToLeft, 0);
-  if (sides >= 0)
-    return std::nullopt;
-  const int depth = votes(organs, kFrontToBack, 1);
-  if (depth < 0)
-    return Finding{FindingSeverity::doubt,
-                   "right and left are exchanged, and so are front and back: the files seem to be in RAS",
-                   {"ras-to-lps"}};
-  if (depth > 0)
-    return Finding{
-        FindingSeverity::doubt, "right and left are exchanged, front and back are not: mirrored", {"mirror"}};
-  return Finding{FindingSeverity::doubt,
-                 "right and left are exchanged: the files may be in RAS, or mirrored",
-                 {"ras-to-lps", "mirror"}};
 }
 
 } // namespace viscera::medical_io

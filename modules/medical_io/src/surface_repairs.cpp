@@ -65,6 +65,27 @@ TriangleMesh stoodUp(TriangleMesh mesh) {
   return mesh;
 }
 
+/// Of a model in RAS that stands on its y axis.
+TriangleMesh stoodUpFromRas(TriangleMesh mesh) {
+  return geometry::turnedHalf(stoodUp(std::move(mesh)));
+}
+
+/// Changes the signs of coordinates; a mirror image's triangles still face outward.
+TriangleMesh withSigns(TriangleMesh mesh, const Vec3& signs) {
+  if (signs.prod() < 0) {
+    mesh = geometry::mirrored(std::move(mesh));
+    mesh.points.col(0) *= -1;
+  }
+  mesh.points.array().rowwise() *= signs.transpose().array();
+  return mesh;
+}
+
+/// A repair that changes the signs of coordinates.
+SurfaceRepair flip(std::string id, Text does, const Vec3& signs) {
+  return quick(std::move(id), std::move(does),
+               [signs](const TriangleMesh& mesh) { return withSigns(mesh, signs); });
+}
+
 std::vector<SurfaceRepair> allRepairs() {
   std::vector<SurfaceRepair> list = {
       quick("orient", "turns triangles around so that all of them face outward",
@@ -84,7 +105,16 @@ std::vector<SurfaceRepair> allRepairs() {
       quick("mirror", "exchanges left and right", geometry::mirrored),
       quick("ras-to-lps", "turns the surface by half a turn, as from RAS to LPS", geometry::turnedHalf),
       quick("y-up", "turns the surface by a quarter turn, from a model whose y axis points to the head",
-            stoodUp)};
+            stoodUp),
+      quick("y-up-ras",
+            "turns the surface by a quarter and a half turn, from a model in RAS whose y axis points to the "
+            "head",
+            stoodUpFromRas),
+      flip("flip-y", "exchanges front and back, which mirrors the surface", {1, -1, 1}),
+      flip("flip-z", "exchanges head and feet, which mirrors the surface", {1, 1, -1}),
+      flip("flip-yz", "exchanges head and feet, and front and back, by half a turn", {1, -1, -1}),
+      flip("flip-xz", "exchanges head and feet, and right and left, by half a turn", {-1, 1, -1}),
+      flip("flip-xyz", "exchanges all three directions, which mirrors the surface", {-1, -1, -1})};
   for (const LengthUnit& unit : lengthUnits())
     if (unit.mm != 1)
       list.push_back(quick("unit-" + std::string(unit.id),

@@ -57,6 +57,13 @@ TEST(PartNamed, DoesNotMindCaseSeparatorsAndEndingsOfFiles) {
     EXPECT_EQ(partNamed(name), (Part{"kidney", Side::left})) << name;
 }
 
+TEST(PartNamed, TakesACodeBeforeASidedOrganForThatOfAFile) {
+  EXPECT_EQ(partNamed("pat_07-rein gauche.stl"), (Part{"kidney", Side::left}));
+  EXPECT_EQ(partNamed("A08_Ren dexter"), (Part{"kidney", Side::right}));
+  EXPECT_EQ(partNamed("pat_02-rate.stl"), (Part{"spleen"}));
+  EXPECT_EQ(partNamed("T1_cor"), std::nullopt) << "a coronal image";
+}
+
 TEST(PartNamed, ReadsBytesThatAreNoTextWithoutFault) {
   EXPECT_EQ(partNamed("liver \xC3"), (Part{"liver"}));
   EXPECT_EQ(partNamed("\xFFliver"), std::nullopt) << "a letter of Latin-1 belongs to the word";

@@ -10,6 +10,7 @@
 #include "shapes.h"
 #include "viscera/core/error.h"
 #include "viscera/geometry/triangle_mesh.h"
+#include "viscera/medical_io/assess_patient.h"
 #include "viscera/medical_io/plausible_size.h"
 #include "viscera/medical_io/surface_file.h"
 #include "viscera/medical_io/surface_repairs.h"

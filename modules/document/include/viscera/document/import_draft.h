@@ -8,6 +8,7 @@
 #include "viscera/core/error.h"
 #include "viscera/core/progress.h"
 #include "viscera/document/open_files.h"
+#include "viscera/medical_io/assess_patient.h"
 #include "viscera/medical_io/assess_surface.h"
 #include "viscera/medical_io/surface_repairs.h"
 
@@ -27,14 +28,18 @@ struct DraftOrgan {
   std::optional<DataError> refusal;                   ///< Why the last repair was not possible.
   medical_io::SurfaceAssessment assessment;           ///< Of `mesh`.
   bool included = true;                               ///< Whether it will become an organ.
+  /// The doubt about its side that the other organs have answered, so that `assessment` has it no more.
+  std::optional<medical_io::Finding> answered = {};
 };
 
 /// The contents of some files before their import, with the findings about them.
 struct ImportDraft {
   OpenedFiles files;
   std::vector<DraftOrgan> organs;                 ///< As many as `files.organs`.
+  medical_io::PatientAssessment patient;          ///< Of the included organs together.
   std::optional<medical_io::Finding> arrangement; ///< A finding about organs that are not arranged as in a
-                                                  ///< body.
+                                                  ///< body; the first of `patient`.
+  std::optional<medical_io::Finding> size;        ///< A finding about the size of all of them.
 
   /// Whether a user should check the draft before it is accepted.
   bool questionable() const;

@@ -63,15 +63,4 @@ SurfaceAssessment assessSurface(const geometry::TriangleMesh& mesh, const Surfac
 SurfaceAssessment assessSurface(const geometry::TriangleMesh& mesh, const geometry::SurfaceReport& report,
                                 const SurfaceOrigin& origin, Progress& progress, Threads threads = {});
 
-/// The name and place of an organ, for judging its arrangement with others.
-struct PlacedOrgan {
-  std::string name;
-  Bounds bounds;
-};
-
-/// Checks whether organs known by name are arranged as in a body: the liver to the right of the spleen, the
-/// kidneys behind the liver, the heart above it. Nothing when they do, or when too few are known; else one
-/// finding with the repair that corrects all of them (`ras-to-lps`, `mirror`).
-std::optional<Finding> assessArrangement(const std::vector<PlacedOrgan>& organs);
-
 } // namespace viscera::medical_io

@@ -23,8 +23,9 @@ struct SurfaceRepair {
       false; ///< The repair makes new triangles; `surfaceChange` measures their distance from the old ones.
 };
 
-/// All repairs: `orient`, `fill-holes`, `keep-largest`, `remesh`, `mirror`, `ras-to-lps`, `y-up`, and
-/// `unit-ID` for every unit of `lengthUnits` but mm.
+/// All repairs: `orient`, `fill-holes`, `keep-largest`, `remesh`; of the axes `mirror`, `ras-to-lps`, `y-up`,
+/// `y-up-ras`, `flip-y`, `flip-z`, `flip-yz`, `flip-xz`, `flip-xyz` (of a flip, the letters are the axes that
+/// change their sign); and `unit-ID` for every unit of `lengthUnits` but mm.
 const std::vector<SurfaceRepair>& surfaceRepairs();
 
 /// The repair with that id. Throws `UsageError` that lists the existing ones.
