@@ -1,5 +1,8 @@
 #include "viscera/anatomy/part.h"
 
+#include <algorithm>
+#include <iterator>
+
 #include "viscera/anatomy/organ_facts.h"
 
 namespace viscera::anatomy {
@@ -73,6 +76,16 @@ Side bodySideOf(const Part& part) {
   default:
     return Side::none;
   }
+}
+
+bool isSeldomWhole(const Part& part) {
+  constexpr std::string_view kSystems[] = {"Arteries", "Veins", "Bones and joints", "Muscles",
+                                           "Skin and fat"};
+  constexpr std::string_view kOrgans[] = {"spinal_cord", "nerve",    "esophagus",
+                                          "trachea",     "bronchus", "lymph_node"};
+  const std::string_view system = organ(part.organ).system;
+  return std::find(std::begin(kSystems), std::end(kSystems), system) != std::end(kSystems) ||
+         std::find(std::begin(kOrgans), std::end(kOrgans), part.organ) != std::end(kOrgans);
 }
 
 const Norm* volumeNormOf(const Part& part) {

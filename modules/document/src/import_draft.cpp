@@ -31,7 +31,8 @@ void assess(DraftOrgan& organ, const std::optional<geometry::SurfaceReport>& rep
                       std::any_of(organ.repairs.begin(), organ.repairs.end(), changesAxes);
   const auto space = labelMap || !read->second.statedSpace ? std::optional(medical_io::Space::lps)
                                                            : read->second.statedSpace;
-  const medical_io::SurfaceOrigin origin{organ.name, stated ? space : std::nullopt, labelMap};
+  const medical_io::SurfaceOrigin origin{organ.name, stated ? space : std::nullopt, labelMap,
+                                         files.organs[place].cut};
   organ.answered.reset();
   organ.assessment = report ? medical_io::assessSurface(*organ.mesh, *report, origin, progress)
                             : medical_io::assessSurface(*organ.mesh, origin, progress);

@@ -235,8 +235,11 @@ std::vector<NewOrgan> labelBatch(medical_io::LabelMap map, const std::filesystem
   std::vector<medical_io::LabelSurface> surfaces =
       medical_io::labelSurfaces(map, options, progress, {}, made);
   std::vector<geometry::SurfaceReport> reports;
-  for (const medical_io::LabelSurface& surface : surfaces)
+  std::vector<std::optional<medical_io::ImageCut>> cuts;
+  for (const medical_io::LabelSurface& surface : surfaces) {
     reports.push_back(surface.report);
+    cuts.push_back(surface.cut);
+  }
   std::vector<Organ> organs = organsFrom(map, std::move(surfaces), file);
   std::vector<NewOrgan> batch;
   for (std::size_t i = 0; i < organs.size(); ++i) {
@@ -244,7 +247,7 @@ std::vector<NewOrgan> labelBatch(medical_io::LabelMap map, const std::filesystem
     const bool cavity =
         joined && std::any_of(heart->cavities.begin(), heart->cavities.end(),
                               [&](const auto& one) { return one.segment == options.segments[i]; });
-    batch.push_back({std::move(organs[i]), cavity ? 0 : -1, reports[i]});
+    batch.push_back({std::move(organs[i]), cavity ? 0 : -1, reports[i], std::move(cuts[i])});
   }
   return batch;
 }

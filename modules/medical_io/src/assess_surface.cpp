@@ -113,7 +113,14 @@ private:
     }
   }
 
+  /// An organ of which a part is missing is not of the size that the rest has.
   void checkSize(const Bounds& box) {
+    if (origin_.cut)
+      add(origin_.cut->sure ? FindingSeverity::doubt : FindingSeverity::note, origin_.cut->text());
+    checkFullSize(box);
+  }
+
+  void checkFullSize(const Bounds& box) {
     const double volumeMl = std::abs(signedMl_);
     std::vector<std::string> repairs;
     if (!origin_.unitStated) {
@@ -125,7 +132,8 @@ private:
     if (volumeMl > 0)
       if (auto doubt = doubtAboutVolume(origin_.name, volumeMl))
         return add(FindingSeverity::doubt, std::move(*doubt), std::move(repairs));
-    add(FindingSeverity::good, phrase("the size is plausible: %1", sizeText(result_.sizeMm)));
+    if (!origin_.cut || !origin_.cut->sure)
+      add(FindingSeverity::good, phrase("the size is plausible: %1", sizeText(result_.sizeMm)));
   }
 
   void checkHoles() {

@@ -72,7 +72,7 @@ void correctVolume(TriangleMesh& mesh, double target, const Eigen::Matrix3d& vox
 
 /// Warnings about a label before its surface is made.
 std::vector<Text> warningsOf(const LabelMap& map, std::size_t index, const VoxelPieces& pieces,
-                             bool largestOnly) {
+                             const std::optional<ImageCut>& cut, bool largestOnly) {
   const Segment& segment = map.segments[index];
   std::vector<Text> warnings;
   if (pieces.count > 1)
@@ -80,11 +80,8 @@ std::vector<Text> warningsOf(const LabelMap& map, std::size_t index, const Voxel
                                             segment.voxels - pieces.largest, pieces.count)
                                    : phrase("%2 pieces, %n {voxel|voxels} besides the largest",
                                             segment.voxels - pieces.largest, pieces.count));
-  for (std::size_t axis = 0; axis < 3; ++axis)
-    if (map.size[axis] > 1 && (segment.low[axis] == 0 || segment.high[axis] == map.size[axis] - 1)) {
-      warnings.push_back("reaches the edge of the image, which may cut it off");
-      break;
-    }
+  if (cut)
+    warnings.push_back(cut->text());
   if (auto warning = doubtAboutVolume(segment.name, map.volumeMl(segment)))
     warnings.push_back(std::move(*warning));
   return warnings;
@@ -99,7 +96,8 @@ LabelSurface surfaceOf(const LabelMap& map, std::size_t segment, const LabelSurf
   surface.segment = segment;
   surface.pieces = options.largestPieceOnly ? 1 : pieces.count;
   surface.voxelVolumeMm3 = static_cast<double>(box.count) * map.voxelVolumeMm3();
-  surface.warnings = warningsOf(map, segment, pieces, options.largestPieceOnly);
+  surface.cut = imageCut(map, segment);
+  surface.warnings = warningsOf(map, segment, pieces, surface.cut, options.largestPieceOnly);
   progress.throwIfCancelled();
   const TriangleMesh steps = stepsBetween(box, map);
   for (const double part : kTries) {

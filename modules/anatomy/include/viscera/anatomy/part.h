@@ -76,6 +76,10 @@ std::string_view abbreviationOf(const Part& part);
 /// The side of the body on which a whole organ lies; none where it lies in the middle or on either side.
 Side bodySideOf(const Part& part);
 
+/// Whether images of a part of the body, as most are, seldom hold the whole of it: vessels, nerves, bones,
+/// muscles, skin and fat, the gullet and the airways. Pieces and lesions are as their organ.
+bool isSeldomWhole(const Part& part);
+
 /// The normal range of the volume of a whole organ; null where none is known. A kidney without a side has
 /// that of the left one.
 const Norm* volumeNormOf(const Part& part);

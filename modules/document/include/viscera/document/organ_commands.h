@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "viscera/document/command.h"
+#include "viscera/medical_io/image_cut.h"
 
 namespace viscera::document {
 
@@ -15,6 +16,7 @@ struct NewOrgan {
   int parentInBatch = -1; ///< Or the index of its parent among the organs added with it.
   /// The report of its surface as it was read, before `makeOrgan`; none: no file was read.
   std::optional<geometry::SurfaceReport> report = {};
+  std::optional<medical_io::ImageCut> cut = {}; ///< The edges of its label map that cut it off.
 };
 
 /// Adds organs after the existing ones, in order. A name that is taken gets a number ("Liver 2"); names and

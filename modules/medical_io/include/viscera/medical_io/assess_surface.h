@@ -9,6 +9,7 @@
 #include "viscera/core/progress.h"
 #include "viscera/geometry/surface_check.h"
 #include "viscera/geometry/triangle_mesh.h"
+#include "viscera/medical_io/image_cut.h"
 #include "viscera/medical_io/space.h"
 
 namespace viscera::medical_io {
@@ -37,6 +38,7 @@ struct SurfaceOrigin {
   std::optional<Space> statedSpace; ///< The axes that its file states; none: LPS was assumed.
   bool unitStated = false;          ///< Its file states the unit, as label maps do, so that a small size is
                                     ///< taken as real.
+  std::optional<ImageCut> cut = {}; ///< The edges of its image that cut it off.
 };
 
 /// The result of assessing a surface: all findings and its measures.

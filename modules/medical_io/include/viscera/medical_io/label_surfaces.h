@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -9,6 +10,7 @@
 #include "viscera/core/progress.h"
 #include "viscera/geometry/surface_check.h"
 #include "viscera/geometry/triangle_mesh.h"
+#include "viscera/medical_io/image_cut.h"
 #include "viscera/medical_io/label_map.h"
 
 /// Converts label maps to organ surfaces.
@@ -30,7 +32,8 @@ struct LabelSurface {
   double volumeMm3 = 0;           ///< That the mesh encloses.
   double voxelVolumeMm3 = 0;      ///< Of the voxels that were kept.
   int pieces = 1;                 ///< Voxels that touch by faces; those that were kept.
-  std::vector<Text> warnings;     ///< Pieces that were left out, and other remarks for the user.
+  std::optional<ImageCut> cut;    ///< The edges of the image that cut it off; none: it is whole.
+  std::vector<Text> warnings;     ///< Pieces that were left out, that cut, and other remarks for the user.
 };
 
 /// Called with every surface as soon as it is made: on the thread that made it, never on two at a time.
