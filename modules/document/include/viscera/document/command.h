@@ -16,7 +16,8 @@ namespace viscera::document {
 /// `apply` throws an `Error` when the change is not possible; the document is then as it was. It need not
 /// check whether the state can be saved: `UndoStack::perform` does (validate.h). Commands are made by the
 /// functions in organ_commands.h, rig_commands.h, group_commands.h, system_commands.h,
-/// key_sequence_commands.h, measurement_commands.h, circulation_commands.h, scan_item.h and open_files.h.
+/// key_sequence_commands.h, measurement_commands.h, circulation_commands.h, axes_commands.h, scan_item.h and
+/// open_files.h.
 struct Command {
   Text name; ///< "Move handle H-3", shown in the menu.
   std::function<DocumentState(const DocumentState& state, IdSource& ids)> apply;
