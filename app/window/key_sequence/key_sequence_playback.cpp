@@ -21,12 +21,18 @@ bool movesAny(const document::KeySequence& keySequence, const document::Rig& rig
   });
 }
 
+/// The organ that a recording is offered with; none without organs.
+document::OrganId firstOrgan(const document::DocumentState& state) {
+  return state.organs->empty() ? document::OrganId{} : state.organs->front()->id;
+}
+
 } // namespace
 
 KeySequencePlayback::KeySequencePlayback(Workspace& workspace, Playback& playback, QObject* parent)
     : QObject(parent), workspace_(workspace), playback_(playback) {
   subscription_ = workspace.onChange([this](const document::Change& change) {
-    if (change.keySequence() || change.rig() || change.organs())
+    // Another name or look of an organ leaves the motion where it is: a new sequence would begin at rest.
+    if (change.keySequence() || change.rig() || firstOrgan(change.before) != firstOrgan(change.after))
       sync(change.keySequence());
   });
 }

@@ -17,8 +17,8 @@ struct ChamberWords {
   std::string_view list;
 };
 constexpr ChamberWords kChamberWords[] = {
-    {Chamber::ventricle, Side::left, 0, "lv"},
-    {Chamber::ventricle, Side::right, 0, "rv"},
+    {Chamber::ventricle, Side::left, 0, "lv|lvbp|lvendo|lvcav"},
+    {Chamber::ventricle, Side::right, 0, "rv|rvbp|rvendo|rvcav"},
     {Chamber::atrium, Side::left, 0, "!la"},
     {Chamber::atrium, Side::right, 0, "!ra"},
     {Chamber::ventricle, Side::none, 1,
