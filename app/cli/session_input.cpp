@@ -10,8 +10,10 @@
 #include <vtkImageData.h>
 
 #include "cli/listing.h"
+#include "cli/patient_info.h"
 #include "viscera/core/error.h"
 #include "viscera/document/measured_values.h"
+#include "viscera/document/patient.h"
 #include "viscera/document/undo_stack.h"
 #include "viscera/live/circulating_heart.h"
 #include "viscera/live/live_binding.h"
@@ -212,6 +214,7 @@ Outcome describeSession(const std::string& file, CommandContext& context) {
   }
   outcome.text = listing.text();
   outcome.warnings = opened.warnings;
+  appendPatient(outcome, document::placedOrgans(*state.organs));
   return outcome;
 }
 

@@ -1,12 +1,14 @@
 #include "cli/commands/all_commands.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 #include <CLI/CLI.hpp>
 
 #include "cli/inputs.h"
 #include "cli/listing.h"
+#include "cli/patient_info.h"
 #include "cli/scan_input.h"
 #include "cli/session_input.h"
 #include "viscera/document/open_files.h"
@@ -15,6 +17,7 @@
 #include "viscera/medical_io/assess_surface.h"
 #include "viscera/medical_io/handle_file.h"
 #include "viscera/medical_io/image_beside.h"
+#include "viscera/medical_io/image_cut.h"
 #include "viscera/medical_io/image_file.h"
 #include "viscera/medical_io/label_map.h"
 #include "viscera/medical_io/label_series.h"
@@ -108,6 +111,7 @@ Outcome describe(const std::vector<medical_io::SurfacePart>& parts, const std::s
   const medical_io::SurfaceFile& first = parts.front().surface;
   Bounds all = boundsOf(first.mesh.points);
   ordered_json organs = ordered_json::array();
+  std::vector<medical_io::PlacedOrgan> placed;
   Outcome outcome;
   Listing listing;
   listing.add("kind", "organs").add("organs", std::to_string(parts.size()));
@@ -117,6 +121,7 @@ Outcome describe(const std::vector<medical_io::SurfacePart>& parts, const std::s
     const Bounds bounds = boundsOf(surface.mesh.points);
     all = {all.low.cwiseMin(bounds.low), all.high.cwiseMax(bounds.high)};
     const double volumeMl = report.volumeMm3 / kMm3PerMl;
+    placed.push_back({surface.name, bounds, report.closed() ? std::abs(volumeMl) : 0});
     organs.push_back(
         {{"name", surface.name},
          {"vertices", surface.mesh.points.rows()},
@@ -150,6 +155,7 @@ Outcome describe(const std::vector<medical_io::SurfacePart>& parts, const std::s
                   {"space", spaceName(first.space)},
                   {"spaceStated", first.spaceStated},
                   {"warnings", outcome.warnings}};
+  appendPatient(outcome, placed);
   return outcome;
 }
 
@@ -203,14 +209,20 @@ Outcome describe(const medical_io::LabelMap& map, const std::string& file, Progr
   if (!map.phaseTimesMs.empty())
     listing.add("phase", std::to_string(map.phase) + " of " + std::to_string(map.phaseTimesMs.size()) +
                              ", at " + timesText(map.phaseTimesMs) + " ms");
-  for (const medical_io::Segment& segment : map.segments) {
+  std::vector<Text> warnings = map.warnings;
+  for (std::size_t i = 0; i < map.segments.size(); ++i) {
+    const medical_io::Segment& segment = map.segments[i];
     const double volumeMl = map.volumeMl(segment);
+    const auto cut = medical_io::imageCut(map, i);
+    if (cut)
+      warnings.push_back(phrase("%1: %2", named(segment.name), cut->text()));
     labels.push_back({{"label", segment.label},
                       {"name", segment.name},
                       {"named", segment.named},
                       {"layer", segment.layer},
                       {"voxels", segment.voxels},
                       {"volumeMl", volumeMl},
+                      {"cutBy", cut ? ordered_json(cut->edges) : ordered_json::array()},
                       {"color", numbersJson(segment.color)}});
     listing.add("  " + std::to_string(segment.label), segment.name + ", " + fixed(volumeMl, 2) + " ml");
   }
@@ -235,13 +247,14 @@ Outcome describe(const medical_io::LabelMap& map, const std::string& file, Progr
                   {"labels", labels},
                   {"boundsMm", boundsJson(bounds)},
                   {"space", map.space},
-                  {"warnings", map.warnings}};
+                  {"warnings", warnings}};
   outcome.text = listing.text();
-  outcome.warnings = map.warnings;
+  outcome.warnings = std::move(warnings);
   if (!map.phaseTimesMs.empty())
     outcome.warnings.push_back(phrase(
         "It has %1 label maps over time, of which this is one; viscera track follows the motion over all",
         map.phaseTimesMs.size()));
+  appendPatient(outcome, medical_io::placedOrgans(map));
   return outcome;
 }
 
@@ -256,14 +269,17 @@ public:
   void addOptions(CLI::App& options) override {
     options
         .add_option(
-            "FILE", file_,
+            "FILE", files_,
             "A file of surfaces, one of its organs (FILE/NAME), a label map or folder of masks, a scan, a "
-            "handle file, a session, or sample:NAME")
+            "handle file, a session, or sample:NAME; several files, or a folder of surfaces: one patient")
         ->required();
     scan_.addChoiceTo(options);
   }
 
   Outcome run(CommandContext& context) override {
+    if (files_.size() > 1 || surfacesIn(files_.front()).size() > 1)
+      return describePatient(files_, context);
+    file_ = files_.front();
     if (isSample(file_) || namesLabel(file_)) {
       const document::Organ organ = organInput(file_, context.samples, context.progress);
       medical_io::SurfaceFile surface;
@@ -301,7 +317,8 @@ private:
     return describe(std::get<medical_io::LabelMap>(image), file_, context.progress);
   }
 
-  std::string file_;
+  std::vector<std::string> files_;
+  std::string file_; ///< The only one.
   ScanInputOptions scan_;
 };
 

@@ -16,6 +16,7 @@
 #include "viscera/core/file_facts.h"
 #include "viscera/document/organ_commands.h"
 #include "viscera/presentation/unsuited_motion.h"
+#include "viscera/document/patient.h"
 #include "viscera/report/report_file.h"
 
 namespace viscera::app::cli {
@@ -48,6 +49,8 @@ public:
                        "let it end in .pdf or .html");
     Outcome outcome;
     Material material = this->material(context, outcome.warnings);
+    for (Text& doubt : document::doubtsAboutPatient(*material.state.organs))
+      outcome.warnings.push_back(std::move(doubt));
     PosedSession posed(material.state, material.view, context);
     report::ReportSource source;
     source.state = posed.state();
@@ -81,7 +84,8 @@ public:
                     {"pictures", made.pictures()},
                     {"bytes", fileBytes(output_)},
                     {"title", made.title},
-                    {"sections", nlohmann::ordered_json::array()}};
+                    {"sections", nlohmann::ordered_json::array()},
+                    {"warnings", outcome.warnings}};
     for (const report::Section& section : made.sections)
       if (!section.title.empty())
         outcome.json["sections"].push_back(section.title);

@@ -12,6 +12,7 @@
 
 #include "cli/listing.h"
 #include "cli/number_bounds.h"
+#include "cli/patient_info.h"
 #include "viscera/core/error.h"
 #include "viscera/core/phrase.h"
 #include "viscera/medical_io/label_map.h"
@@ -119,6 +120,7 @@ ordered_json rowOf(const medical_io::Segment& segment, const medical_io::LabelSu
           {"pieces", surface.pieces},
           {"volumeMl", surface.volumeMm3 / kMm3PerMl},
           {"voxelVolumeMl", surface.voxelVolumeMm3 / kMm3PerMl},
+          {"cutBy", surface.cut ? ordered_json(surface.cut->edges) : ordered_json::array()},
           {"color", {segment.color.x(), segment.color.y(), segment.color.z()}}};
 }
 
@@ -187,6 +189,7 @@ public:
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
     outcome.json = {
         {"file", file_}, {"organs", organs}, {"seconds", seconds.count()}, {"warnings", outcome.warnings}};
+    appendPatient(outcome, medical_io::placedOrgans(map));
     outcome.text = listing.add("time", fixed(seconds.count(), 1) + " s").text();
     return outcome;
   }

@@ -11,6 +11,7 @@
 #include "sections.h"
 #include "viscera/core/error.h"
 #include "viscera/core/text.h"
+#include "viscera/document/patient.h"
 #include "viscera/document/tables.h"
 #include "viscera/geometry/volume.h"
 #include "viscera/presentation/presenter.h"
@@ -216,6 +217,8 @@ Section files(const ReportSource& source) {
   Section section{said("Files and what was done to them"), {std::move(table)}};
   for (const Text& note : source.notes)
     section.blocks.push_back(Paragraph{withoutFolders(inWords(note))});
+  for (const Text& doubt : document::doubtsAboutPatient(*source.state.organs))
+    section.blocks.push_back(Paragraph{inWords(phrase("All organs together: %1.", doubt))});
   section.blocks.push_back(Paragraph{
       said("All lengths are in millimetres, all volumes in millilitres; positions are in the patient's axes "
            "LPS (to the left, to the back, to the head). Viscera is a program for teaching and "
