@@ -15,8 +15,8 @@
 #include "viscera/core/error.h"
 #include "viscera/core/file_facts.h"
 #include "viscera/document/organ_commands.h"
-#include "viscera/presentation/unsuited_motion.h"
 #include "viscera/document/patient.h"
+#include "viscera/presentation/unsuited_motion.h"
 #include "viscera/report/report_file.h"
 
 namespace viscera::app::cli {
