@@ -36,7 +36,7 @@ bool endsAsSurface(const std::filesystem::path& file) {
   std::string ending = file.extension().string();
   std::transform(ending.begin(), ending.end(), ending.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  const auto& known = medical_io::surfaceExtensions();
+  const auto& known = medical_io::endingsOf(medical_io::FileKind::surface);
   return std::find(known.begin(), known.end(), ending) != known.end();
 }
 
