@@ -43,7 +43,7 @@ constexpr Row kHead[] = {
     {"tongue", {0, -95, 400}, {12, 45, 70}},
 };
 
-constexpr Row kBones[] = {
+constexpr Row kPlacesOfBones[] = {
     {"vertebra", {0, 0, 80}, {10, 35, 160}},           {"spinal_cord", {0, 8, 130}, {10, 25, 140}},
     {"sacrum", {0, 10, -185}, {10, 25, 50}},           {"sternum", {0, -140, 185}, {12, 35, 60}},
     {"clavicle", {75, -75, 275}, {25, 45, 60}},        {"scapula", {125, 0, 225}, {30, 40, 70}},
@@ -60,10 +60,10 @@ struct ChamberRow {
   std::array<double, 3> center;
 };
 constexpr std::array<double, 3> kChamberSpread = {18, 22, 40};
-constexpr ChamberRow kChambers[] = {{kLeftVentricle, {35, -85, 145}},
-                                    {kRightVentricle, {12, -108, 140}},
-                                    {kLeftAtrium, {8, -60, 170}},
-                                    {kRightAtrium, {-25, -85, 155}}};
+constexpr ChamberRow kPlacesOfChambers[] = {{kLeftVentricle, {35, -85, 145}},
+                                            {kRightVentricle, {12, -108, 140}},
+                                            {kLeftAtrium, {8, -60, 170}},
+                                            {kRightAtrium, {-25, -85, 155}}};
 
 Vec3 vectorOf(const std::array<double, 3>& values) {
   return {values[0], values[1], values[2]};
@@ -78,7 +78,7 @@ const Row* rowOf(std::string_view organ) {
   };
   const Row* row = in(kTrunk);
   row = row ? row : in(kHead);
-  return row ? row : in(kBones);
+  return row ? row : in(kPlacesOfBones);
 }
 
 char small(char letter) {
@@ -148,7 +148,7 @@ std::optional<double> heightOfRib(std::string_view name) {
 }
 
 std::optional<BodyPlace> chamberPlace(const Part& part) {
-  for (const ChamberRow& row : kChambers)
+  for (const ChamberRow& row : kPlacesOfChambers)
     if (row.part == part)
       return BodyPlace{part, vectorOf(row.center), vectorOf(kChamberSpread)};
   return std::nullopt;

@@ -9,8 +9,8 @@ namespace {
 
 /// One letter of a name, as ASCII.
 struct Letter {
-  enum class Kind { letter, digit, apostrophe, separator };
-  Kind kind = Kind::separator;
+  enum class LetterKind { letter, digit, apostrophe, separator };
+  LetterKind kind = LetterKind::separator;
   bool capital = false;
   std::string_view small = {}; ///< In small letters; two for a ligature. "?" for a letter that is not Latin.
 };
@@ -44,38 +44,38 @@ bool isDropped(std::uint32_t code) {
 }
 
 Letter asciiLetter(std::uint32_t code) {
-  using Kind = Letter::Kind;
+  using LetterKind = Letter::LetterKind;
   const auto c = static_cast<char>(code);
   if (c >= '0' && c <= '9')
-    return {Kind::digit};
+    return {LetterKind::digit};
   if (c == '\'')
-    return {Kind::apostrophe};
+    return {LetterKind::apostrophe};
   const bool capital = c >= 'A' && c <= 'Z', small = c >= 'a' && c <= 'z';
   if (!capital && !small)
     return {};
-  return {Kind::letter, capital, kAscii.substr(static_cast<std::size_t>(c - (capital ? 'A' : 'a')), 1)};
+  return {LetterKind::letter, capital, kAscii.substr(static_cast<std::size_t>(c - (capital ? 'A' : 'a')), 1)};
 }
 
 Letter letterOf(std::uint32_t code) {
-  using Kind = Letter::Kind;
+  using LetterKind = Letter::LetterKind;
   constexpr std::uint32_t kSharpS = 0xDF, kLatinBegin = 0xC0, kSmallBegin = 0xE0, kLatinEnd = 0x100;
   constexpr std::uint32_t kLigatureOe = 0x152, kApostrophe = 0x2019, kPunctuation = 0x2000,
                           kPunctuationEnd = 0x2070, kOtherLetters = 0x100;
   if (code < 0x80)
     return asciiLetter(code);
   if (code == kSharpS)
-    return {Kind::letter, false, "ss"};
+    return {LetterKind::letter, false, "ss"};
   if (code >= kLatinBegin && code < kLatinEnd) {
     const bool capital = code < kSmallBegin;
     const std::string_view small = kLatin[code - (capital ? kLatinBegin : kSmallBegin)];
-    return small.empty() ? Letter() : Letter{Kind::letter, capital, small};
+    return small.empty() ? Letter() : Letter{LetterKind::letter, capital, small};
   }
   if (code == kLigatureOe || code == kLigatureOe + 1)
-    return {Kind::letter, code == kLigatureOe, "oe"};
+    return {LetterKind::letter, code == kLigatureOe, "oe"};
   if (code == kApostrophe)
-    return {Kind::apostrophe};
+    return {LetterKind::apostrophe};
   const bool punctuation = code >= kPunctuation && code < kPunctuationEnd;
-  return code >= kOtherLetters && !punctuation ? Letter{Kind::letter, false, "?"} : Letter();
+  return code >= kOtherLetters && !punctuation ? Letter{LetterKind::letter, false, "?"} : Letter();
 }
 
 std::vector<Letter> lettersOf(std::string_view name) {
@@ -111,18 +111,18 @@ void addLetters(std::vector<NameWord>& words, const Letter* begin, const Letter*
 } // namespace
 
 std::vector<NameWord> nameWords(std::string_view name, const std::function<bool(std::string_view)>& isKnown) {
-  using Kind = Letter::Kind;
+  using LetterKind = Letter::LetterKind;
   const std::vector<Letter> letters = lettersOf(name);
   std::vector<NameWord> words;
   const Letter* const end = letters.data() + letters.size();
   for (const Letter* at = letters.data(); at != end;) {
-    const Kind kind = at->kind;
+    const LetterKind kind = at->kind;
     const Letter* next = std::find_if(at, end, [&](const Letter& letter) { return letter.kind != kind; });
-    if (kind == Kind::letter) {
+    if (kind == LetterKind::letter) {
       addLetters(words, at, next, isKnown);
-      words.back().atNumber = next != end && next->kind == Kind::digit;
-      words.back().elided = next != end && next->kind == Kind::apostrophe;
-    } else if (kind == Kind::digit) {
+      words.back().atNumber = next != end && next->kind == LetterKind::digit;
+      words.back().elided = next != end && next->kind == LetterKind::apostrophe;
+    } else if (kind == LetterKind::digit) {
       words.push_back({"#"});
     }
     at = next;

@@ -63,7 +63,7 @@ constexpr Placed kAdult[] = {{"liver", -62, -22, 292, 1480},
                              {"gluteus_maximus_right", -74, 68, 30, 900},
                              {"thyroid_gland", 0, -28, 578, 18},
                              {"brain", 2, -10, 740, 1300}};
-constexpr std::size_t kOrgans = std::size(kAdult);
+constexpr std::size_t kPatientsOrgans = std::size(kAdult);
 
 /// The same organs as others name them; an empty name: they do not have it.
 const std::map<std::string, std::vector<std::string>>& schemes() {
@@ -172,7 +172,7 @@ void expectTold(const Patient& patient, const std::string& about) {
 }
 
 TEST(AssessPatient, FortyOneOrgansAreToldFromEveryOtherWayToLayThem) {
-  ASSERT_GE(kOrgans, 41u);
+  ASSERT_GE(kPatientsOrgans, 41u);
   const Patient patient = adult();
   expectTold(patient, "TotalSegmentator");
   EXPECT_EQ(assessPatient(patient).axes(), "LPS");

@@ -19,7 +19,7 @@ constexpr const char* kOpenItsImages =
     "open the images or the segmentation of the same patient, which are other files";
 constexpr const char* kAsSegmentation =
     "load it in 3D Slicer with its images, convert it to a segmentation there, and save that as .seg.nrrd";
-constexpr const char* kExportASurface = "export it as STL, OBJ, PLY or GLB";
+constexpr const char* kExportTheSurface = "export it as STL, OBJ, PLY or GLB";
 
 /// Classes of storage, by the end of their UID; a point at its end stands for all below. Their names are
 /// DICOM's terms, the same in every language.
@@ -60,8 +60,8 @@ constexpr auto kClasses = std::to_array<ObjectClass>({
     {"66.6", DicomKind::other, "Tractography Results"},
     {"66", DicomKind::other, "Raw Data"},
     {"67", DicomKind::other, "Real World Value Mapping"},
-    {"68.1", DicomKind::other, "Surface Scan Mesh", kExportASurface},
-    {"68.2", DicomKind::other, "Surface Scan Point Cloud", kExportASurface},
+    {"68.1", DicomKind::other, "Surface Scan Mesh", kExportTheSurface},
+    {"68.2", DicomKind::other, "Surface Scan Point Cloud", kExportTheSurface},
     {"77.1.5.3", DicomKind::other, "Stereometric Relationship"},
     {"77.1.5.4", DicomKind::image, "Ophthalmic Tomography"},
     {"77.1.6", DicomKind::other, "VL Whole Slide Microscopy"},
