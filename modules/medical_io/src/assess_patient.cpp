@@ -34,13 +34,13 @@ constexpr std::size_t kOrgansNamed = 4;
 constexpr double kVague = 2;
 
 /// An organ of the patient whose place is known.
-struct KnownOrgan {
+struct Recognised {
   std::size_t index = 0; ///< In the list that is judged.
   anatomy::BodyPlace place;
 };
 
-std::vector<KnownOrgan> knownAmong(const std::vector<PlacedOrgan>& organs) {
-  std::vector<KnownOrgan> known;
+std::vector<Recognised> knownAmong(const std::vector<PlacedOrgan>& organs) {
+  std::vector<Recognised> known;
   for (std::size_t i = 0; i < organs.size(); ++i)
     if (organs[i].bounds.center().allFinite())
       if (const auto place = anatomy::bodyPlaceNamed(organs[i].name))
@@ -50,13 +50,13 @@ std::vector<KnownOrgan> knownAmong(const std::vector<PlacedOrgan>& organs) {
 
 /// Twelve ribs of one side say little more than one: each counts less.
 std::vector<KnownOrgan> weighed(const std::vector<PlacedOrgan>& organs,
-                                const std::vector<KnownOrgan>& known) {
+                                const std::vector<Recognised>& known) {
   std::map<std::pair<std::string_view, anatomy::Side>, int> alike;
-  for (const KnownOrgan& one : known)
+  for (const Recognised& one : known)
     if (one.place.part.chamber == anatomy::Chamber::none)
       ++alike[{one.place.part.organ, one.place.part.side}];
   std::vector<KnownOrgan> result;
-  for (const KnownOrgan& one : known) {
+  for (const Recognised& one : known) {
     const bool chamber = one.place.part.chamber != anatomy::Chamber::none;
     const int count = chamber ? 1 : alike[{one.place.part.organ, one.place.part.side}];
     result.push_back({organs[one.index].bounds.center(), one.place.center, one.place.spread,
@@ -91,9 +91,9 @@ bool fitsLps(const std::vector<BodyWay>& ways) {
 }
 
 /// Whether right and left are those of LPS, by the organs whose names say a side, or by the others.
-Direction sideBy(const std::vector<PlacedOrgan>& organs, const std::vector<KnownOrgan>& known, bool sided) {
-  std::vector<KnownOrgan> some;
-  for (const KnownOrgan& one : known)
+Direction sideBy(const std::vector<PlacedOrgan>& organs, const std::vector<Recognised>& known, bool sided) {
+  std::vector<Recognised> some;
+  for (const Recognised& one : known)
     if (one.place.sided() == sided)
       some.push_back(one);
   if (some.size() < 2)
@@ -207,7 +207,7 @@ std::optional<Finding> contradiction(Direction bySides, Direction byOthers) {
 }
 
 /// Organs on the wrong side, where the others are right.
-std::vector<std::size_t> misplacedAmong(const std::vector<KnownOrgan>& known,
+std::vector<std::size_t> misplacedAmong(const std::vector<Recognised>& known,
                                         const std::vector<KnownOrgan>& organs, const BodyWay& lps) {
   constexpr double kFar = 3, kNear = 2;
   std::vector<std::size_t> misplaced;
@@ -294,7 +294,7 @@ double marginOf(const std::vector<BodyWay>& ways, bool fits) {
 }
 
 void judgeAxes(PatientAssessment& patient, const std::vector<PlacedOrgan>& organs,
-               const std::vector<KnownOrgan>& known) {
+               const std::vector<Recognised>& known) {
   const std::vector<KnownOrgan> weighedOrgans = weighed(organs, known);
   const std::vector<BodyWay> all = bodyWays(weighedOrgans), ways = plausible(all);
   patient.votes = votesOf(weighedOrgans);
@@ -347,7 +347,7 @@ std::string PatientAssessment::axes() const {
 
 PatientAssessment assessPatient(const std::vector<PlacedOrgan>& organs) {
   PatientAssessment patient;
-  const std::vector<KnownOrgan> known = knownAmong(organs);
+  const std::vector<Recognised> known = knownAmong(organs);
   patient.organs = static_cast<int>(known.size());
   if (known.size() >= 2)
     judgeAxes(patient, organs, known);

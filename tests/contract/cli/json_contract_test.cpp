@@ -216,8 +216,9 @@ TEST_F(CliJson, ALockedDeformationSaysWhatWasAskedAndGiven) {
   for (const json& handle : kept["handles"]) {
     const double asked = handle["label"] == "H-8" ? 6 : handle["label"] == "H-7" ? 2 : 0;
     EXPECT_NEAR(handle["askedMm"].get<double>(), asked, 1e-9) << handle;
-    if (asked > 0)
+    if (asked > 0) {
       EXPECT_NEAR(handle["offMm"].get<double>(), 0, 1e-9) << "those at rest compensate: " << handle;
+    }
   }
   const auto warnsOf = [](const json& outcome, const std::string& words) {
     return outcome["warnings"].dump().find(words) != std::string::npos;
