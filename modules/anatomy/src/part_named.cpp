@@ -212,6 +212,10 @@ std::optional<Part> partNamed(std::string_view name) {
 }
 
 std::optional<Part> chamberNamed(std::string_view name) {
+  // "Heart/la" is the part "la" of the file "Heart": beside "heart", "la" would be an article.
+  if (const std::size_t slash = name.rfind('/'); slash != std::string_view::npos)
+    if (const std::optional<Part> part = chamberNamed(name.substr(slash + 1)))
+      return part;
   const std::optional<Part> part = partNamed(name);
   return part && !abbreviationOf(*part).empty() ? part : std::nullopt;
 }
