@@ -133,7 +133,7 @@ def naming_files(tree):
 
 def colours_of(organ, tree):
     """(colour, file) of each colour beside the organ's name, as three numbers from 0 to 255."""
-    number = r"\s*(\d+(?:\.\d+)?)\s*"
+    number = r"\s*(-?\d+(?:\.\d+)?)\s*"
     colour = re.compile(rf'"#([0-9a-fA-F]{{6}})"|\b0x([0-9a-fA-F]{{6}})\b|[\[{{(]{number},{number},{number}[\]}})]')
     found = set()
     texts = dict(tree.files)
@@ -150,6 +150,8 @@ def colours_of(organ, tree):
                 values = tuple(int(digits[i:i + 2], 16) for i in (0, 2, 4))
             else:
                 values = [float(v) for v in met.group(3, 4, 5)]
+                if min(values) < 0 or max(values) > 255:  # A place in mm.
+                    continue
                 values = tuple(round(v * 255) if max(values) <= 1 else round(v) for v in values)
             found.add((values, str(file)))
     return sorted(found)

@@ -119,7 +119,7 @@ TEST_F(CliScan, WarpMovesAScanAlongWithTheHandles) {
   EXPECT_NEAR(values[0]["value"].get<double>(), 2001, 1);
   EXPECT_NEAR(values[1]["value"].get<double>(), 2004, 1);
   expectFailure({"warp", scan_, "--handles", rest_, "--pose", pose, "-o", path("out.png")}, kCannotCreate,
-                "Images cannot be written");
+                "cannot be written as \".png\"");
 }
 
 TEST_F(CliScan, WarpMovesALabelMap) {

@@ -50,7 +50,8 @@ TEST_F(Track, KeepsItsContractAndIsPlayedAgainWithTheSameVolumes) {
   ASSERT_EQ(found["phases"].size(), 6U);
   for (const std::string key : {"timeMs", "meanMm", "p95Mm", "maxMm", "dice", "surfaces"})
     EXPECT_TRUE(found["phases"][0].contains(key)) << key;
-  EXPECT_EQ(found["ejectionFraction"].size(), 2U);
+  EXPECT_EQ(found["ejectionFraction"].size(), 4U) << "under the names of the files and of the scheme";
+  EXPECT_EQ(found["ejectionFraction"]["lv"], found["ejectionFraction"]["LV"]);
   // Six frames a beat are its keys.
   const json played =
       runJson({"play", path("m.sequence.json"), "--fps", std::to_string(6 / 0.9), "--csv", path("v.csv")});
