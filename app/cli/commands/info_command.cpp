@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <optional>
 
 #include <CLI/CLI.hpp>
@@ -280,6 +281,11 @@ public:
     if (files_.size() > 1 || surfacesIn(files_.front()).size() > 1)
       return describePatient(files_, context);
     file_ = files_.front();
+    return describeOne(context);
+  }
+
+private:
+  Outcome describeOne(CommandContext& context) {
     if (isSample(file_) || namesLabel(file_)) {
       const document::Organ organ = organInput(file_, context.samples, context.progress);
       medical_io::SurfaceFile surface;
@@ -300,11 +306,24 @@ public:
       return describeImage(context);
     if (medical_io::isLabelMap(file_))
       return describe(medical_io::readLabelMap(file_, context.progress), file_, context.progress);
+    if (const auto only = onlyFileIn(file_)) {
+      file_ = only->string();
+      return describeOne(context);
+    }
     const std::vector<medical_io::SurfacePart> parts = medical_io::readSurfaces(file_);
     return parts.size() == 1 ? describe(parts.front().surface, file_, context) : describe(parts, file_);
   }
 
-private:
+  /// The file of a folder that holds one thing, such as an archive's export of one structure set.
+  static std::optional<std::filesystem::path> onlyFileIn(const std::filesystem::path& folder) {
+    std::error_code error;
+    std::filesystem::directory_iterator entry(folder, error), end;
+    if (error || entry == end || !entry->is_regular_file(error))
+      return std::nullopt;
+    const std::filesystem::path file = entry->path();
+    return entry.increment(error) == end ? std::optional(file) : std::nullopt;
+  }
+
   /// Describes the first of several volumes, as of a scan, unless the user asks for another.
   Outcome describeImage(CommandContext& context) const {
     const auto read = [&](std::optional<int> phase) {

@@ -63,6 +63,17 @@ TEST_F(CliBadInput, WronglyNamedFiles) {
   expectFailure({"info", put("heart.step", "ISO-10303-21;\n")}, kBadData, "a CAD model");
 }
 
+TEST_F(CliBadInput, AFolderOfOneFileIsThatFile) {
+  std::filesystem::create_directory(path("study"));
+  put("study/organ", cubeOff(4));
+  EXPECT_EQ(runJson({"info", path("study")})["triangles"], 12);
+  put("study/organ", "ISO-10303-21;\n");
+  std::filesystem::rename(path("study/organ"), path("study/heart.step"));
+  expectFailure({"info", path("study")}, kBadData, "a CAD model");
+  std::filesystem::create_directory(path("empty"));
+  expectFailure({"info", path("empty")}, kNoInput, "a folder");
+}
+
 TEST_F(CliBadInput, DegenerateSurfaces) {
   expectBadOrgan(put("no_triangles.off", "OFF\n3 0 0\n0 0 0\n1 0 0\n0 1 0\n"), kBadData, "no_triangles.off");
   expectBadOrgan(put("one_place.off", "OFF\n3 1 0\n1 1 1\n1 1 1\n1 1 1\n3 0 1 2\n"), kBadData,
