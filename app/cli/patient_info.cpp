@@ -5,12 +5,14 @@
 #include <cmath>
 #include <filesystem>
 #include <system_error>
+#include <utility>
 
 #include "cli/listing.h"
 #include "viscera/core/error.h"
 #include "viscera/core/phrase.h"
 #include "viscera/document/open_files.h"
 #include "viscera/document/session_file.h"
+#include "viscera/medical_io/file_kind.h"
 #include "viscera/medical_io/label_map.h"
 #include "viscera/medical_io/scan.h"
 #include "viscera/medical_io/surface_file.h"
@@ -46,7 +48,13 @@ void appendPatient(Outcome& outcome, const std::vector<medical_io::PlacedOrgan>&
   if (organs.size() < 2)
     return;
   const medical_io::PatientAssessment patient = medical_io::assessPatient(organs);
-  appendFindings(outcome.warnings, patient.findings);
+  // Before the many warnings about single organs, which would hide it.
+  std::vector<Text> warnings;
+  appendFindings(warnings, patient.findings);
+  for (Text& warning : outcome.warnings)
+    if (std::find(warnings.begin(), warnings.end(), warning) == warnings.end())
+      warnings.push_back(std::move(warning));
+  outcome.warnings = std::move(warnings);
   ordered_json repairs = ordered_json::array();
   for (const medical_io::Finding& finding : patient.findings)
     for (const std::string& repair : finding.repairs)

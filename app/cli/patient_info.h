@@ -9,7 +9,7 @@
 /// What commands say of the organs of a patient together.
 namespace viscera::app::cli {
 
-/// Adds the judgement of a patient to the warnings, and to the JSON as `patient` (`axes`, `rightToLeft`,
+/// Puts the judgement of a patient before the warnings, and adds it to the JSON as `patient` (`axes`, `rightToLeft`,
 /// `frontToBack`, `footToHead`, `organs`, `margin`, `sizeFactor`, `repairs[]`). Nothing for fewer than two
 /// organs.
 void appendPatient(Outcome& outcome, const std::vector<medical_io::PlacedOrgan>& organs);

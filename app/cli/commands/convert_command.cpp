@@ -15,13 +15,16 @@
 #include "cli/listing.h"
 #include "cli/number_bounds.h"
 #include "cli/organ_group.h"
+#include "cli/patient_info.h"
 #include "viscera/anatomy/part.h"
+#include "viscera/core/arrays.h"
 #include "viscera/core/error.h"
 #include "viscera/deformation/organ_solid.h"
 #include "viscera/document/open_files.h"
 #include "viscera/document/session_file.h"
 #include "viscera/geometry/surface_check.h"
 #include "viscera/geometry/triangle_mesh.h"
+#include "viscera/medical_io/assess_patient.h"
 #include "viscera/medical_io/assess_surface.h"
 #include "viscera/medical_io/file_kind.h"
 #include "viscera/medical_io/handle_file.h"
@@ -155,6 +158,7 @@ private:
                        "leave out the options, or convert the organs one by one");
     const OrganGroup group = organGroup(inputs_, context.samples, context.progress);
     std::vector<medical_io::NamedSurface> surfaces;
+    std::vector<medical_io::PlacedOrgan> placed;
     Outcome outcome;
     outcome.json = {{"in", in_}, {"out", out_}, {"organs", nlohmann::ordered_json::array()}};
     Listing listing;
@@ -171,6 +175,8 @@ private:
       surfaces.push_back({mesh, organ.name, organ.look.color, organ.look.opacity, group.cavityOf[i]});
       vertices += mesh->points.rows();
       triangles += mesh->triangles.rows();
+      if (organ.origin.sample.empty()) // Those are made in LPS, each about an origin of its own.
+        placed.push_back({organ.name, boundsOf(mesh->points), std::abs(organ.restVolumeMm3) / kMm3PerMl});
       const bool cavity = group.cavityOf[i] >= 0;
       outcome.json["organs"].push_back({{"name", organ.name},
                                         {"triangles", mesh->triangles.rows()},
@@ -187,6 +193,7 @@ private:
     outcome.json["space"] = space_;
     outcome.warnings = group.warnings;
     outcome.json["warnings"] = outcome.warnings;
+    appendPatient(outcome, placed);
     outcome.text = listing.text();
     return outcome;
   }
@@ -383,6 +390,11 @@ private:
       outcome.text += "  " + inWords(*one.change).english() + "\n";
     }
     outcome.json["warnings"] = outcome.warnings;
+    std::vector<medical_io::PlacedOrgan> placed;
+    for (const Converted& one : converted)
+      placed.push_back({one.name, boundsOf(one.mesh->points),
+                        one.report.closed() ? std::abs(one.report.volumeMm3) / kMm3PerMl : 0});
+    appendPatient(outcome, placed);
   }
 
   Outcome convertHandles() const {

@@ -2,6 +2,8 @@
 
 #include <cstring>
 
+#include "viscera/core/arrays.h"
+
 namespace viscera::app::cli {
 
 /// `viscera convert`, and what `viscera deform` writes for other programs.
@@ -157,10 +159,15 @@ class CliConvertOrgans : public CliConvert {
 protected:
   /// A box of that edge with its low corner at that place, on all axes.
   std::string boxFile(const std::string& name, double low, double edge) const {
-    const auto at = [&](int high) { return std::to_string(low + high * edge); };
+    return boxFile(name, edge, Vec3::Constant(low + edge / 2));
+  }
+
+  /// A box of that edge about a place.
+  std::string boxFile(const std::string& name, double edge, const Vec3& middle) const {
+    const auto at = [&](int axis, int high) { return std::to_string(middle[axis] + (high - 0.5) * edge); };
     std::string text = "OFF\n8 12 0\n";
     for (int i = 0; i < 8; ++i)
-      text += at(i & 1) + " " + at(i >> 1 & 1) + " " + at(i >> 2 & 1) + "\n";
+      text += at(0, i & 1) + " " + at(1, i >> 1 & 1) + " " + at(2, i >> 2 & 1) + "\n";
     return put(name, text +
                          "3 0 2 3\n3 0 3 1\n3 4 5 7\n3 4 7 6\n3 0 1 5\n3 0 5 4\n3 2 6 7\n3 2 7 3\n3 0 4 6\n"
                          "3 0 6 2\n3 1 3 7\n3 1 7 5\n");
@@ -178,6 +185,38 @@ TEST_F(CliConvertOrgans, SeveralInputsBecomeOrgansOfOnePrint) {
   EXPECT_EQ(again["organs"][0]["name"], "liver");
   EXPECT_NE(run({"convert", liver, spleen, path("all.stl")}).exitCode, 0);
   EXPECT_NE(run({"convert", liver, spleen, path("all.3mf"), "--mirror"}).exitCode, 0);
+}
+
+TEST_F(CliConvertOrgans, SayFirstWhatIsDoubtfulAboutThePatient) {
+  struct Place {
+    const char* name;
+    Vec3 at; ///< In LPS.
+  };
+  const Place places[] = {{"liver", {-50, -65, 35}},       {"spleen", {90, -28, 45}},
+                          {"kidney_left", {62, -23, -10}}, {"kidney_right", {-62, -23, -10}},
+                          {"stomach", {45, -92, 40}},      {"bladder", {0, -85, -250}}};
+  const auto converted = [&](const std::string& name, const Vec3& signs) {
+    std::vector<std::string> arguments{"convert"};
+    for (const Place& place : places)
+      arguments.push_back(
+          boxFile("p_12_" + std::string(place.name) + ".off", 40, signs.cwiseProduct(place.at)));
+    arguments.push_back(path(name));
+    return runJson(arguments);
+  };
+  const json lps = converted("lps.glb", {1, 1, 1});
+  EXPECT_EQ(lps["patient"]["axes"], "LPS") << lps;
+  EXPECT_FALSE(saysOf(lps, "exchanged")) << lps["warnings"];
+  const json ras = converted("ras.glb", {-1, -1, 1});
+  EXPECT_EQ(ras["patient"]["axes"], "RAS");
+  EXPECT_EQ(ras["patient"]["repairs"][0], "ras-to-lps");
+  ASSERT_FALSE(ras["warnings"].empty());
+  EXPECT_NE(ras["warnings"][0].dump().find("RAS"), std::string::npos) << ras["warnings"];
+  EXPECT_EQ(converted("mirrored.glb", {-1, 1, 1})["patient"]["axes"], "mirrored");
+  const json again = runJson({"convert", path("ras.glb"), path("ras.3mf")});
+  EXPECT_EQ(again["patient"]["axes"], "RAS") << "all organs of one file";
+  EXPECT_EQ(
+      runJson({"convert", path("ras.glb"), path("turned.3mf"), "--from-space", "RAS"})["patient"]["axes"],
+      "LPS");
 }
 
 TEST_F(CliConvertOrgans, ASampleOrganIsPrintedWithHollowCavities) {
