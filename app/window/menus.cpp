@@ -10,6 +10,7 @@
 #include <algorithm>
 
 #include "window/language.h"
+#include "window/panels/coordinate_menu.h"
 #include "window/slices/scan_actions.h"
 #include "window/style/icon.h"
 #include "window/widgets/panel_dock.h"
@@ -174,8 +175,9 @@ void Menus::makeOrganMenus() {
   organ->addMenu(samples_);
   fill(organ, {"", "volume.lock", "volume.restore", ""});
   fill(organ, parts_.modes.find("explore").actions());
-  fill(organ, {"", "organ.showOnly", "organ.hide", "organ.showAll", "organ.find", "", "organ.rename",
-               "organ.remove", "", "file.export"});
+  fill(organ, {"", "organ.showOnly", "organ.hide", "organ.showAll", "organ.find", "", "organ.rename"});
+  organ->addMenu(new CoordinateMenu(parts_.workspace, parts_.actions, organ));
+  fill(organ, {"organ.remove", "", "file.export"});
   QMenu* handles = bar_.addMenu(tr("Ha&ndles"));
   fill(handles, parts_.modes.find("handles").actions());
   fill(handles, {""});

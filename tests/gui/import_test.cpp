@@ -1,10 +1,12 @@
 #include "window_test.h"
 
+#include <QAction>
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDockWidget>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMenu>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QTest>
@@ -287,6 +289,32 @@ TEST_F(Import, OrgansAreFilteredByWhatWasFound) {
   EXPECT_EQ(shown, 2);
   press(repairButton(QStringLiteral("orient")));
   EXPECT_FALSE(window().imports().draft().questionable()) << "both were turned";
+}
+
+TEST_F(Import, AxesAndUnitAreConvertedAfterItTooAsOneStep) {
+  auto& menu = find<QMenu>("coordinateMenu");
+  open(write(liver()));
+  settle();
+  ASSERT_FALSE(window().imports().isOpen());
+  ASSERT_EQ(document().organs().size(), 1U);
+  EXPECT_TRUE(menu.menuAction()->isEnabled());
+  const Points before = document().organs()[0]->mesh->points;
+  const auto choose = [&](const char* id) {
+    auto* entry = menu.findChild<QAction*>(QLatin1String("organ.convert.") + QLatin1String(id));
+    ASSERT_TRUE(entry) << id;
+    entry->trigger();
+    settle();
+  };
+  choose("ras-to-lps");
+  const Points turned = document().organs()[0]->mesh->points;
+  EXPECT_LT((turned.leftCols(2) + before.leftCols(2)).norm(), 1e-9);
+  EXPECT_LT((turned.col(2) - before.col(2)).norm(), 1e-9);
+  choose("unit-cm");
+  EXPECT_LT((document().organs()[0]->mesh->points - 10 * turned).norm(), 1e-6);
+  window().workspace().undo().undo();
+  window().workspace().undo().undo();
+  settle();
+  EXPECT_EQ(document().organs()[0]->mesh->points, before);
 }
 
 TEST_F(Import, RepairsCanBeTakenBackAndARepairThatIsCancelledChangesNothing) {
