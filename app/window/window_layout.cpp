@@ -101,7 +101,14 @@ void WindowLayout::placeRail(QWidget* rail) {
   rail_ = bar;
 }
 
+/// The right column has the whole height, and the panels at the bottom end beside it. A layout that is
+/// restored brings the corners that it was saved with.
+void WindowLayout::giveCorners() {
+  window_.setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
+}
+
 void WindowLayout::place(const Panels& panels) {
+  giveCorners();
   placeRail(panels.rail);
   auto* organs = organs_ = addDock(tr("Organs"), "organs", Qt::LeftDockWidgetArea, panels.organs, true);
   auto* handles = handles_ = addDock(tr("Handles"), "handles", Qt::LeftDockWidgetArea, panels.handles, true);
@@ -412,6 +419,7 @@ void WindowLayout::bringBack() {
     known.value() =
         known.key() == properties_ ? Width{kRightWidth, kWidthForRight} : Width{kLeftWidth, kWidthForLeft};
   window_.restoreState(standard_);
+  giveCorners();
   arrange();
   if (importing_)
     showImports();
@@ -423,6 +431,7 @@ void WindowLayout::restore(const Settings& settings) {
   standard_ = window_.saveState();
   window_.restoreGeometry(settings.value("window/geometry").toByteArray());
   window_.restoreState(settings.value("window/layout").toByteArray());
+  giveCorners();
   if (!window_.isMaximized() && !window_.isFullScreen())
     window_.resize(window_.size().boundedTo(room));
   chosen_ = settings.value("window/panels").toMap();
