@@ -4,13 +4,13 @@
 #include <QPushButton>
 
 #include "window/style/icon.h"
+#include "window/widgets/wrapped_label.h"
 
 namespace viscera::app {
 
 QLabel* makeRemark(const QString& text, QWidget* parent) {
-  auto* label = new QLabel(text, parent);
+  auto* label = new WrappedLabel(text, parent);
   label->setObjectName(QStringLiteral("muted"));
-  label->setWordWrap(true);
   return label;
 }
 
