@@ -14,11 +14,13 @@
 #include <QTreeWidgetItemIterator>
 
 #include <algorithm>
+#include <map>
 
 #include "atlas_window.h"
 #include "screen_check.h"
 #include "session_fixture.h"
 #include "viscera/document/organ_commands.h"
+#include "viscera/presentation/presenter.h"
 #include "viscera/scene/vtkVisceraHandleSetRepresentation.h"
 #include "window/panels/organ_panel.h"
 #include "window/view/picture.h"
@@ -48,8 +50,13 @@ protected:
   }
   QTreeWidget& list() { return *window().findChild<QTreeWidget*>(QStringLiteral("organList")); }
   QLineEdit& search() { return *window().findChild<QLineEdit*>(QStringLiteral("organSearch")); }
+  /// By the organ's own name, in the words of the list.
   QTreeWidgetItem* row(const QString& name) {
-    const auto found = list().findItems(name, Qt::MatchExactly | Qt::MatchRecursive, kName);
+    QString shown = name;
+    for (const auto& one : document().organs())
+      if (one->name == name.toStdString())
+        shown = QString::fromStdString(presentation::labelOf(*one));
+    const auto found = list().findItems(shown, Qt::MatchExactly | Qt::MatchRecursive, kName);
     EXPECT_EQ(found.size(), 1) << name.toStdString();
     return found.front();
   }
@@ -161,11 +168,11 @@ TEST_F(ManyOrgans, AreDescribedOnlyWhereOneIsSelected) {
   EXPECT_EQ(name.text(), QStringLiteral("none selected"));
   EXPECT_TRUE(find<QLabel>("exploreRemarks").text().contains(QStringLiteral("Select an organ")));
   selection.setOrgan(organ("spleen").id);
-  EXPECT_EQ(name.text(), QStringLiteral("spleen"));
+  EXPECT_EQ(name.text(), QStringLiteral("Spleen"));
   EXPECT_TRUE(find<QLabel>("exploreRemarks").isHidden());
   selection.clear();
   key(Qt::Key_2);
-  EXPECT_EQ(find<QLabel>("boundOrgan").text(), QStringLiteral("liver")) << "whose binding it tells of";
+  EXPECT_EQ(find<QLabel>("boundOrgan").text(), QStringLiteral("Liver")) << "whose binding it tells of";
   std::vector<document::OrganId> others;
   for (const auto& one : document().organs())
     if (one->name != "spleen")
@@ -287,7 +294,7 @@ TEST_F(ManyOrgans, TheNameOfTheOrganUnderTheMouseIsShownAndLeavesWithIt) {
   QTest::mouseMove(&view(), placeOf("kidney_left") + QPoint(3, 3));
   QTest::mouseMove(&view(), placeOf("kidney_left"));
   ASSERT_TRUE(waitUntil([&] { return name->isVisible(); }));
-  EXPECT_EQ(name->text(), QStringLiteral("kidney_left"));
+  EXPECT_EQ(name->text(), QStringLiteral("Left kidney"));
   QTest::mouseMove(&view(), QPoint(4, 4));
   EXPECT_TRUE(waitUntil([&] { return !name->isVisible(); }));
 }
@@ -305,7 +312,7 @@ TEST_F(ManyOrgans, TheNameUnderTheMouseLeavesWithTheOrganAndStaysOfWhatIsThere) 
   key(Qt::Key_H, Qt::ControlModifier | Qt::ShiftModifier);
   ASSERT_TRUE(waitUntil([&] { return name.isVisible(); })) << "it is there again, and so is the mouse";
   window().workspace().perform(document::renameOrgan(organ("kidney_left").id, "renal"));
-  EXPECT_TRUE(waitUntil([&] { return name.isVisible() && name.text() == QLatin1String("renal"); }));
+  EXPECT_TRUE(waitUntil([&] { return name.isVisible() && name.text() == QLatin1String("Renal"); }));
   window().setMode("handles");
   EXPECT_FALSE(name.isVisible()) << "another mode may show it elsewhere";
 }
@@ -444,6 +451,72 @@ TEST_F(ManyOrgans, TheMenuInTheViewHasWhatTheListHas) {
   menu.close();
 }
 
+/// Names that read "small_bowel" are for files.
+TEST_F(ManyOrgans, AreNamedAsPeopleWriteThem) {
+  for (QTreeWidgetItemIterator each(&list()); *each; ++each) {
+    const QString name = (*each)->text(kName);
+    EXPECT_FALSE(name.contains(QLatin1Char('_')) || name[0].isLower()) << name.toStdString();
+  }
+  window().workspace().selection().setOrgan(organ("kidney_left").id);
+  settle();
+  EXPECT_TRUE(find<QLabel>("statusVolume").text().startsWith(QStringLiteral("Left kidney")))
+      << find<QLabel>("statusVolume").text().toStdString();
+  EXPECT_EQ(organ("kidney_left").name, "kidney_left") << "its own name stays";
+}
+
+TEST_F(ManyOrgans, HaveCurvesOfTheChosenAndTheLargestWhereTheyAreVisible) {
+  const auto charted = [this] {
+    std::vector<document::OrganId> ids;
+    for (const auto& line : window().volumes().lines())
+      ids.push_back(line.organ);
+    return ids;
+  };
+  const auto has = [&](const char* name) {
+    const auto ids = charted();
+    return std::count(ids.begin(), ids.end(), organ(name).id) == 1;
+  };
+  for (const char* chosen : {"label 699", "gluteus maximus"}) {
+    window().workspace().selection().setOrgan(organ(chosen).id);
+    EXPECT_EQ(charted().size(), app::VolumeMonitor::kMostLines);
+    EXPECT_TRUE(has(chosen)) << chosen;
+    EXPECT_EQ(window().volumes().unlisted(), 8);
+  }
+  choose({QStringLiteral("gluteus maximus")});
+  key(Qt::Key_H, Qt::ControlModifier);
+  EXPECT_FALSE(has("gluteus maximus")) << "it is hidden";
+  EXPECT_EQ(charted().size(), app::VolumeMonitor::kMostLines);
+}
+
+TEST_F(ManyOrgans, GetHandlesAroundAllOfThemUnlessOneIsChosen) {
+  const auto nearest = [this](const Vec3& handle) {
+    const document::Organ* best = nullptr;
+    double least = 1e300;
+    for (const auto& one : document().organs())
+      if (const double gap = (one->mesh->points.rowwise() - handle.transpose()).rowwise().norm().minCoeff();
+          gap < least) {
+        least = gap;
+        best = one.get();
+      }
+    return best->name;
+  };
+  const auto around = [&] {
+    std::map<std::string, int> counts;
+    const auto& handles = document().rig().handles;
+    for (std::size_t i = 8; i < handles.size(); ++i) // The box comes first.
+      ++counts[nearest(handles[i].rest)];
+    return counts;
+  };
+  window().workspace().selection().clear();
+  key(Qt::Key_2);
+  window().actions()["handles.place"]->trigger();
+  settle();
+  EXPECT_EQ(around().size(), 16U) << "all are of one size";
+  window().workspace().selection().setOrgan(organ("spleen").id);
+  window().actions()["handles.place"]->trigger();
+  settle();
+  EXPECT_EQ(around(), (std::map<std::string, int>{{"spleen", 22}}));
+}
+
 class Atlas : public AtlasWindow {};
 
 TEST_F(Atlas, IsSearchedIsolatedDeformedUnderALockAndShownWholeAgain) {
@@ -507,7 +580,7 @@ TEST_F(ManyOrgans, FocusOnOneThatAnotherHidesOffersToShowItAlone) {
   look.opacity = 1;
   ASSERT_TRUE(window().workspace().perform(document::setOrganLook(organ("wall").id, look)));
   key(Qt::Key_F);
-  EXPECT_EQ(message(), QStringLiteral("spleen is hidden behind wall."));
+  EXPECT_EQ(message(), QStringLiteral("Spleen is hidden behind Wall."));
   auto* offer = window().viewArea().messages()->findChild<QPushButton*>(QStringLiteral("offer"));
   ASSERT_NE(offer, nullptr);
   offer->click();
@@ -532,13 +605,13 @@ TEST_F(ManyOrgans, AreNamedWhereTheyAreSeenAndNotThroughAnOpaqueOne) {
   document::NewOrgan wall = ball("wall", 45, 5, middle);
   ASSERT_TRUE(window().workspace().perform(document::addOrgans({wall})));
   key(Qt::Key_N);
-  EXPECT_TRUE(named("wall"));
-  EXPECT_TRUE(named("liver"));
-  EXPECT_FALSE(named("spleen")) << "a line would end on the wall";
+  EXPECT_TRUE(named("Wall"));
+  EXPECT_TRUE(named("Liver"));
+  EXPECT_FALSE(named("Spleen")) << "a line would end on the wall";
   document::OrganLook look = organ("wall").look;
   look.opacity = 0.4;
   ASSERT_TRUE(window().workspace().perform(document::setOrganLook(organ("wall").id, look)));
-  EXPECT_TRUE(named("spleen"));
+  EXPECT_TRUE(named("Spleen"));
 }
 
 TEST_F(ManyOrgans, SearchLooksAtTheNamesThatAreShownAndGoesWithItsField) {
