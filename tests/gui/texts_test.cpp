@@ -138,6 +138,7 @@ TEST_F(WindowTest, ASecondFileAtTheSamePlaceIsSaid) {
   const QString file = sphereFile(QStringLiteral("liver.stl"));
   const auto take = [this](const QString& name) {
     const std::size_t before = document().organs().size();
+    window().viewArea().messages()->dismiss();
     window().files().open({name});
     ASSERT_TRUE(
         waitUntil([&] { return window().imports().isOpen() || document().organs().size() > before; }));

@@ -10,7 +10,7 @@ namespace viscera::app {
 namespace {
 
 /// A label that may break words asks for that many letters in a line.
-constexpr int kFewestLetters = 12;
+constexpr int kFewestLetters = 18;
 
 } // namespace
 
