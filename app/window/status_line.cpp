@@ -79,11 +79,14 @@ void StatusLine::syncVolume() {
   if (!organ)
     return volume_->setText(tr("No organ"));
   const live::OrganVolume volume = workspace_.live().volume(organ->id);
+  const QString whole = inWords(presentation::labelOf(*organ));
+  const QString name = shortenedName(whole, *volume_);
+  volume_->setToolTip(name == whole ? QString() : whole);
   if (!volume.closed)
-    return volume_->setText(tr("%1: open surface, no volume").arg(inWords(presentation::labelOf(*organ))));
-  QString line = tr("%1  %2  (%3, %4)")
-                     .arg(inWords(presentation::labelOf(*organ)), formatMilliliters(volume.nowMl),
-                          formatChange(volume), formatRelativeChange(volume));
+    return volume_->setText(tr("%1: open surface, no volume").arg(name));
+  QString line =
+      tr("%1  %2  (%3, %4)")
+          .arg(name, formatMilliliters(volume.nowMl), formatChange(volume), formatRelativeChange(volume));
   if (organ->volumeLocked)
     line += tr("  locked");
   volume_->setText(line);

@@ -8,6 +8,11 @@
 
 namespace viscera::app {
 
+QString shortenedName(const QString& name, const QWidget& shownIn) {
+  constexpr int kWidestName = 180; // Logical pixels.
+  return shownIn.fontMetrics().elidedText(name, Qt::ElideMiddle, kWidestName);
+}
+
 QLabel* makeRemark(const QString& text, QWidget* parent) {
   auto* label = new WrappedLabel(text, parent);
   label->setObjectName(QStringLiteral("muted"));
