@@ -58,7 +58,8 @@ TEST(WrappedLabel, IsAPlainLabelWhereItsWordsFit) {
 }
 
 TEST(ElidedCheck, ShortensAndKeepsItsWholeTextInTheTip) {
-  app::ElidedCheck check(QLatin1String(kLongWords[0]), QStringLiteral("Take it"));
+  const QString name = QLatin1String(kLongWords[0]);
+  app::ElidedCheck check(name, QStringLiteral("Take it"));
   check.resize(160, check.sizeHint().height());
   check.show();
   EXPECT_LE(check.minimumSizeHint().width(), 160);
