@@ -52,7 +52,12 @@ private:
     return any ? said[0] : QChar();
   }
   QString withoutSide(const QString& text) const {
-    return sideIn(text).isNull() ? text : text.trimmed().mid(1).trimmed();
+    if (sideIn(text).isNull())
+      return text;
+    int first = 0;
+    while (text[first].isSpace())
+      ++first;
+    return text.mid(first + 1); // With the space before the unit, by which the box knows it.
   }
 
   QChar negative_, positive_;
