@@ -101,10 +101,13 @@ void WindowLayout::placeRail(QWidget* rail) {
   rail_ = bar;
 }
 
-/// The right column has the whole height, and the panels at the bottom end beside it. A layout that is
-/// restored brings the corners that it was saved with.
+/// The right column has the whole height, and the panels at the bottom end beside it; in a narrow window they
+/// need the whole width. A layout that is restored brings the corners that it was saved with.
 void WindowLayout::giveCorners() {
-  window_.setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
+  const Qt::DockWidgetArea area =
+      window_.width() < kWidthForRight ? Qt::BottomDockWidgetArea : Qt::RightDockWidgetArea;
+  if (window_.corner(Qt::BottomRightCorner) != area)
+    window_.setCorner(Qt::BottomRightCorner, area);
 }
 
 void WindowLayout::place(const Panels& panels) {
@@ -257,6 +260,7 @@ void WindowLayout::fitSoon() {
 /// a wish.
 void WindowLayout::fitPanels() {
   fitting_ = false;
+  giveCorners();
   if (bare_ || mode_.empty())
     return;
   if (QSet<QDockWidget*> folded = withoutRoom(); folded != folded_) {

@@ -197,6 +197,9 @@ TEST_F(SharedRoom, PanelsAtTheBottomEndAtTheProperties) {
       EXPECT_GE(properties.geometry().bottom(), dock.geometry().bottom()) << below;
     }
   }
+  resizeTo(kSmallDesk);
+  EXPECT_GT(find<QDockWidget>("timeline").geometry().right(), properties.geometry().left())
+      << "a narrow window has no width to spare";
 }
 
 TEST_F(SharedRoom, NumbersOfABeatAreNotThoseOfAPose) {
@@ -255,8 +258,10 @@ TEST_F(SharedRoom, TheWelcomeKeepsItsCrossInTheFirstRowAndStaysOffTheView) {
 }
 
 TEST_F(SharedRoom, ThePresentPhaseIsNamedOnceInANarrowTimeline) {
+  constexpr QSize kLarge(1600, 1000);
   auto& phase = find<QWidget>("phase");
   const auto& scrubber = *window().findChild<app::PhaseScrubber*>();
+  resizeTo(kLarge);
   EXPECT_TRUE(phase.isVisible());
   resizeTo(kSmallDesk);
   EXPECT_FALSE(phase.isVisible());
@@ -264,6 +269,8 @@ TEST_F(SharedRoom, ThePresentPhaseIsNamedOnceInANarrowTimeline) {
   resizeTo(kLaptop);
   EXPECT_GE(scrubber.width(), 200);
   resizeTo(kStandard);
+  EXPECT_GE(scrubber.width(), 300) << "beside the properties";
+  resizeTo(kLarge);
   EXPECT_TRUE(phase.isVisible());
 }
 

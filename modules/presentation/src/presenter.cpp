@@ -1,6 +1,7 @@
 #include "viscera/presentation/presenter.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <cstdio>
 #include <iterator>
