@@ -14,13 +14,11 @@
 #include <QTreeWidgetItemIterator>
 
 #include <algorithm>
-#include <map>
 
 #include "atlas_window.h"
+#include "many_organs.h"
 #include "screen_check.h"
-#include "session_fixture.h"
 #include "viscera/document/organ_commands.h"
-#include "viscera/presentation/presenter.h"
 #include "viscera/scene/vtkVisceraHandleSetRepresentation.h"
 #include "window/panels/organ_panel.h"
 #include "window/view/picture.h"
@@ -28,74 +26,6 @@
 
 namespace viscera::tests {
 namespace {
-
-constexpr int kName = 1;
-
-/// Sixteen balls with the names of organs, four in a row, as wide apart as they are large.
-class ManyOrgans : public WindowTest {
-protected:
-  void SetUp() override {
-    WindowTest::SetUp();
-    std::vector<document::NewOrgan> organs;
-    for (const char* name : {"liver", "stomach", "colon", "duodenum", "aorta", "left renal artery",
-                             "right renal artery", "portal vein", "kidney_left", "kidney_right", "spleen",
-                             "Lumbar1", "Lumbar2", "rib_left_1", "gluteus maximus", "label 699"}) {
-      const auto at = static_cast<double>(organs.size());
-      organs.push_back(ball(name, 30, 3, Vec3(120 * std::fmod(at, 4), 0, 120 * std::floor(at / 4))));
-    }
-    ASSERT_TRUE(window().workspace().perform(document::addOrgans(std::move(organs))));
-    settle();
-    key(Qt::Key_F);
-    settle();
-  }
-  QTreeWidget& list() { return *window().findChild<QTreeWidget*>(QStringLiteral("organList")); }
-  QLineEdit& search() { return *window().findChild<QLineEdit*>(QStringLiteral("organSearch")); }
-  /// By the organ's own name, in the words of the list.
-  QTreeWidgetItem* row(const QString& name) {
-    QString shown = name;
-    for (const auto& one : document().organs())
-      if (one->name == name.toStdString())
-        shown = QString::fromStdString(presentation::labelOf(*one));
-    const auto found = list().findItems(shown, Qt::MatchExactly | Qt::MatchRecursive, kName);
-    EXPECT_EQ(found.size(), 1) << name.toStdString();
-    return found.front();
-  }
-  const document::Organ& organ(const std::string& name) {
-    for (const auto& one : document().organs())
-      if (one->name == name)
-        return *one;
-    throw std::runtime_error(name);
-  }
-  std::vector<std::string> seen() {
-    std::vector<std::string> names;
-    for (const auto& one : document().organs())
-      if (one->look.visible)
-        names.push_back(one->name);
-    return names;
-  }
-  QPoint placeOf(const std::string& name) {
-    const Points& points = organ(name).mesh->points;
-    return onScreen(points.colwise().mean().transpose());
-  }
-  /// Where the name of a row begins, in the list.
-  QRect nameOf(QTreeWidgetItem* item) {
-    list().scrollToItem(item);
-    QModelIndex index;
-    std::vector<int> rows;
-    for (QTreeWidgetItem* each = item; each; each = each->parent())
-      rows.insert(rows.begin(),
-                  each->parent() ? each->parent()->indexOfChild(each) : list().indexOfTopLevelItem(each));
-    for (std::size_t depth = 0; depth < rows.size(); ++depth)
-      index = list().model()->index(rows[depth], depth + 1 == rows.size() ? kName : 0, index);
-    return list().visualRect(index);
-  }
-  void choose(const std::vector<QString>& names) {
-    list().clearSelection();
-    for (const QString& name : names)
-      row(name)->setSelected(true);
-  }
-  std::size_t steps() { return window().workspace().undo().names().size(); }
-};
 
 TEST_F(ManyOrgans, StandUnderTheSystemsOfTheBodyUntilTheyAreFewAgain) {
   ASSERT_NE(row(QStringLiteral("colon"))->parent(), nullptr);
@@ -449,72 +379,6 @@ TEST_F(ManyOrgans, TheMenuInTheViewHasWhatTheListHas) {
         << action->text().toStdString();
   EXPECT_FALSE(find<QAction>("organOwnColors").isVisible()) << "its file had none";
   menu.close();
-}
-
-/// Names that read "small_bowel" are for files.
-TEST_F(ManyOrgans, AreNamedAsPeopleWriteThem) {
-  for (QTreeWidgetItemIterator each(&list()); *each; ++each) {
-    const QString name = (*each)->text(kName);
-    EXPECT_FALSE(name.contains(QLatin1Char('_')) || name[0].isLower()) << name.toStdString();
-  }
-  window().workspace().selection().setOrgan(organ("kidney_left").id);
-  settle();
-  EXPECT_TRUE(find<QLabel>("statusVolume").text().startsWith(QStringLiteral("Left kidney")))
-      << find<QLabel>("statusVolume").text().toStdString();
-  EXPECT_EQ(organ("kidney_left").name, "kidney_left") << "its own name stays";
-}
-
-TEST_F(ManyOrgans, HaveCurvesOfTheChosenAndTheLargestWhereTheyAreVisible) {
-  const auto charted = [this] {
-    std::vector<document::OrganId> ids;
-    for (const auto& line : window().volumes().lines())
-      ids.push_back(line.organ);
-    return ids;
-  };
-  const auto has = [&](const char* name) {
-    const auto ids = charted();
-    return std::count(ids.begin(), ids.end(), organ(name).id) == 1;
-  };
-  for (const char* chosen : {"label 699", "gluteus maximus"}) {
-    window().workspace().selection().setOrgan(organ(chosen).id);
-    EXPECT_EQ(charted().size(), app::VolumeMonitor::kMostLines);
-    EXPECT_TRUE(has(chosen)) << chosen;
-    EXPECT_EQ(window().volumes().unlisted(), 8);
-  }
-  choose({QStringLiteral("gluteus maximus")});
-  key(Qt::Key_H, Qt::ControlModifier);
-  EXPECT_FALSE(has("gluteus maximus")) << "it is hidden";
-  EXPECT_EQ(charted().size(), app::VolumeMonitor::kMostLines);
-}
-
-TEST_F(ManyOrgans, GetHandlesAroundAllOfThemUnlessOneIsChosen) {
-  const auto nearest = [this](const Vec3& handle) {
-    const document::Organ* best = nullptr;
-    double least = 1e300;
-    for (const auto& one : document().organs())
-      if (const double gap = (one->mesh->points.rowwise() - handle.transpose()).rowwise().norm().minCoeff();
-          gap < least) {
-        least = gap;
-        best = one.get();
-      }
-    return best->name;
-  };
-  const auto around = [&] {
-    std::map<std::string, int> counts;
-    const auto& handles = document().rig().handles;
-    for (std::size_t i = 8; i < handles.size(); ++i) // The box comes first.
-      ++counts[nearest(handles[i].rest)];
-    return counts;
-  };
-  window().workspace().selection().clear();
-  key(Qt::Key_2);
-  window().actions()["handles.place"]->trigger();
-  settle();
-  EXPECT_EQ(around().size(), 16U) << "all are of one size";
-  window().workspace().selection().setOrgan(organ("spleen").id);
-  window().actions()["handles.place"]->trigger();
-  settle();
-  EXPECT_EQ(around(), (std::map<std::string, int>{{"spleen", 22}}));
 }
 
 class Atlas : public AtlasWindow {};
