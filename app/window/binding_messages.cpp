@@ -5,6 +5,7 @@
 
 #include "viscera/document/rig_commands.h"
 #include "viscera/document/system_commands.h"
+#include "viscera/presentation/presenter.h"
 #include "window/language.h"
 
 namespace viscera::app {
@@ -87,7 +88,8 @@ Message BindingMessages::messageFor(const document::Organ& organ, const live::Bi
   Message message;
   message.severity = Message::Severity::warning;
   if (status.state == live::BindingStatus::State::stale) {
-    message.text = tr("%1 is not bound to these handles: binding was cancelled.").arg(inWords(organ.name));
+    message.text = tr("%1 is not bound to these handles: binding was cancelled.")
+                       .arg(inWords(presentation::labelOf(organ)));
     message.offers.push_back(
         {tr("Bind now"), [this] { workspace_.guarded([this] { workspace_.live().rebind(); }); }});
     return message;
@@ -96,7 +98,7 @@ Message BindingMessages::messageFor(const document::Organ& organ, const live::Bi
     message.text = asSentence(status.message);
     if (status.outsideCage > 0)
       message.text = tr("%n vertices of %1 have no coordinates in the cage.", nullptr, status.outsideCage)
-                         .arg(inWords(organ.name));
+                         .arg(inWords(presentation::labelOf(organ)));
     message.offers.push_back(
         {tr("Use the hull as the cage"), [this] { repaired_.perform(document::dropCage()); }});
     message.offers.push_back(
@@ -106,7 +108,7 @@ Message BindingMessages::messageFor(const document::Organ& organ, const live::Bi
   if (!status.inNoRegion.empty()) {
     message.text =
         tr("%n vertices of %1 lie in no group's region.", nullptr, static_cast<int>(status.inNoRegion.size()))
-            .arg(inWords(organ.name));
+            .arg(inWords(presentation::labelOf(organ)));
     message.offers.push_back({tr("Add enclosing group"), [this, id = organ.id, vertices = status.inNoRegion] {
                                 repaired_.perform(document::addEnclosingGroup(id, vertices));
                               }});
@@ -114,7 +116,7 @@ Message BindingMessages::messageFor(const document::Organ& organ, const live::Bi
   }
   if (status.outsideHull > 0) {
     message.text = tr("%n vertices of %1 lie outside the handles' hull.", nullptr, status.outsideHull)
-                       .arg(inWords(organ.name));
+                       .arg(inWords(presentation::labelOf(organ)));
     message.offers.push_back(
         {tr("Add enclosing handles"), [this] { repaired_.perform(document::addEnclosingHandles()); }});
     return message;

@@ -14,12 +14,30 @@
 #include "viscera/medical_io/label_map.h"
 #include "viscera/medical_io/scan.h"
 #include "viscera/medical_io/surface_file.h"
+#include "viscera/presentation/presenter.h"
 #include "window/import/arriving_surfaces.h"
 #include "window/language.h"
 #include "window/widgets/new_file.h"
 
 namespace viscera::app {
 namespace {
+
+/// Of the diagonal of an organ.
+constexpr double kSamePlace = 1e-3;
+
+bool sameBox(const Bounds& a, const Bounds& b) {
+  const double most = kSamePlace * b.diagonal();
+  return (a.low - b.low).cwiseAbs().maxCoeff() <= most && (a.high - b.high).cwiseAbs().maxCoeff() <= most;
+}
+
+/// Of organs in one box: whether it is one organ twice, by its name or by every vertex.
+bool isTwice(const document::Organ& a, const document::Organ& b) {
+  if (a.mesh == b.mesh || a.name == b.name)
+    return true;
+  return a.mesh->points.rows() == b.mesh->points.rows() &&
+         (a.mesh->points - b.mesh->points).cwiseAbs().maxCoeff() <=
+             kSamePlace * boundsOf(b.mesh->points).diagonal();
+}
 
 constexpr int kShownFileWarnings = 3;
 constexpr const char* kHandleEnding = ".mrk.json";
@@ -254,8 +272,8 @@ void FileActions::take(document::OpenedFiles opened, const QStringList& files) {
   const bool replaces = !opened.organs.empty() && replacesPresent();
   const std::size_t firstNew = replaces ? 0 : present.size();
   const QString name = tr("Open %1").arg(QFileInfo(files.front()).fileName());
-  const auto place = [this](const document::Organ& organ, const document::OrganList& organs) {
-    return placer_.commandOrBox(organ, organs);
+  const auto place = [this](const document::Organ&, const document::OrganList& organs) {
+    return placer_.commandOrBox(organs);
   };
   workspace_.undo().seal();
   if (!workspace_.perform(document::openCommand(name.toStdString(), opened, replaces, place)))
@@ -263,16 +281,41 @@ void FileActions::take(document::OpenedFiles opened, const QStringList& files) {
   settings_.addRecentFiles(files);
   rememberFolder(files.front());
   Q_EMIT recentFilesChanged();
-  if (!opened.organs.empty())
-    workspace_.selection().setOrgan(workspace_.document().organs()[firstNew]->id);
+  chooseOpened(firstNew);
   Q_EMIT filesOpened();
-  sayWarnings(opened.warnings);
+  sayWarnings(opened.warnings, coveredBy(firstNew));
 }
 
-void FileActions::sayWarnings(const std::vector<Text>& warnings) {
-  if (warnings.empty())
+void FileActions::chooseOpened(std::size_t firstNew) {
+  const document::OrganList& organs = workspace_.document().organs();
+  if (firstNew >= organs.size())
     return;
+  const auto whole = std::count_if(organs.begin() + static_cast<std::ptrdiff_t>(firstNew), organs.end(),
+                                   [](const auto& organ) { return !organ->parent; });
+  workspace_.selection().setOrgan(whole > 1 ? document::OrganId{} : organs[firstNew]->id);
+}
+
+/// Two files of one name may be two states of one organ: of two surfaces at one place only one is seen.
+QStringList FileActions::coveredBy(std::size_t firstNew) const {
+  const document::OrganList& organs = workspace_.document().organs();
+  std::vector<Bounds> boxes;
+  for (const auto& organ : organs)
+    boxes.push_back(boundsOf(organ->mesh->points));
   QStringList lines;
+  for (std::size_t later = std::max<std::size_t>(firstNew, 1); later < organs.size(); ++later)
+    for (std::size_t sooner = 0; sooner < later; ++sooner)
+      if (sameBox(boxes[later], boxes[sooner]) && isTwice(*organs[later], *organs[sooner])) {
+        lines.push_back(tr("%1 lies exactly where %2 lies already: only one of them is seen.")
+                            .arg(inWords(presentation::labelOf(*organs[later])),
+                                 inWords(presentation::labelOf(*organs[sooner]))));
+        break;
+      }
+  return lines;
+}
+
+void FileActions::sayWarnings(const std::vector<Text>& warnings, QStringList lines) {
+  if (warnings.empty() && lines.isEmpty())
+    return;
   for (const Text& warning : warnings)
     lines.push_back(inWords(warning));
   if (lines.size() > kShownFileWarnings) {
@@ -348,7 +391,7 @@ void FileActions::exportOrgan(const QString& file) {
   geometry::TriangleMesh mesh = *organ->mesh;
   mesh.points = workspace_.live().points(organ->id);
   workspace_.inBackground<bool>(
-      tr("Exporting %1").arg(inWords(organ->name)), Workspace::slotOf(file),
+      tr("Exporting %1").arg(inWords(presentation::labelOf(*organ))), Workspace::slotOf(file),
       [mesh = std::move(mesh), path = file.toStdString(), name = organ->name](Progress&) {
         medical_io::writeSurface(path, mesh, {.name = name});
         return true;

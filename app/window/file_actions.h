@@ -104,8 +104,13 @@ private:
   void takeScan(const document::ScanItem& scan, const QStringList& files, bool alone);
   void rememberFolder(const QString& file);
   void take(document::OpenedFiles opened, const QStringList& files);
+  /// Chooses the organ that was opened, the first of those from this place in the document. Of several whole
+  /// organs none is chosen: the first by the alphabet is no choice of the user.
+  void chooseOpened(std::size_t firstNew);
+  /// Sentences about organs that lie exactly where an organ of the document lies.
+  QStringList coveredBy(std::size_t firstNew) const;
   void reviewOrImport(document::ImportDraft draft, const QStringList& files, bool check);
-  void sayWarnings(const std::vector<Text>& warnings);
+  void sayWarnings(const std::vector<Text>& warnings, QStringList lines = {});
   void takeCage(const document::GivenCage& cage, const QString& file);
   void saySaved(const QString& what, const QString& file);
 

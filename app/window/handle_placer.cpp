@@ -12,6 +12,27 @@ const Vec3 kEnclosingColor(0.45, 0.55, 0.62);
 const Vec3 kSurfaceColor(0.98, 0.72, 0.25);
 constexpr int kCorners = 8;
 
+/// Organs that are no cavity of another one; all where there is none.
+document::OrganList wholeOf(const document::OrganList& organs) {
+  document::OrganList whole;
+  for (const auto& organ : organs)
+    if (!organ->parent)
+      whole.push_back(organ);
+  return whole.empty() ? organs : whole;
+}
+
+/// The opposite corners of each organ's box.
+Points endsOf(const document::OrganList& organs) {
+  Points ends(2 * static_cast<Eigen::Index>(organs.size()), 3);
+  Eigen::Index row = 0;
+  for (const auto& organ : organs) {
+    const Bounds box = boundsOf(organ->mesh->points);
+    ends.row(row++) = box.low.transpose();
+    ends.row(row++) = box.high.transpose();
+  }
+  return ends;
+}
+
 } // namespace
 
 HandlePlacer::HandlePlacer(Workspace& workspace, QObject* parent) : QObject(parent), workspace_(workspace) {}
@@ -36,39 +57,44 @@ void HandlePlacer::setEnclosing(bool enclosing) {
   place();
 }
 
+document::OrganList HandlePlacer::chosen() const {
+  const document::OrganList& organs = workspace_.document().organs();
+  if (const auto organ = workspace_.document().organ(workspace_.selection().organ()))
+    return {organ};
+  const document::OrganList whole = wholeOf(organs);
+  document::OrganList visible;
+  for (const auto& organ : whole)
+    if (organ->look.visible)
+      visible.push_back(organ);
+  return visible.empty() ? whole : visible;
+}
+
 void HandlePlacer::place() {
-  const auto organ = workspace_.currentOrgan();
-  if (!organ)
+  const document::OrganList around = chosen();
+  if (around.empty())
     return;
-  workspace_.guarded([&] { workspace_.undo().perform(command(*organ)); });
+  workspace_.guarded([&] { workspace_.undo().perform(command(around, workspace_.document().organs())); });
   Q_EMIT placementChanged();
 }
 
-Points HandlePlacer::around(const document::Organ& organ, const document::OrganList& organs) const {
-  Points handles = deformation::placeHandles(*organ.mesh, placement_);
-  if (!placement_.enclosing)
-    return handles;
-  Points ends(2 * static_cast<Eigen::Index>(organs.size()) + 2, 3);
-  auto addEnds = [&, row = Eigen::Index{0}](const document::Organ& one) mutable {
-    const Bounds box = boundsOf(one.mesh->points);
-    ends.row(row++) = box.low.transpose();
-    ends.row(row++) = box.high.transpose();
-  };
-  addEnds(organ);
-  for (const auto& other : organs)
-    addEnds(*other);
-  handles.topRows(kCorners) = deformation::enclosingHandles(ends, placement_.boxMargin);
+Points HandlePlacer::around(const document::OrganList& chosen, const document::OrganList& organs) const {
+  std::vector<const geometry::TriangleMesh*> meshes;
+  for (const auto& organ : chosen)
+    meshes.push_back(organ->mesh.get());
+  Points handles = deformation::placeHandles(meshes, placement_);
+  if (placement_.enclosing)
+    handles.topRows(kCorners) = deformation::enclosingHandles(endsOf(organs), placement_.boxMargin);
   return handles;
 }
 
-document::Command HandlePlacer::command(const document::Organ& organ) const {
-  return command(organ, workspace_.document().organs());
+document::Command HandlePlacer::command(const document::OrganList& organs) const {
+  return command(wholeOf(organs), organs);
 }
 
-document::Command HandlePlacer::command(const document::Organ& organ,
+document::Command HandlePlacer::command(const document::OrganList& chosen,
                                         const document::OrganList& organs) const {
   document::NewRig rig;
-  rig.handles = document::newHandles(around(organ, organs));
+  rig.handles = document::newHandles(around(chosen, organs));
   const int corners = placement_.enclosing ? kCorners : 0;
   document::NewGroup enclosing{tr("Enclosing").toStdString(), kEnclosingColor, {}};
   document::NewGroup surface{tr("Surface").toStdString(), kSurfaceColor, {}};
@@ -80,14 +106,12 @@ document::Command HandlePlacer::command(const document::Organ& organ,
   return document::replaceRig(std::move(rig), tr("Place handles").toStdString());
 }
 
-document::Command HandlePlacer::commandOrBox(const document::Organ& organ,
-                                             const document::OrganList& organs) const {
+document::Command HandlePlacer::commandOrBox(const document::OrganList& organs) const {
   try {
-    return command(organ, organs);
+    return command(organs);
   } catch (const DataError&) {
     document::NewRig rig;
-    rig.handles =
-        document::newHandles(deformation::enclosingHandles(organ.mesh->points, placement_.boxMargin));
+    rig.handles = document::newHandles(deformation::enclosingHandles(endsOf(organs), placement_.boxMargin));
     rig.groups.push_back({tr("Enclosing").toStdString(), kEnclosingColor, {0, 1, 2, 3, 4, 5, 6, 7}});
     return document::replaceRig(std::move(rig), tr("Place handles").toStdString());
   }

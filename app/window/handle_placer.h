@@ -25,21 +25,24 @@ public:
   void setCount(int count);
   void setEnclosing(bool enclosing);
   void finish();
-  /// Places the chosen number of handles.
+  /// Places the chosen number of handles around the chosen organ, or around all visible organs where none is
+  /// chosen.
   void place();
-  /// The command that places around an organ with the present choice, the enclosing ones around all organs of
-  /// the document: every one of them can be bound. May throw `DataError`.
-  document::Command command(const document::Organ& organ) const;
-  /// The same for an organ that is being added to `organs`: where its surface has no room for as many
-  /// handles, the corners of a box around it, so that no organ is refused for its handles.
-  document::Command commandOrBox(const document::Organ& organ, const document::OrganList& organs) const;
+  /// The command that places with the present choice around all organs of a document, each whole organ by the
+  /// size of its surface. May throw `DataError`.
+  document::Command command(const document::OrganList& organs) const;
+  /// The same for organs that are being added: where their surfaces have no room for as many handles, the
+  /// corners of a box around them, so that no organ is refused for its handles.
+  document::Command commandOrBox(const document::OrganList& organs) const;
 
 Q_SIGNALS:
   void placementChanged();
 
 private:
-  document::Command command(const document::Organ& organ, const document::OrganList& organs) const;
-  Points around(const document::Organ& organ, const document::OrganList& organs) const;
+  document::OrganList chosen() const;
+  /// Around `chosen`; the box encloses all `organs`, so that every one of them can be bound.
+  document::Command command(const document::OrganList& chosen, const document::OrganList& organs) const;
+  Points around(const document::OrganList& chosen, const document::OrganList& organs) const;
 
   deformation::Placement placement_;
   Workspace& workspace_;

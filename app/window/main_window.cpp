@@ -49,6 +49,7 @@
 #include "window/view/view_area.h"
 #include "window/widgets/mode_rail.h"
 #include "window/widgets/panel_dock.h"
+#include "window/widgets/ready_made.h"
 #include "window/window_layout.h"
 
 namespace viscera::app {
@@ -209,7 +210,8 @@ void MainWindow::connectFiles() {
     fromFront();
   });
   connect(files_, &FileActions::foundNothingOdd, this, [this](const QStringList& files) {
-    viewArea_->showBadge(tr("%1: checked, no problems found").arg(QFileInfo(files.front()).fileName()));
+    const QString name = shortenedName(QFileInfo(files.front()).fileName(), *viewArea_);
+    viewArea_->showBadge(tr("%1: checked, no problems found").arg(name));
   });
   connect(slides_, &Slides::kept, this,
           [this](const QString& caption) { viewArea_->showBadge(tr("View kept as %1").arg(caption)); });

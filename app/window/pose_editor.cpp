@@ -4,6 +4,7 @@
 
 #include "viscera/document/organ_commands.h"
 #include "viscera/document/rig_commands.h"
+#include "viscera/presentation/presenter.h"
 #include "viscera/presentation/space_parts.h"
 #include "window/language.h"
 
@@ -158,7 +159,7 @@ void PoseEditor::offerToClose(const std::vector<document::OrganId>& organs) {
   std::vector<document::Command> commands;
   for (const document::OrganId id : organs) {
     const auto organ = workspace_.document().organ(id);
-    names.push_back(inWords(organ->name));
+    names.push_back(inWords(presentation::labelOf(*organ)));
     edges += organ->boundaryEdges;
     commands.push_back(document::closeHoles(id));
     commands.push_back(document::setVolumeLocked(id, true));

@@ -116,7 +116,7 @@ void SampleLoader::take(const Sample& sample, const QString& name) {
     undo.perform(document::setSystem(sample.system));
     undo.perform(document::addOrgans(sample.organs));
     undo.perform(sample.motion ? document::replaceRig(sample.rig)
-                               : placer_.command(*workspace_.document().organs().front()));
+                               : placer_.command(workspace_.document().organs()));
     step.finish();
   });
   if (!done)

@@ -6,6 +6,7 @@
 #include <QStatusBar>
 #include <QToolButton>
 
+#include "viscera/presentation/presenter.h"
 #include "window/language.h"
 #include "window/widgets/elided_label.h"
 #include "window/widgets/ready_made.h"
@@ -78,11 +79,14 @@ void StatusLine::syncVolume() {
   if (!organ)
     return volume_->setText(tr("No organ"));
   const live::OrganVolume volume = workspace_.live().volume(organ->id);
+  const QString whole = inWords(presentation::labelOf(*organ));
+  const QString name = shortenedName(whole, *volume_);
+  volume_->setToolTip(name == whole ? QString() : whole);
   if (!volume.closed)
-    return volume_->setText(tr("%1: open surface, no volume").arg(inWords(organ->name)));
-  QString line = tr("%1  %2  (%3, %4)")
-                     .arg(inWords(organ->name), formatMilliliters(volume.nowMl), formatChange(volume),
-                          formatRelativeChange(volume));
+    return volume_->setText(tr("%1: open surface, no volume").arg(name));
+  QString line =
+      tr("%1  %2  (%3, %4)")
+          .arg(name, formatMilliliters(volume.nowMl), formatChange(volume), formatRelativeChange(volume));
   if (organ->volumeLocked)
     line += tr("  locked");
   volume_->setText(line);
@@ -92,11 +96,7 @@ QString StatusLine::bindingText() const {
   const std::size_t handles = workspace_.document().rig().handles.size();
   if (handles == 0)
     return tr("no handles");
-  QString line = tr("%n handles", nullptr, static_cast<int>(handles));
-  const std::string& id = workspace_.document().system().id;
-  if (workspace_.registry().contains(id))
-    line += QStringLiteral(", ") + inWords(workspace_.registry().find(id)->name());
-  double seconds = 0;
+  const QString line = tr("%n handles", nullptr, static_cast<int>(handles));
   for (const auto& organ : workspace_.document().organs()) {
     const live::BindingStatus status = workspace_.live().status(organ->id);
     switch (status.state) {
@@ -109,15 +109,30 @@ QString StatusLine::bindingText() const {
     case live::BindingStatus::State::unbound:
       return line;
     case live::BindingStatus::State::bound:
-      seconds += status.report.seconds;
+      break;
     }
   }
-  if (workspace_.document().organs().empty())
-    return line;
-  return line + tr(", bound in %1 ms").arg(formatNumber(1000 * seconds, seconds < 0.01 ? 1 : 0));
+  return line;
+}
+
+/// How the handles move the organs, for who asks.
+QString StatusLine::bindingTip() const {
+  const std::string& id = workspace_.document().system().id;
+  if (workspace_.document().rig().handles.empty() || !workspace_.registry().contains(id))
+    return {};
+  QString tip = inWords(workspace_.registry().find(id)->name());
+  double seconds = 0;
+  for (const auto& organ : workspace_.document().organs()) {
+    const live::BindingStatus status = workspace_.live().status(organ->id);
+    if (status.state != live::BindingStatus::State::bound)
+      return tip;
+    seconds += status.report.seconds;
+  }
+  return tip + tr(", bound in %1 ms").arg(formatNumber(1000 * seconds, seconds < 0.01 ? 1 : 0));
 }
 
 void StatusLine::syncBinding() {
+  binding_->setToolTip(bindingTip());
   const double folded = workspace_.warp().foldedMl();
   binding_->setText(
       folded > 0 ? tr("%1, %2 of tissue folded by the pose").arg(bindingText(), formatMilliliters(folded))

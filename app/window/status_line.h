@@ -32,6 +32,7 @@ private:
   void syncBinding();
   void syncJobs();
   QString bindingText() const;
+  QString bindingTip() const;
 
   Workspace& workspace_;
   QLabel* volume_;

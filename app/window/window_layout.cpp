@@ -101,7 +101,17 @@ void WindowLayout::placeRail(QWidget* rail) {
   rail_ = bar;
 }
 
+/// The right column has the whole height, and the panels at the bottom end beside it; in a narrow window they
+/// need the whole width. A layout that is restored brings the corners that it was saved with.
+void WindowLayout::giveCorners() {
+  const Qt::DockWidgetArea area =
+      window_.width() < kWidthForRight ? Qt::BottomDockWidgetArea : Qt::RightDockWidgetArea;
+  if (window_.corner(Qt::BottomRightCorner) != area)
+    window_.setCorner(Qt::BottomRightCorner, area);
+}
+
 void WindowLayout::place(const Panels& panels) {
+  giveCorners();
   placeRail(panels.rail);
   auto* organs = organs_ = addDock(tr("Organs"), "organs", Qt::LeftDockWidgetArea, panels.organs, true);
   auto* handles = handles_ = addDock(tr("Handles"), "handles", Qt::LeftDockWidgetArea, panels.handles, true);
@@ -250,6 +260,7 @@ void WindowLayout::fitSoon() {
 /// a wish.
 void WindowLayout::fitPanels() {
   fitting_ = false;
+  giveCorners();
   if (bare_ || mode_.empty())
     return;
   if (QSet<QDockWidget*> folded = withoutRoom(); folded != folded_) {
@@ -412,6 +423,7 @@ void WindowLayout::bringBack() {
     known.value() =
         known.key() == properties_ ? Width{kRightWidth, kWidthForRight} : Width{kLeftWidth, kWidthForLeft};
   window_.restoreState(standard_);
+  giveCorners();
   arrange();
   if (importing_)
     showImports();
@@ -423,6 +435,7 @@ void WindowLayout::restore(const Settings& settings) {
   standard_ = window_.saveState();
   window_.restoreGeometry(settings.value("window/geometry").toByteArray());
   window_.restoreState(settings.value("window/layout").toByteArray());
+  giveCorners();
   if (!window_.isMaximized() && !window_.isFullScreen())
     window_.resize(window_.size().boundedTo(room));
   chosen_ = settings.value("window/panels").toMap();

@@ -68,6 +68,7 @@ private:
   PanelDock* addDock(const QString& title, const char* id, Qt::DockWidgetArea area, QWidget* contents,
                      bool scrolling);
   void placeRail(QWidget* rail);
+  void giveCorners();
   void bringBack();
   void arrange();
   void showPanels();

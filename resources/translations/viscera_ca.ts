@@ -44,10 +44,6 @@
         <translation>Darrere</translation>
     </message>
     <message>
-        <source>Left</source>
-        <translation>Esquerra</translation>
-    </message>
-    <message>
         <source>Right</source>
         <translation>Dreta</translation>
     </message>
@@ -881,6 +877,10 @@ N: noms, H: tiradors, X: paret, R: restableix, T: clar o fosc, Inici: principi</
         <source>Moved by %1 of %2 mm: the locked volume allows no more in this direction.</source>
         <translation>Moviment de %1 de %2 mm: el volum bloquejat no en permet més en aquesta direcció.</translation>
     </message>
+    <message>
+        <source>Move by</source>
+        <translation>Mou</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::ErrorTable</name>
@@ -1342,6 +1342,10 @@ N: noms, H: tiradors, X: paret, R: restableix, T: clar o fosc, Inici: principi</
             <numerusform>%n troballa més; vegeu la pàgina de l’òrgan al mode Explora</numerusform>
             <numerusform>%n troballes més; vegeu les pàgines dels òrgans al mode Explora</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>%1 lies exactly where %2 lies already: only one of them is seen.</source>
+        <translation>%1 és exactament on ja és %2: només se’n veu un dels dos.</translation>
     </message>
 </context>
 <context>
@@ -2399,13 +2403,6 @@ Moveu el lliscador de dalt per col·locar-ne, o feu clic a l’òrgan en el mode
         <source>The series does not show how points move along a wall. The mean and the 95th percentile over the beat are reliable, the local pattern of this map is not.</source>
         <translation>La sèrie no mostra com es mouen els punts al llarg d’una paret. La mitjana i el percentil 95 del batec són fiables; el patró local d’aquest mapa, no.</translation>
     </message>
-    <message numerus="yes">
-        <source>%n phases need attention: see the table below the chart.</source>
-        <translation>
-            <numerusform>%n fase requereix atenció: vegeu la taula sota el gràfic.</numerusform>
-            <numerusform>%n fases requereixen atenció: vegeu la taula sota el gràfic.</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Leave out phase %1</source>
         <translation>Omet la fase %1</translation>
@@ -2421,6 +2418,13 @@ Moveu el lliscador de dalt per col·locar-ne, o feu clic a l’òrgan en el mode
     <message>
         <source>The search for the motion was cancelled.</source>
         <translation>S’ha cancel·lat la cerca del moviment.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n phases need attention: see the table beside the chart.</source>
+        <translation>
+            <numerusform>%n fase requereix atenció: vegeu la taula al costat del gràfic.</numerusform>
+            <numerusform>%n fases requereixen atenció: vegeu la taula al costat del gràfic.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -3508,14 +3512,6 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
         <translation>Esquerra</translation>
     </message>
     <message>
-        <source>Posterior</source>
-        <translation>Posterior</translation>
-    </message>
-    <message>
-        <source>Superior</source>
-        <translation>Superior</translation>
-    </message>
-    <message>
         <source>No handle is selected. Click one in the view or in the list.</source>
         <translation>No hi ha cap tirador seleccionat. Feu clic en un a la vista o a la llista.</translation>
     </message>
@@ -3530,6 +3526,22 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
     <message>
         <source>, locked</source>
         <translation>, bloquejat</translation>
+    </message>
+    <message>
+        <source>Place in the patient</source>
+        <translation>Lloc en el pacient</translation>
+    </message>
+    <message>
+        <source>Right or left</source>
+        <translation>Dreta o esquerra</translation>
+    </message>
+    <message>
+        <source>Front or back</source>
+        <translation>Davant o darrere</translation>
+    </message>
+    <message>
+        <source>Foot or head</source>
+        <translation>Peus o cap</translation>
     </message>
 </context>
 <context>
@@ -4836,6 +4848,14 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
         <source>Glyphs of the stretch at about 300 points: the shape that a small sphere of tissue takes</source>
         <translation>Glifs de l’estirament en uns 300 punts: la forma que pren una petita esfera de teixit</translation>
     </message>
+    <message>
+        <source>No handle is near %1: the nearest is %2 mm away. Place handles around it in Handles (2).</source>
+        <translation>Cap tirador no és a prop de %1: el més proper és a %2 mm. Poseu tiradors al voltant a Tiradors (2).</translation>
+    </message>
+    <message>
+        <source>Nothing is deformed: drag a handle, or play a sequence (Space).</source>
+        <translation>Res no està deformat: arrossegueu un tirador o reproduïu una seqüència (Espai).</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::SystemBox</name>
@@ -5307,6 +5327,21 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
     <message>
         <source>Time while dragging</source>
         <translation>Temps d’arrossegament</translation>
+    </message>
+    <message>
+        <source>Chart</source>
+        <translation>Gràfic</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n more organs are not drawn: choose one to see its volume.</source>
+        <translation>
+            <numerusform>%n òrgan més no està dibuixat: trieu-lo per veure’n el volum.</numerusform>
+            <numerusform>%n òrgans més no estan dibuixats: trieu-ne un per veure’n el volum.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Fit of the motion</source>
+        <translation>Ajust del moviment</translation>
     </message>
 </context>
 <context>

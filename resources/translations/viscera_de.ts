@@ -44,10 +44,6 @@
         <translation>Hinten</translation>
     </message>
     <message>
-        <source>Left</source>
-        <translation>Links</translation>
-    </message>
-    <message>
         <source>Right</source>
         <translation>Rechts</translation>
     </message>
@@ -881,6 +877,10 @@ N: Namen, H: Griffe, X: Wand, R: zurück, T: hell oder dunkel, Pos1: Anfang</tra
         <source>Moved by %1 of %2 mm: the locked volume allows no more in this direction.</source>
         <translation>Um %1 von %2 mm bewegt: Mehr lässt das gesperrte Volumen in dieser Richtung nicht zu.</translation>
     </message>
+    <message>
+        <source>Move by</source>
+        <translation>Verschieben um</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::ErrorTable</name>
@@ -1342,6 +1342,10 @@ N: Namen, H: Griffe, X: Wand, R: zurück, T: hell oder dunkel, Pos1: Anfang</tra
             <numerusform>%n weiterer Befund; siehe die Seite des Organs im Modus Erkunden</numerusform>
             <numerusform>%n weitere Befunde; siehe die Seiten der Organe im Modus Erkunden</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>%1 lies exactly where %2 lies already: only one of them is seen.</source>
+        <translation>„%1“ liegt genau dort, wo „%2“ schon liegt: Nur eines von beiden ist zu sehen.</translation>
     </message>
 </context>
 <context>
@@ -2399,13 +2403,6 @@ Bewegen Sie den Regler oben, um welche zu setzen, oder klicken Sie im Modus Grif
         <source>The series does not show how points move along a wall. The mean and the 95th percentile over the beat are reliable, the local pattern of this map is not.</source>
         <translation>Die Serie zeigt nicht, wie sich Punkte entlang einer Wand bewegen. Mittelwert und 95. Perzentil über den Schlag sind zuverlässig, das örtliche Muster dieser Karte nicht.</translation>
     </message>
-    <message numerus="yes">
-        <source>%n phases need attention: see the table below the chart.</source>
-        <translation>
-            <numerusform>%n Phase braucht Aufmerksamkeit: siehe Tabelle unter dem Diagramm.</numerusform>
-            <numerusform>%n Phasen brauchen Aufmerksamkeit: siehe Tabelle unter dem Diagramm.</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Leave out phase %1</source>
         <translation>Phase %1 auslassen</translation>
@@ -2421,6 +2418,13 @@ Bewegen Sie den Regler oben, um welche zu setzen, oder klicken Sie im Modus Grif
     <message>
         <source>The search for the motion was cancelled.</source>
         <translation>Die Suche nach der Bewegung wurde abgebrochen.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n phases need attention: see the table beside the chart.</source>
+        <translation>
+            <numerusform>%n Phase braucht Aufmerksamkeit: siehe die Tabelle neben dem Diagramm.</numerusform>
+            <numerusform>%n Phasen brauchen Aufmerksamkeit: siehe die Tabelle neben dem Diagramm.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -3508,14 +3512,6 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
         <translation>Links</translation>
     </message>
     <message>
-        <source>Posterior</source>
-        <translation>Posterior</translation>
-    </message>
-    <message>
-        <source>Superior</source>
-        <translation>Superior</translation>
-    </message>
-    <message>
         <source>No handle is selected. Click one in the view or in the list.</source>
         <translation>Kein Griff ist gewählt. Klicken Sie einen in der Ansicht oder in der Liste an.</translation>
     </message>
@@ -3530,6 +3526,22 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
     <message>
         <source>, locked</source>
         <translation>, gesperrt</translation>
+    </message>
+    <message>
+        <source>Place in the patient</source>
+        <translation>Ort im Patienten</translation>
+    </message>
+    <message>
+        <source>Right or left</source>
+        <translation>Rechts oder links</translation>
+    </message>
+    <message>
+        <source>Front or back</source>
+        <translation>Vorn oder hinten</translation>
+    </message>
+    <message>
+        <source>Foot or head</source>
+        <translation>Fuß oder Kopf</translation>
     </message>
 </context>
 <context>
@@ -4836,6 +4848,14 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
         <source>Glyphs of the stretch at about 300 points: the shape that a small sphere of tissue takes</source>
         <translation>Glyphen der Streckung an etwa 300 Punkten: die Form, die eine kleine Kugel aus Gewebe annimmt</translation>
     </message>
+    <message>
+        <source>No handle is near %1: the nearest is %2 mm away. Place handles around it in Handles (2).</source>
+        <translation>Kein Griff ist nahe bei „%1“: Der nächste ist %2 mm entfernt. Setzen Sie in „Griffe“ (2) Griffe darum herum.</translation>
+    </message>
+    <message>
+        <source>Nothing is deformed: drag a handle, or play a sequence (Space).</source>
+        <translation>Nichts ist verformt: Ziehen Sie an einem Griff, oder spielen Sie eine Sequenz ab (Leertaste).</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::SystemBox</name>
@@ -5097,7 +5117,7 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
     </message>
     <message>
         <source>&amp;Anterior</source>
-        <translation>&amp;Anterior</translation>
+        <translation>&amp;Vorn</translation>
     </message>
     <message>
         <source>Alt+1</source>
@@ -5105,7 +5125,7 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
     </message>
     <message>
         <source>&amp;Posterior</source>
-        <translation>&amp;Posterior</translation>
+        <translation>&amp;Hinten</translation>
     </message>
     <message>
         <source>Alt+2</source>
@@ -5129,7 +5149,7 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
     </message>
     <message>
         <source>&amp;Superior</source>
-        <translation>&amp;Superior</translation>
+        <translation>&amp;Oben</translation>
     </message>
     <message>
         <source>Alt+5</source>
@@ -5137,7 +5157,7 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
     </message>
     <message>
         <source>&amp;Inferior</source>
-        <translation>&amp;Inferior</translation>
+        <translation>&amp;Unten</translation>
     </message>
     <message>
         <source>Alt+6</source>
@@ -5307,6 +5327,21 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
     <message>
         <source>Time while dragging</source>
         <translation>Zeit beim Ziehen</translation>
+    </message>
+    <message>
+        <source>Chart</source>
+        <translation>Diagramm</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n more organs are not drawn: choose one to see its volume.</source>
+        <translation>
+            <numerusform>%n weiteres Organ ist nicht gezeichnet: Wählen Sie es aus, um sein Volumen zu sehen.</numerusform>
+            <numerusform>%n weitere Organe sind nicht gezeichnet: Wählen Sie eines aus, um sein Volumen zu sehen.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Fit of the motion</source>
+        <translation>Güte der Bewegung</translation>
     </message>
 </context>
 <context>

@@ -180,10 +180,10 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n phases need attention: see the table below the chart.</source>
+        <source>%n phases need attention: see the table beside the chart.</source>
         <translation>
-            <numerusform>%n phase needs attention: see the table below the chart.</numerusform>
-            <numerusform>%n phases need attention: see the table below the chart.</numerusform>
+            <numerusform>%n phase needs attention: see the table beside the chart.</numerusform>
+            <numerusform>%n phases need attention: see the table beside the chart.</numerusform>
         </translation>
     </message>
 </context>
@@ -339,6 +339,16 @@
         <translation>
             <numerusform>%n point lies outside the handles&apos; hull and stay where they are.</numerusform>
             <numerusform>%n points lie outside the handles&apos; hull and stay where they are.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::VolumePanel</name>
+    <message numerus="yes">
+        <source>%n more organs are not drawn: choose one to see its volume.</source>
+        <translation>
+            <numerusform>%n more organ is not drawn: choose it to see its volume.</numerusform>
+            <numerusform>%n more organs are not drawn: choose one to see its volume.</numerusform>
         </translation>
     </message>
 </context>

@@ -44,10 +44,6 @@
         <translation>Detrás</translation>
     </message>
     <message>
-        <source>Left</source>
-        <translation>Izquierda</translation>
-    </message>
-    <message>
         <source>Right</source>
         <translation>Derecha</translation>
     </message>
@@ -881,6 +877,10 @@ N: nombres, H: tiradores, X: pared, R: restablecer, T: claro u oscuro, Inicio: p
         <source>Moved by %1 of %2 mm: the locked volume allows no more in this direction.</source>
         <translation>Movido %1 de %2 mm: el volumen bloqueado no permite más en esta dirección.</translation>
     </message>
+    <message>
+        <source>Move by</source>
+        <translation>Mover</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::ErrorTable</name>
@@ -1342,6 +1342,10 @@ N: nombres, H: tiradores, X: pared, R: restablecer, T: claro u oscuro, Inicio: p
             <numerusform>%n hallazgo más; vea la página del órgano en el modo Explorar</numerusform>
             <numerusform>%n hallazgos más; vea las páginas de los órganos en el modo Explorar</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>%1 lies exactly where %2 lies already: only one of them is seen.</source>
+        <translation>%1 está exactamente donde ya está %2: solo se ve uno de los dos.</translation>
     </message>
 </context>
 <context>
@@ -2399,13 +2403,6 @@ Mueva el control de arriba para colocar algunos o haga clic en el órgano en el 
         <source>The series does not show how points move along a wall. The mean and the 95th percentile over the beat are reliable, the local pattern of this map is not.</source>
         <translation>La serie no muestra cómo se mueven los puntos a lo largo de una pared. La media y el percentil 95 del latido son fiables; el patrón local de este mapa, no.</translation>
     </message>
-    <message numerus="yes">
-        <source>%n phases need attention: see the table below the chart.</source>
-        <translation>
-            <numerusform>%n fase requiere atención: vea la tabla debajo de la gráfica.</numerusform>
-            <numerusform>%n fases requieren atención: vea la tabla debajo de la gráfica.</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Leave out phase %1</source>
         <translation>Omitir la fase %1</translation>
@@ -2421,6 +2418,13 @@ Mueva el control de arriba para colocar algunos o haga clic en el órgano en el 
     <message>
         <source>The search for the motion was cancelled.</source>
         <translation>Se canceló la búsqueda del movimiento.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n phases need attention: see the table beside the chart.</source>
+        <translation>
+            <numerusform>%n fase requiere atención: vea la tabla junto a la gráfica.</numerusform>
+            <numerusform>%n fases requieren atención: vea la tabla junto a la gráfica.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -3508,14 +3512,6 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
         <translation>Izquierda</translation>
     </message>
     <message>
-        <source>Posterior</source>
-        <translation>Posterior</translation>
-    </message>
-    <message>
-        <source>Superior</source>
-        <translation>Superior</translation>
-    </message>
-    <message>
         <source>No handle is selected. Click one in the view or in the list.</source>
         <translation>No hay ningún tirador seleccionado. Haga clic en uno en la vista o en la lista.</translation>
     </message>
@@ -3530,6 +3526,22 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
     <message>
         <source>, locked</source>
         <translation>, bloqueado</translation>
+    </message>
+    <message>
+        <source>Place in the patient</source>
+        <translation>Lugar en el paciente</translation>
+    </message>
+    <message>
+        <source>Right or left</source>
+        <translation>Derecha o izquierda</translation>
+    </message>
+    <message>
+        <source>Front or back</source>
+        <translation>Delante o detrás</translation>
+    </message>
+    <message>
+        <source>Foot or head</source>
+        <translation>Pies o cabeza</translation>
     </message>
 </context>
 <context>
@@ -4836,6 +4848,14 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
         <source>Glyphs of the stretch at about 300 points: the shape that a small sphere of tissue takes</source>
         <translation>Glifos del estiramiento en unos 300 puntos: la forma que adopta una pequeña esfera de tejido</translation>
     </message>
+    <message>
+        <source>No handle is near %1: the nearest is %2 mm away. Place handles around it in Handles (2).</source>
+        <translation>Ningún tirador está cerca de %1: el más próximo está a %2 mm. Coloque tiradores alrededor en Tiradores (2).</translation>
+    </message>
+    <message>
+        <source>Nothing is deformed: drag a handle, or play a sequence (Space).</source>
+        <translation>Nada está deformado: arrastre un tirador o reproduzca una secuencia (Espacio).</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::SystemBox</name>
@@ -5307,6 +5327,21 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
     <message>
         <source>Time while dragging</source>
         <translation>Tiempo de arrastre</translation>
+    </message>
+    <message>
+        <source>Chart</source>
+        <translation>Gráfica</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n more organs are not drawn: choose one to see its volume.</source>
+        <translation>
+            <numerusform>%n órgano más no está dibujado: elíjalo para ver su volumen.</numerusform>
+            <numerusform>%n órganos más no están dibujados: elija uno para ver su volumen.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Fit of the motion</source>
+        <translation>Ajuste del movimiento</translation>
     </message>
 </context>
 <context>

@@ -44,10 +44,6 @@
         <translation>Derrière</translation>
     </message>
     <message>
-        <source>Left</source>
-        <translation>Gauche</translation>
-    </message>
-    <message>
         <source>Right</source>
         <translation>Droite</translation>
     </message>
@@ -881,6 +877,10 @@ N&#xa0;: noms, H&#xa0;: poignées, X&#xa0;: paroi, R&#xa0;: rétablir, T&#xa0;: 
         <source>Moved by %1 of %2 mm: the locked volume allows no more in this direction.</source>
         <translation>Déplacé de %1 sur %2 mm&#xa0;: le volume verrouillé ne permet pas plus dans cette direction.</translation>
     </message>
+    <message>
+        <source>Move by</source>
+        <translation>Déplacer de</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::ErrorTable</name>
@@ -1342,6 +1342,10 @@ N&#xa0;: noms, H&#xa0;: poignées, X&#xa0;: paroi, R&#xa0;: rétablir, T&#xa0;: 
             <numerusform>%n autre constat&#xa0;: voir la page de l’organe en mode Explorer</numerusform>
             <numerusform>%n autres constats&#xa0;: voir les pages des organes en mode Explorer</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>%1 lies exactly where %2 lies already: only one of them is seen.</source>
+        <translation>%1 se trouve exactement là où se trouve déjà %2 : un seul des deux est visible.</translation>
     </message>
 </context>
 <context>
@@ -2399,13 +2403,6 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez sur l’organe en mode
         <source>The series does not show how points move along a wall. The mean and the 95th percentile over the beat are reliable, the local pattern of this map is not.</source>
         <translation>La série ne montre pas comment les points se déplacent le long d’une paroi. La moyenne et le 95e centile sur le battement sont fiables, le motif local de cette carte ne l’est pas.</translation>
     </message>
-    <message numerus="yes">
-        <source>%n phases need attention: see the table below the chart.</source>
-        <translation>
-            <numerusform>%n phase demande attention&#xa0;: voir le tableau sous le graphique.</numerusform>
-            <numerusform>%n phases demandent attention&#xa0;: voir le tableau sous le graphique.</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Leave out phase %1</source>
         <translation>Omettre la phase %1</translation>
@@ -2421,6 +2418,13 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez sur l’organe en mode
     <message>
         <source>The search for the motion was cancelled.</source>
         <translation>La recherche du mouvement a été annulée.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n phases need attention: see the table beside the chart.</source>
+        <translation>
+            <numerusform>%n phase demande attention&#xa0;: voir le tableau à côté du graphique.</numerusform>
+            <numerusform>%n phases demandent attention&#xa0;: voir le tableau à côté du graphique.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -3508,14 +3512,6 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
         <translation>Gauche</translation>
     </message>
     <message>
-        <source>Posterior</source>
-        <translation>Postérieur</translation>
-    </message>
-    <message>
-        <source>Superior</source>
-        <translation>Supérieur</translation>
-    </message>
-    <message>
         <source>No handle is selected. Click one in the view or in the list.</source>
         <translation>Aucune poignée n’est sélectionnée. Cliquez sur l’une d’elles dans la vue ou dans la liste.</translation>
     </message>
@@ -3530,6 +3526,22 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     <message>
         <source>, locked</source>
         <translation>, verrouillée</translation>
+    </message>
+    <message>
+        <source>Place in the patient</source>
+        <translation>Position dans le patient</translation>
+    </message>
+    <message>
+        <source>Right or left</source>
+        <translation>Droite ou gauche</translation>
+    </message>
+    <message>
+        <source>Front or back</source>
+        <translation>Avant ou arrière</translation>
+    </message>
+    <message>
+        <source>Foot or head</source>
+        <translation>Pieds ou tête</translation>
     </message>
 </context>
 <context>
@@ -4836,6 +4848,14 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
         <source>Glyphs of the stretch at about 300 points: the shape that a small sphere of tissue takes</source>
         <translation>Glyphes de l’étirement en 300 points environ&#xa0;: la forme que prend une petite sphère de tissu</translation>
     </message>
+    <message>
+        <source>No handle is near %1: the nearest is %2 mm away. Place handles around it in Handles (2).</source>
+        <translation>Aucune poignée n’est proche de %1 : la plus proche est à %2 mm. Placez des poignées autour dans Poignées (2).</translation>
+    </message>
+    <message>
+        <source>Nothing is deformed: drag a handle, or play a sequence (Space).</source>
+        <translation>Rien n’est déformé : tirez une poignée, ou lancez une séquence (Espace).</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::SystemBox</name>
@@ -5307,6 +5327,21 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     <message>
         <source>Time while dragging</source>
         <translation>Temps de glissement</translation>
+    </message>
+    <message>
+        <source>Chart</source>
+        <translation>Graphique</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n more organs are not drawn: choose one to see its volume.</source>
+        <translation>
+            <numerusform>%n autre organe n’est pas dessiné : choisissez-le pour voir son volume.</numerusform>
+            <numerusform>%n autres organes ne sont pas dessinés : choisissez-en un pour voir son volume.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Fit of the motion</source>
+        <translation>Ajustement du mouvement</translation>
     </message>
 </context>
 <context>

@@ -13,6 +13,7 @@
 
 #include "build_paths.h"
 #include "viscera/document/organ_commands.h"
+#include "viscera/presentation/presenter.h"
 #include "window/import/import_controller.h"
 #include "window_test.h"
 
@@ -87,7 +88,8 @@ public:
   QTreeWidget& list() { return *window().findChild<QTreeWidget*>(QStringLiteral("organList")); }
   QLineEdit& search() { return *window().findChild<QLineEdit*>(QStringLiteral("organSearch")); }
   QTreeWidgetItem* row(const char* name) {
-    return list().findItems(QLatin1String(name), Qt::MatchExactly | Qt::MatchRecursive, kName).front();
+    const QString shown = QString::fromStdString(presentation::labelOf(organ(name)));
+    return list().findItems(shown, Qt::MatchExactly | Qt::MatchRecursive, kName).front();
   }
 
 private:

@@ -126,7 +126,7 @@ TEST_F(TwoViews, AnotherOrganStandsBesideTheFirstWithAVolumeOfItsOwn) {
   EXPECT_NEAR(volumeIn(second(), second().document().organs().front()->name), expected, 0.02 * expected);
   const auto headers = window().findChildren<app::SideHeader*>();
   ASSERT_EQ(headers.size(), 2);
-  EXPECT_TRUE(waitUntil([&] { return headers[1]->volumes().contains(QStringLiteral("ball")); }));
+  EXPECT_TRUE(waitUntil([&] { return headers[1]->volumes().contains(QStringLiteral("Ball")); }));
   key(Qt::Key_Space);
   playFor(0.2);
   EXPECT_TRUE(window().playback().player().playing()) << "one that does not move holds up nobody";

@@ -10,6 +10,7 @@
 #include <QLineEdit>
 #include <QListView>
 #include <QRadioButton>
+#include <QScrollArea>
 #include <QStatusBar>
 #include <QStyleOptionComboBox>
 #include <QStyleOptionFrame>
@@ -26,6 +27,7 @@
 #include <vector>
 
 #include "window/compare/side_header.h"
+#include "window/widgets/elided_check.h"
 #include "window/widgets/elided_label.h"
 #include "window/widgets/system_combo.h"
 
@@ -70,7 +72,12 @@ inline int lackOf(const QLabel& label) {
   return std::max(0, label.sizeHint().width() - label.width());
 }
 
+/// Boxes that shorten leave some letters, and the tip has the whole.
 inline int lackOf(const QAbstractButton& button) {
+  constexpr int kFewestOfAName = 3;
+  const auto* named = qobject_cast<const app::ElidedCheck*>(&button);
+  if (named && named->shownText().size() > kFewestOfAName)
+    return 0;
   const auto* tool = qobject_cast<const QToolButton*>(&button);
   if (button.text().isEmpty() || saysItIsCut(button.text(), button) ||
       (tool && tool->toolButtonStyle() == Qt::ToolButtonIconOnly && !tool->icon().isNull()))
@@ -236,6 +243,14 @@ inline void collectOverlaps(const QWidget& window, const std::string& where, Cut
   }
 }
 
+/// Pages that scroll downwards only and are wider than what shows them: the right edge of each line is cut.
+inline void collectPages(const QWidget& window, const std::string& where, CutTexts& found) {
+  for (const auto* area : window.findChildren<QScrollArea*>())
+    if (area->isVisible() && area->widget() && area->horizontalScrollBarPolicy() == Qt::ScrollBarAlwaysOff)
+      noteCut(where, QStringLiteral("page ") + area->widget()->metaObject()->className(),
+              area->widget()->width() - area->viewport()->width(), found);
+}
+
 /// All of the above.
 inline void collectAll(const QWidget& window, const std::string& where, CutTexts& found) {
   collectCut<QLabel>(window, where, found);
@@ -246,6 +261,7 @@ inline void collectAll(const QWidget& window, const std::string& where, CutTexts
   collectCutEntries(window, where, found);
   collectCutTabs(window, where, found);
   collectOverlaps(window, where, found);
+  collectPages(window, where, found);
 }
 
 } // namespace viscera::tests

@@ -64,7 +64,7 @@ TEST_F(HandleTableTest, TellsTheCoordinatesOfTheVertexThatIsClicked) {
   const Vec3 made = document().rig().restPositions().transpose() * weights;
   EXPECT_LT((made - document().organs().front()->mesh->points.row(vertex.vertex).transpose()).norm(), 1e-6);
   const auto* said = table_->findChild<QLabel*>(QStringLiteral("handleTableVertex"));
-  EXPECT_TRUE(said->text().startsWith(QStringLiteral("Vertex %1 of ball").arg(vertex.vertex)))
+  EXPECT_TRUE(said->text().startsWith(QStringLiteral("Vertex %1 of Ball").arg(vertex.vertex)))
       << said->text().toStdString();
   table_->copy();
   const QStringList lines = QGuiApplication::clipboard()->text().split(QLatin1Char('\n'), Qt::SkipEmptyParts);

@@ -1,6 +1,7 @@
 #include "window_test.h"
 
 #include <QAction>
+#include <QDoubleSpinBox>
 #include <QLabel>
 #include <QMenu>
 #include <QPushButton>
@@ -9,15 +10,49 @@
 #include <algorithm>
 
 #include "shapes.h"
+#include "viscera/document/rig_commands.h"
 #include "viscera/document/system_commands.h"
 #include "viscera/geometry/convex_hull.h"
 #include "viscera/medical_io/surface_file.h"
 #include "viscera/scene/region_hulls.h"
 #include "viscera/scene/vtkVisceraHandleSetRepresentation.h"
+#include "window/panels/position_box.h"
 #include "window/widgets/value_slider.h"
 
 namespace viscera::tests {
 namespace {
+
+/// "R 110.08 mm", not "Left -110.08 mm".
+TEST_F(WindowTest, APositionSaysItsSideAndTakesOneThatIsTyped) {
+  open(sphereFile());
+  key(Qt::Key_3);
+  const document::HandleId id = document().rig().handles[3].id;
+  window().workspace().selection().setHandles({id});
+  const int row = document().rig().indexOf(id);
+  Points pose = document().pose();
+  pose.row(row) << -110.08, 12.5, -7;
+  ASSERT_TRUE(window().workspace().perform(document::setPose(pose)));
+  settle();
+  QList<QDoubleSpinBox*> fields;
+  for (auto* box : window().findChildren<app::PositionBox*>())
+    if (box->isVisible())
+      fields = box->findChildren<QDoubleSpinBox*>();
+  ASSERT_EQ(fields.size(), 3);
+  EXPECT_EQ(fields[0]->text(), QStringLiteral("R 110.08 mm"));
+  EXPECT_EQ(fields[1]->text(), QStringLiteral("P 12.50 mm"));
+  EXPECT_EQ(fields[2]->text(), QStringLiteral("I 7.00 mm"));
+  const auto type = [&](const char* typed) {
+    fields[0]->setFocus();
+    fields[0]->selectAll();
+    QTest::keyClicks(fields[0], QLatin1String(typed));
+    QTest::keyClick(fields[0], Qt::Key_Return);
+    settle();
+    return document().pose()(row, 0);
+  };
+  EXPECT_NEAR(type("L 20"), 20, 1e-9);
+  EXPECT_NEAR(type("R 15.5"), -15.5, 1e-9);
+  EXPECT_NEAR(type("-3"), -3, 1e-9) << "a sign, as before";
+}
 
 class HandlesMode : public WindowTest {
 protected:

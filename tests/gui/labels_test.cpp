@@ -95,7 +95,7 @@ TEST(CutTexts, AreFoundInNumbersShortenedLabelsTabsColumnsAndEntries) {
 /// On a small screen, and on one of 1920 x 1200 pixels at 200 %.
 TEST_P(InLanguage, NothingIsCutOffInAnyModeOnASmallScreenOrATwiceAsLargeScale) {
   CutTexts cut;
-  for (const QSize& screen : {QSize(1280, 800), QSize(960, 600)}) {
+  for (const QSize& screen : {QSize(1440, 900), QSize(1280, 800), QSize(960, 600)}) {
     window().resize(screen);
     for (const auto& mode : window().modes().all()) {
       const std::string id = mode->description().id, where = id + ' ' + std::to_string(screen.width());
@@ -244,7 +244,7 @@ TEST_P(InLanguage, NoTwoEntriesOfAMenuHaveOneLetter) {
     expectDifferent(*menu, menu->title());
 }
 
-INSTANTIATE_TEST_SUITE_P(Windows, InLanguage, ::testing::Values("de", "es", "fr", "ca"),
+INSTANTIATE_TEST_SUITE_P(Windows, InLanguage, ::testing::Values("en", "de", "es", "fr", "ca"),
                          [](const auto& language) { return std::string(language.param); });
 
 } // namespace

@@ -16,8 +16,8 @@
 #include <algorithm>
 
 #include "atlas_window.h"
+#include "many_organs.h"
 #include "screen_check.h"
-#include "session_fixture.h"
 #include "viscera/document/organ_commands.h"
 #include "viscera/scene/vtkVisceraHandleSetRepresentation.h"
 #include "window/panels/organ_panel.h"
@@ -26,69 +26,6 @@
 
 namespace viscera::tests {
 namespace {
-
-constexpr int kName = 1;
-
-/// Sixteen balls with the names of organs, four in a row, as wide apart as they are large.
-class ManyOrgans : public WindowTest {
-protected:
-  void SetUp() override {
-    WindowTest::SetUp();
-    std::vector<document::NewOrgan> organs;
-    for (const char* name : {"liver", "stomach", "colon", "duodenum", "aorta", "left renal artery",
-                             "right renal artery", "portal vein", "kidney_left", "kidney_right", "spleen",
-                             "Lumbar1", "Lumbar2", "rib_left_1", "gluteus maximus", "label 699"}) {
-      const auto at = static_cast<double>(organs.size());
-      organs.push_back(ball(name, 30, 3, Vec3(120 * std::fmod(at, 4), 0, 120 * std::floor(at / 4))));
-    }
-    ASSERT_TRUE(window().workspace().perform(document::addOrgans(std::move(organs))));
-    settle();
-    key(Qt::Key_F);
-    settle();
-  }
-  QTreeWidget& list() { return *window().findChild<QTreeWidget*>(QStringLiteral("organList")); }
-  QLineEdit& search() { return *window().findChild<QLineEdit*>(QStringLiteral("organSearch")); }
-  QTreeWidgetItem* row(const QString& name) {
-    const auto found = list().findItems(name, Qt::MatchExactly | Qt::MatchRecursive, kName);
-    EXPECT_EQ(found.size(), 1) << name.toStdString();
-    return found.front();
-  }
-  const document::Organ& organ(const std::string& name) {
-    for (const auto& one : document().organs())
-      if (one->name == name)
-        return *one;
-    throw std::runtime_error(name);
-  }
-  std::vector<std::string> seen() {
-    std::vector<std::string> names;
-    for (const auto& one : document().organs())
-      if (one->look.visible)
-        names.push_back(one->name);
-    return names;
-  }
-  QPoint placeOf(const std::string& name) {
-    const Points& points = organ(name).mesh->points;
-    return onScreen(points.colwise().mean().transpose());
-  }
-  /// Where the name of a row begins, in the list.
-  QRect nameOf(QTreeWidgetItem* item) {
-    list().scrollToItem(item);
-    QModelIndex index;
-    std::vector<int> rows;
-    for (QTreeWidgetItem* each = item; each; each = each->parent())
-      rows.insert(rows.begin(),
-                  each->parent() ? each->parent()->indexOfChild(each) : list().indexOfTopLevelItem(each));
-    for (std::size_t depth = 0; depth < rows.size(); ++depth)
-      index = list().model()->index(rows[depth], depth + 1 == rows.size() ? kName : 0, index);
-    return list().visualRect(index);
-  }
-  void choose(const std::vector<QString>& names) {
-    list().clearSelection();
-    for (const QString& name : names)
-      row(name)->setSelected(true);
-  }
-  std::size_t steps() { return window().workspace().undo().names().size(); }
-};
 
 TEST_F(ManyOrgans, StandUnderTheSystemsOfTheBodyUntilTheyAreFewAgain) {
   ASSERT_NE(row(QStringLiteral("colon"))->parent(), nullptr);
@@ -161,11 +98,11 @@ TEST_F(ManyOrgans, AreDescribedOnlyWhereOneIsSelected) {
   EXPECT_EQ(name.text(), QStringLiteral("none selected"));
   EXPECT_TRUE(find<QLabel>("exploreRemarks").text().contains(QStringLiteral("Select an organ")));
   selection.setOrgan(organ("spleen").id);
-  EXPECT_EQ(name.text(), QStringLiteral("spleen"));
+  EXPECT_EQ(name.text(), QStringLiteral("Spleen"));
   EXPECT_TRUE(find<QLabel>("exploreRemarks").isHidden());
   selection.clear();
   key(Qt::Key_2);
-  EXPECT_EQ(find<QLabel>("boundOrgan").text(), QStringLiteral("liver")) << "whose binding it tells of";
+  EXPECT_EQ(find<QLabel>("boundOrgan").text(), QStringLiteral("Liver")) << "whose binding it tells of";
   std::vector<document::OrganId> others;
   for (const auto& one : document().organs())
     if (one->name != "spleen")
@@ -287,7 +224,7 @@ TEST_F(ManyOrgans, TheNameOfTheOrganUnderTheMouseIsShownAndLeavesWithIt) {
   QTest::mouseMove(&view(), placeOf("kidney_left") + QPoint(3, 3));
   QTest::mouseMove(&view(), placeOf("kidney_left"));
   ASSERT_TRUE(waitUntil([&] { return name->isVisible(); }));
-  EXPECT_EQ(name->text(), QStringLiteral("kidney_left"));
+  EXPECT_EQ(name->text(), QStringLiteral("Left kidney"));
   QTest::mouseMove(&view(), QPoint(4, 4));
   EXPECT_TRUE(waitUntil([&] { return !name->isVisible(); }));
 }
@@ -305,7 +242,7 @@ TEST_F(ManyOrgans, TheNameUnderTheMouseLeavesWithTheOrganAndStaysOfWhatIsThere) 
   key(Qt::Key_H, Qt::ControlModifier | Qt::ShiftModifier);
   ASSERT_TRUE(waitUntil([&] { return name.isVisible(); })) << "it is there again, and so is the mouse";
   window().workspace().perform(document::renameOrgan(organ("kidney_left").id, "renal"));
-  EXPECT_TRUE(waitUntil([&] { return name.isVisible() && name.text() == QLatin1String("renal"); }));
+  EXPECT_TRUE(waitUntil([&] { return name.isVisible() && name.text() == QLatin1String("Renal"); }));
   window().setMode("handles");
   EXPECT_FALSE(name.isVisible()) << "another mode may show it elsewhere";
 }
@@ -507,7 +444,7 @@ TEST_F(ManyOrgans, FocusOnOneThatAnotherHidesOffersToShowItAlone) {
   look.opacity = 1;
   ASSERT_TRUE(window().workspace().perform(document::setOrganLook(organ("wall").id, look)));
   key(Qt::Key_F);
-  EXPECT_EQ(message(), QStringLiteral("spleen is hidden behind wall."));
+  EXPECT_EQ(message(), QStringLiteral("Spleen is hidden behind Wall."));
   auto* offer = window().viewArea().messages()->findChild<QPushButton*>(QStringLiteral("offer"));
   ASSERT_NE(offer, nullptr);
   offer->click();
@@ -532,13 +469,13 @@ TEST_F(ManyOrgans, AreNamedWhereTheyAreSeenAndNotThroughAnOpaqueOne) {
   document::NewOrgan wall = ball("wall", 45, 5, middle);
   ASSERT_TRUE(window().workspace().perform(document::addOrgans({wall})));
   key(Qt::Key_N);
-  EXPECT_TRUE(named("wall"));
-  EXPECT_TRUE(named("liver"));
-  EXPECT_FALSE(named("spleen")) << "a line would end on the wall";
+  EXPECT_TRUE(named("Wall"));
+  EXPECT_TRUE(named("Liver"));
+  EXPECT_FALSE(named("Spleen")) << "a line would end on the wall";
   document::OrganLook look = organ("wall").look;
   look.opacity = 0.4;
   ASSERT_TRUE(window().workspace().perform(document::setOrganLook(organ("wall").id, look)));
-  EXPECT_TRUE(named("spleen"));
+  EXPECT_TRUE(named("Spleen"));
 }
 
 TEST_F(ManyOrgans, SearchLooksAtTheNamesThatAreShownAndGoesWithItsField) {

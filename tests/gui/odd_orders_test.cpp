@@ -54,7 +54,7 @@ TEST_F(OddOrders, ARenameDuringARenameEndsTheFirstWithWhatWasTyped) {
   settle();
   EXPECT_EQ(document().organs().front()->name, "liver");
   ASSERT_NE(editor(), nullptr) << "the second is open";
-  EXPECT_EQ(editor()->text(), QStringLiteral("liver"));
+  EXPECT_EQ(editor()->text(), QStringLiteral("Liver"));
   editor()->setText(QStringLiteral("spleen"));
   QTest::keyClick(editor(), Qt::Key_Return);
   settle();

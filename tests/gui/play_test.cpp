@@ -222,6 +222,25 @@ TEST_F(PlayMode, OneKeyLooksThroughTheWallAndUndoClosesItAgain) {
   EXPECT_EQ(wall(), sample);
 }
 
+/// The sample's, the usual one and one that the user has chosen.
+TEST_F(PlayMode, AWallThatWasMadeOpaqueGetsTheOpacityBackThatItHad) {
+  const document::OrganId wall = document().organs().front()->id;
+  const auto opacity = [&] { return document().organ(wall)->look.opacity; };
+  const double sample = opacity();
+  key(Qt::Key_X);
+  key(Qt::Key_X);
+  EXPECT_EQ(opacity(), sample);
+  for (const double chosen : {0.17, 0.62}) {
+    document::OrganLook look = document().organ(wall)->look;
+    look.opacity = chosen;
+    ASSERT_TRUE(window().workspace().perform(document::setOrganLook(wall, look)));
+    key(Qt::Key_X);
+    EXPECT_EQ(opacity(), 1);
+    key(Qt::Key_X);
+    EXPECT_EQ(opacity(), chosen);
+  }
+}
+
 TEST_F(PlayMode, LabelsNameTheOrgansBesideThem) {
   const auto labels = [this] { return window().picture().presenter().labels().drawn(); };
   EXPECT_TRUE(labels().empty());

@@ -1,6 +1,7 @@
 #include <QAction>
 #include <QDockWidget>
 #include <QImage>
+#include <QLabel>
 #include <QPushButton>
 #include <QStatusBar>
 #include <QToolButton>
@@ -9,6 +10,9 @@
 #include <functional>
 #include <string>
 #include <utility>
+
+#include <vtkCamera.h>
+#include <vtkRenderer.h>
 
 #include "play_fixture.h"
 #include "window/modes/stress_mode.h"
@@ -126,19 +130,88 @@ TEST_F(SharedRoom, NamesOfOrgansHaveTheirWidthWhateverTheirVolumesBecome) {
   EXPECT_EQ(list.columnWidth(kName), width) << "at rest";
 }
 
-TEST_F(SharedRoom, TheChartOfDragsComesWithTheFirstDrag) {
-  key(Qt::Key_3);
-  EXPECT_FALSE(shown("volumes")) << "nothing was dragged";
-  const QPoint at = onScreen(handleInView(reachableHandle()));
-  QTest::mouseMove(&view(), at);
-  QTest::mousePress(&view(), Qt::LeftButton, Qt::NoModifier, at);
-  for (int step = 1; step <= 12; ++step) {
-    QTest::mouseMove(&view(), at + QPoint(3 * step, 2 * step));
-    QTest::qWait(30);
+/// Where the view is, and how large it draws.
+struct Sight {
+  QRect place;
+  double distance = 0;
+  double scale = 0;
+
+  friend bool operator==(const Sight&, const Sight&) = default;
+};
+
+Sight sightOf(app::ViewWidget& view) {
+  vtkCamera& camera = *view.view().renderer()->GetActiveCamera();
+  return {QRect(view.mapToGlobal(QPoint(0, 0)), view.size()), camera.GetDistance(),
+          camera.GetParallelScale()};
+}
+
+TEST_F(SharedRoom, TheFirstDragChangesNothingOfTheLayoutAndTheView) {
+  for (const QSize& size : {kStandard, QSize(1440, 900)}) {
+    resizeTo(size);
+    key(Qt::Key_3);
+    window().actions()["pose.reset"]->trigger();
+    settle();
+    EXPECT_TRUE(shown("volumes")) << "the chart waits for the drag";
+    const Sight before = sightOf(view());
+    const QPoint at = onScreen(handleInView(reachableHandle()));
+    QTest::mouseMove(&view(), at);
+    QTest::mousePress(&view(), Qt::LeftButton, Qt::NoModifier, at);
+    for (int step = 1; step <= 12; ++step) {
+      QTest::mouseMove(&view(), at + QPoint(3 * step, 2 * step));
+      QTest::qWait(30);
+      EXPECT_EQ(sightOf(view()), before) << "in step " << step;
+    }
+    EXPECT_FALSE(find<QLabel>("handlesMoved").text().startsWith(QLatin1String("0 ")))
+        << find<QLabel>("handlesMoved").text().toStdString();
+    QTest::mouseRelease(&view(), Qt::LeftButton, Qt::NoModifier, at + QPoint(36, 24));
+    settle();
+    EXPECT_EQ(sightOf(view()), before);
+    EXPECT_GE(window().volumes().drags().rows(), 2U);
   }
-  EXPECT_FALSE(shown("volumes")) << "the view stays as it is under the mouse";
-  QTest::mouseRelease(&view(), Qt::LeftButton, Qt::NoModifier, at + QPoint(36, 24));
-  EXPECT_TRUE(waitUntil([this] { return shown("volumes"); }));
+}
+
+TEST_F(SharedRoom, ADragAlongTheTimelineLeavesTheTimelineWhereItIs) {
+  resizeTo(kStandard);
+  key(Qt::Key_3);
+  key(Qt::Key_4); // The document's own pose.
+  settle();
+  auto& scrubber = *window().findChild<app::PhaseScrubber*>();
+  const QPoint before = scrubber.mapToGlobal(QPoint(0, 0));
+  const QPoint from(scrubber.width() / 4, 8);
+  QTest::mousePress(&scrubber, Qt::LeftButton, Qt::NoModifier, from);
+  QTest::mouseMove(&scrubber, from + QPoint(40, 0));
+  settle();
+  EXPECT_EQ(scrubber.mapToGlobal(QPoint(0, 0)), before);
+  QTest::mouseRelease(&scrubber, Qt::LeftButton, Qt::NoModifier, from + QPoint(40, 0));
+  EXPECT_TRUE(window().playback().showing());
+}
+
+TEST_F(SharedRoom, PanelsAtTheBottomEndAtTheProperties) {
+  const auto& properties = find<QDockWidget>("properties");
+  for (const QSize& size : {kStandard, QSize(1440, 900)}) {
+    resizeTo(size);
+    for (const char* below : {"timeline", "volumes"}) {
+      const auto& dock = find<QDockWidget>(below);
+      ASSERT_TRUE(dock.isVisible() && properties.isVisible()) << below;
+      EXPECT_LT(dock.geometry().right(), properties.geometry().left()) << below;
+      EXPECT_GE(properties.geometry().bottom(), dock.geometry().bottom()) << below;
+    }
+  }
+  resizeTo(kSmallDesk);
+  EXPECT_GT(find<QDockWidget>("timeline").geometry().right(), properties.geometry().left())
+      << "a narrow window has no width to spare";
+}
+
+TEST_F(SharedRoom, NumbersOfABeatAreNotThoseOfAPose) {
+  const auto tiles = [this] {
+    QStringList texts;
+    for (const auto* label : find<QDockWidget>("volumes").findChildren<QLabel*>(QStringLiteral("muted")))
+      texts.push_back(label->text());
+    return texts.join(QLatin1Char('|'));
+  };
+  EXPECT_TRUE(tiles().contains(QStringLiteral("EF "))) << tiles().toStdString();
+  key(Qt::Key_3);
+  EXPECT_FALSE(tiles().contains(QStringLiteral("EF "))) << tiles().toStdString();
 }
 
 TEST_F(SharedRoom, TheSourceOfNormalValuesIsSaidWhole) {
@@ -185,8 +258,10 @@ TEST_F(SharedRoom, TheWelcomeKeepsItsCrossInTheFirstRowAndStaysOffTheView) {
 }
 
 TEST_F(SharedRoom, ThePresentPhaseIsNamedOnceInANarrowTimeline) {
+  constexpr QSize kLarge(1600, 1000);
   auto& phase = find<QWidget>("phase");
   const auto& scrubber = *window().findChild<app::PhaseScrubber*>();
+  resizeTo(kLarge);
   EXPECT_TRUE(phase.isVisible());
   resizeTo(kSmallDesk);
   EXPECT_FALSE(phase.isVisible());
@@ -194,6 +269,8 @@ TEST_F(SharedRoom, ThePresentPhaseIsNamedOnceInANarrowTimeline) {
   resizeTo(kLaptop);
   EXPECT_GE(scrubber.width(), 200);
   resizeTo(kStandard);
+  EXPECT_GE(scrubber.width(), 300) << "beside the properties";
+  resizeTo(kLarge);
   EXPECT_TRUE(phase.isVisible());
 }
 

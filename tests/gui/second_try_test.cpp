@@ -532,7 +532,7 @@ TEST_F(SmallFaults, AChartOfNothingFoldsAway) {
   EXPECT_TRUE(chart.isVisible()) << "the sequence's stress";
   find<QPushButton>("stressOwnPose").click();
   settle();
-  EXPECT_FALSE(chart.isVisible()) << "nothing moves by itself";
+  EXPECT_TRUE(chart.isVisible()) << "a drag along the timeline must not move the timeline";
   open(sphereFile());
   key(Qt::Key_5);
   ASSERT_FALSE(window().playback().sequence());

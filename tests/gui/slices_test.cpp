@@ -160,10 +160,10 @@ TEST_F(SlicesTest, SaysWhatIsUnderTheCursor) {
   };
   const QString in = hover(inside), out = hover(outside);
   EXPECT_TRUE(in.contains(QStringLiteral("100 HU"))) << in.toStdString();
-  EXPECT_TRUE(in.contains(QStringLiteral("ball"))) << in.toStdString();
+  EXPECT_TRUE(in.contains(QStringLiteral("Ball"))) << in.toStdString();
   EXPECT_TRUE(in.contains(QStringLiteral("A 30")) || in.contains(QStringLiteral("A 29"))) << in.toStdString();
   EXPECT_TRUE(out.contains(QStringLiteral("-50 HU"))) << out.toStdString();
-  EXPECT_FALSE(out.contains(QStringLiteral("ball"))) << out.toStdString();
+  EXPECT_FALSE(out.contains(QStringLiteral("Ball"))) << out.toStdString();
   EXPECT_TRUE(in.contains(QRegularExpression(QStringLiteral(R"(L \d+\.\d, A \d+\.\d, [SI] \d+\.\d mm)"))))
       << in.toStdString();
   const app::InstalledLanguage german(QStringLiteral("de"));
@@ -301,6 +301,27 @@ TEST_F(SlicesTest, ThePageOfExploreKeepsWhatIsOddAboutTheScan) {
   EXPECT_TRUE(remarks->text().contains(QStringLiteral("outside of the scan")));
   window().actions()["scan.close"]->trigger();
   EXPECT_TRUE(remarks->text().isEmpty());
+}
+
+/// No page of dashes and no empty quarter greet whoever opens a scan.
+TEST_F(WindowTest, AScanAloneShowsItsSlicesInSpaceAndOnlyItsOwnSections) {
+  const auto section = [this](const char* label) {
+    return find<QLabel>(label).parentWidget()->isVisibleTo(&window());
+  };
+  ASSERT_TRUE(document().organs().empty());
+  window().workspace().perform(document::openScan(
+      document::scanItem(phantomScan({40, 40, 40}, Vec3(3, 3, 3), Vec3(0, 0, 0), slope), {})));
+  window().scans().opened();
+  window().setMode("explore");
+  settle();
+  EXPECT_TRUE(window().viewModel().state().scan.standing);
+  EXPECT_FALSE(section("exploreOrgan"));
+  EXPECT_TRUE(section("scanRemarks"));
+  open(sphereFile());
+  EXPECT_TRUE(section("exploreOrgan"));
+  window().actions()["scan.close"]->trigger();
+  settle();
+  EXPECT_FALSE(section("scanRemarks"));
 }
 
 /// Chooses the line that begins so in the next dialog that asks; says what it offered.

@@ -13,6 +13,7 @@
 #include "window/import/organ_check.h"
 #include "window/widgets/panel_dock.h"
 #include "window/widgets/ready_made.h"
+#include "window/widgets/wrapped_label.h"
 #include "window/workspace.h"
 
 namespace viscera::app {
@@ -72,14 +73,13 @@ QString sharedText(const document::SharedFinding& shared, const document::Import
 } // namespace
 
 ImportPanel::ImportPanel(QWidget* parent)
-    : QWidget(parent), title_(new QLabel(this)), summary_(makeRemark({}, this)), name_(new QLineEdit),
+    : QWidget(parent), title_(new WrappedLabel(this)), summary_(makeRemark({}, this)), name_(new QLineEdit),
       finding_(new QComboBox), filter_(makeFilter()), organs_(new QWidget), column_(new QVBoxLayout(organs_)),
       import_(new QPushButton(tr("Import"), this)) {
   setObjectName(QStringLiteral("panel"));
   auto* whole = makeLayout<QVBoxLayout>(this, 0);
   auto* heading = makeLayout<QVBoxLayout>(nullptr, 2, {12, 8, 12, 8});
   embolden(title_, 1.1);
-  title_->setWordWrap(true);
   heading->addWidget(title_);
   heading->addWidget(summary_);
   heading->addWidget(filter_);

@@ -1,6 +1,5 @@
 #include "window/import/organ_check.h"
 
-#include <QCheckBox>
 #include <QContextMenuEvent>
 #include <QCoreApplication>
 #include <QHBoxLayout>
@@ -13,8 +12,10 @@
 #include "viscera/medical_io/plausible_size.h"
 #include "viscera/medical_io/surface_repairs.h"
 #include "window/language.h"
+#include "window/widgets/elided_check.h"
 #include "window/widgets/flow_layout.h"
 #include "window/widgets/ready_made.h"
+#include "window/widgets/wrapped_label.h"
 #include "window/workspace.h"
 
 namespace viscera::app {
@@ -39,8 +40,7 @@ QLabel* severityLabel(medical_io::FindingSeverity severity, QWidget* parent) {
 }
 
 QLabel* wrapped(const QString& text, QWidget* parent) {
-  auto* label = new QLabel(text, parent);
-  label->setWordWrap(true);
+  auto* label = new WrappedLabel(text, parent);
   label->setTextInteractionFlags(Qt::TextSelectableByMouse);
   return label;
 }
@@ -153,10 +153,9 @@ OrganCheck::OrganCheck(const document::DraftOrgan& organ, const Detail& detail, 
 QLayout* OrganCheck::makeHeading(const document::DraftOrgan& organ, bool withFile) {
   auto* column = new QVBoxLayout;
   column->setSpacing(0);
-  auto* name = new QCheckBox(text(organ.name), this);
+  auto* name = new ElidedCheck(text(organ.name), tr("Import this organ"), this);
   name->setObjectName(QStringLiteral("included"));
   name->setChecked(organ.included);
-  name->setToolTip(tr("Import this organ"));
   embolden(name);
   connect(name, &QCheckBox::toggled, this, &OrganCheck::includedChanged);
   column->addWidget(name);

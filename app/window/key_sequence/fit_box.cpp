@@ -15,6 +15,7 @@
 #include "viscera/live/motion_recipe.h"
 #include "viscera/live/sequence_file.h"
 #include "viscera/live/sequence_setup.h"
+#include "viscera/presentation/presenter.h"
 #include "window/language.h"
 #include "window/style/icon.h"
 #include "window/widgets/ready_made.h"
@@ -236,15 +237,16 @@ void FitBox::syncTarget() {
   if (!organ)
     target_->setText(tr("Open a patient's organ first."));
   else if (!organ->closed())
-    target_->setText(tr("%1 is open; a sequence needs a closed surface.").arg(inWords(organ->name)));
+    target_->setText(
+        tr("%1 is open; a sequence needs a closed surface.").arg(inWords(presentation::labelOf(*organ))));
   else if (hollow)
     target_->setText(tr("Makes %1 and its chambers beat like a textbook heart. The present shape counts as "
                         "the end of diastole. The result is a key sequence.")
-                         .arg(inWords(organ->name)));
+                         .arg(inWords(presentation::labelOf(*organ))));
   else
     target_->setText(
         tr("Moves %1 like the sample organ. Landmarks that you do not set are found from its shape.")
-            .arg(inWords(organ->name)));
+            .arg(inWords(presentation::labelOf(*organ))));
 }
 
 void FitBox::chooseMatchingSequence(const document::Organ& organ) {

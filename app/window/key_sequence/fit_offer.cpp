@@ -8,9 +8,11 @@
 #include <algorithm>
 
 #include "viscera/live/sequence_setup.h"
+#include "viscera/presentation/presenter.h"
 #include "window/language.h"
 #include "window/sample_loader.h"
 #include "window/widgets/ready_made.h"
+#include "window/widgets/wrapped_label.h"
 
 namespace viscera::app {
 namespace {
@@ -25,11 +27,10 @@ void setPrimary(QPushButton* button, bool on) {
 } // namespace
 
 FitOffer::FitOffer(Workspace& workspace, QWidget* parent)
-    : QFrame(parent), workspace_(workspace), question_(new QLabel(this)), fit_(makeButton("offerFit")),
+    : QFrame(parent), workspace_(workspace), question_(new WrappedLabel(this)), fit_(makeButton("offerFit")),
       sample_(makeButton("offerSample")) {
   setObjectName(QStringLiteral("badge"));
   auto* column = makeLayout<QVBoxLayout>(this, 6, {10, 8, 10, 10});
-  question_->setWordWrap(true);
   column->addWidget(question_);
   column->addWidget(fit_);
   column->addWidget(sample_);
@@ -68,7 +69,8 @@ void FitOffer::ask(const QString& sequence) {
     return;
   sequence_ = sequence;
   asked_ = organ;
-  const QString name = inWords(organ->name), kind = SampleLoader::nameInWords(text(sample->organ));
+  const QString name = inWords(presentation::labelOf(*organ)),
+                kind = SampleLoader::nameInWords(text(sample->organ));
   const bool odd = live::matchesOrgan(*sample, organ->name) == live::SequenceMatch::no;
   question_->setText(odd ? tr("%1 is made for a %2, but the name %3 suggests another organ.")
                                .arg(inWords(sample->name), kind, name)

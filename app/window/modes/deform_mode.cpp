@@ -4,12 +4,10 @@
 #include <QActionGroup>
 
 #include <algorithm>
-#include <utility>
 
 #include "viscera/document/rig_commands.h"
 #include "window/actions.h"
 #include "window/panels/deform_page.h"
-#include "window/timeline/volume_monitor.h"
 #include "window/view/view_model.h"
 
 namespace viscera::app {
@@ -39,17 +37,6 @@ DeformMode::DeformMode(const ModeParts& parts, Actions& actions)
   makeMirrorActions(actions);
   // Their keys mean something else in other modes.
   actions.enableWhile({"handles.gizmo", "mirror.next"}, [this] { return parts_.view.state().shown.tools; });
-  connect(&parts_.volumes, &VolumeMonitor::updated, this, &DeformMode::syncChart);
-  connect(&parts_.volumes, &VolumeMonitor::linesChanged, this, &DeformMode::syncChart);
-}
-
-/// A chart of nothing takes no room. It comes when the handle is released: the view must not change under the
-/// mouse that drags in it.
-void DeformMode::syncChart() {
-  const bool dragged = parts_.volumes.drags().rows() >= 2;
-  if ((dragged && parts_.volumes.dragging()) || std::exchange(dragged_, dragged) == dragged)
-    return;
-  Q_EMIT panelsChanged();
 }
 
 void DeformMode::makePoseActions(Actions& actions) {

@@ -19,16 +19,13 @@ public:
     return {.handles = true, .movable = true, .compensating = true, .tools = true};
   }
   live::WantedPose pose() const override { return live::WantedPose::document; }
-  UsefulPanels panels() const override { return {true, false, dragged_}; }
+  UsefulPanels panels() const override { return {true, false, true}; }
 
 private:
-  void syncChart();
   void makePoseActions(Actions& actions);
   void makeVolumeActions(Actions& actions);
   void makeCompensate(Actions& actions);
   void makeMirrorActions(Actions& actions);
-
-  bool dragged_ = false; ///< There are drags to chart.
 };
 
 } // namespace viscera::app

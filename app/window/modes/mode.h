@@ -91,7 +91,7 @@ public:
   virtual presentation::Shown shown() const = 0;
   virtual live::WantedPose pose() const = 0;
   /// Asked when the mode begins, and when another sequence is there or none; `panelsChanged` tells that it is
-  /// otherwise.
+  /// otherwise. What a drag changes must not change it: the layout stays under the mouse.
   virtual UsefulPanels panels() const = 0;
   /// A text for the status bar about what the mouse does; `hintChanged` is emitted when it changes.
   virtual QString hint() const { return description_.hint; }

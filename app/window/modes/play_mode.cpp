@@ -11,6 +11,7 @@
 #include "viscera/heart/beating_heart.h"
 #include "viscera/live/motion_recipe.h"
 #include "viscera/live/sequence_setup.h"
+#include "window/heart_look.h"
 #include "window/language.h"
 #include "window/panels/play_page.h"
 #include "window/sample_loader.h"
@@ -20,7 +21,6 @@
 namespace viscera::app {
 namespace {
 
-constexpr double kPlayedWallOpacity = 0.28;
 /// An organ without cavities hides nothing of its own, only its neighbours.
 constexpr double kPlainOpacity = 0.45;
 constexpr double kOpaque = 0.99;
@@ -365,7 +365,13 @@ void PlayMode::setSeeThrough(bool on) {
   std::vector<document::Command> commands;
   for (const auto& organ : wallsOf(organs)) {
     document::OrganLook look = organ->look;
-    look.opacity = !on ? 1 : hasInside(organs, organ->id) ? kPlayedWallOpacity : kPlainOpacity;
+    if (!on && look.opacity < kOpaque) // The user may have chosen another one than the usual.
+      throughOpacity_[organ->id] = look.opacity;
+    const auto before = throughOpacity_.find(organ->id);
+    look.opacity = !on                               ? 1
+                   : before != throughOpacity_.end() ? before->second
+                   : hasInside(organs, organ->id)    ? kWallOpacity
+                                                     : kPlainOpacity;
     commands.push_back(document::setOrganLook(organ->id, look));
   }
   for (const auto& organ : organs) {

@@ -2,6 +2,7 @@
 
 #include <QPointer>
 
+#include <map>
 #include <memory>
 
 #include "window/actions.h"
@@ -91,6 +92,7 @@ private:
   QPointer<MotionDialog> seriesDialog_; ///< The window's.
   QPointer<ResidualTable> residuals_;
   QPointer<CirculationPanel> chart_;
+  std::map<document::OrganId, double> throughOpacity_; ///< Of walls that were made opaque, before that.
   StatusLine* status_ = nullptr;
   JobQueue* secondJobs_ = nullptr;
   document::KeyId toldKey_; ///< The key about which the status bar shows a remark.

@@ -26,9 +26,10 @@ public:
   /// Handles can be moved while the document's pose is shown, not a sequence's.
   presentation::Shown shown() const override;
   live::WantedPose pose() const override { return live::WantedPose::sequence; }
-  /// The chart needs a sequence that is shown.
+  /// The chart is there before the sequence is shown: a drag along the timeline must not move the timeline.
   UsefulPanels panels() const override {
-    return {false, parts_.playback.sequence() != nullptr, parts_.playback.showing()};
+    const bool moves = parts_.playback.sequence() != nullptr;
+    return {false, moves, moves};
   }
   /// After a mode in which the user has posed the organ, shows the map of that pose, not of the sequence that
   /// was paused before.

@@ -66,8 +66,11 @@ void CurveBox::sync() {
   const QSignalBlocker quiet(organ_);
   organ_->clear();
   for (const auto& organ : workspace_.document().organs())
-    if (organ->closed())
-      organ_->addItem(inWords(presentation::labelOf(*organ)), static_cast<qlonglong>(organ->id.value));
+    if (organ->closed()) {
+      const QString name = inWords(presentation::labelOf(*organ));
+      organ_->addItem(shortenedName(name, *organ_), static_cast<qlonglong>(organ->id.value));
+      organ_->setItemData(organ_->count() - 1, name, Qt::ToolTipRole);
+    }
   organ_->setCurrentIndex(std::max(0, organ_->findData(chosen)));
   organ_->setEnabled(!prescribed);
   choose_->setEnabled(playback_.sequence() && organ_->count() > 0);

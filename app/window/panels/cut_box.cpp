@@ -9,6 +9,7 @@
 #include <vtkRenderer.h>
 
 #include "window/language.h"
+#include "window/view/cut_sight.h"
 #include "window/widgets/ready_made.h"
 #include "window/widgets/value_slider.h"
 
@@ -63,7 +64,10 @@ QWidget* CutBox::makeDirections() {
 
 void CutBox::cutFrom(const Vec3& normal) {
   Vec3 chosen = normal;
-  if (chosen.isZero()) {
+  if (!chosen.isZero()) {
+    seeCut(widget_.view(), chosen);
+    widget_.scheduleRender();
+  } else {
     double sight[3];
     widget_.view().renderer()->GetActiveCamera()->GetDirectionOfProjection(sight);
     chosen = Vec3(sight).normalized();

@@ -53,6 +53,7 @@ DeformPage::DeformPage(const ModeParts& parts, const Actions& actions, QWidget* 
   addMirror();
   addSection(tr("Pose"));
   moved_ = addFact(tr("Handles moved"));
+  moved_->setObjectName(QStringLiteral("handlesMoved"));
   addButton(actions["pose.reset"]);
   addButton(actions["pose.resetSelected"]);
   addCheck(actions["view.ghost"]);
@@ -68,6 +69,8 @@ DeformPage::DeformPage(const ModeParts& parts, const Actions& actions, QWidget* 
   subscriptions_.push_back(workspace_.onChange([this](const document::Change& change) {
     if (!change.interactive)
       sync();
+    else if (change.pose())
+      syncMoved();
     if (change.rig() || change.organs())
       syncHandles();
   }));
@@ -109,6 +112,10 @@ void DeformPage::sync() {
   deformation::Deformer* deformer = organ ? workspace_.live().deformer(organ->id) : nullptr;
   farthest_->setText(deformer ? tr("%1 mm").arg(formatNumber(deformer->maxDisplacementMm(), 1)) : none);
   volume_->sync();
+  syncMoved();
+}
+
+void DeformPage::syncMoved() {
   const Points rest = workspace_.document().rig().restPositions();
   const Points& pose = workspace_.document().pose();
   int moved = 0;

@@ -23,6 +23,7 @@ public:
 private:
   void addMirror();
   void sync();
+  void syncMoved();
   void syncHandles();
 
   Workspace& workspace_;

@@ -31,16 +31,16 @@ ExplorePage::ExplorePage(Workspace& workspace, const Actions& actions, QWidget* 
   addSection(tr("View from"));
   add(makeViews(actions));
   addButton(actions["view.focus"]);
-  addSection(tr("Cut"));
+  cutSection_ = addSection(tr("Cut"));
   add(cut);
   addSection(tr("Measure"));
   add(measurements);
-  addSection(tr("Parts"));
+  partsSection_ = addSection(tr("Parts"));
   add(parts);
   addSection(tr("Show"));
   for (const char* id : {"view.handles", "view.ghost", "view.cube", "view.scale", "view.measurements"})
     addCheck(actions[id]);
-  addSection(tr("Organ"));
+  organSection_ = addSection(tr("Organ"));
   name_ = addFact(tr("Name"));
   name_->setObjectName(QStringLiteral("exploreOrgan"));
   volume_ = addFact(tr("Rest volume"));
@@ -50,7 +50,7 @@ ExplorePage::ExplorePage(Workspace& workspace, const Actions& actions, QWidget* 
   file_ = addFact(tr("File"));
   warnings_ = addRemark(QString());
   warnings_->setObjectName(QStringLiteral("exploreRemarks"));
-  addSection(tr("Scan"));
+  scanSection_ = addSection(tr("Scan"));
   scanName_ = addFact(tr("Name"));
   scanVoxels_ = addFact(tr("Voxels"));
   scanSpacing_ = addFact(tr("Spacing"));
@@ -61,12 +61,25 @@ ExplorePage::ExplorePage(Workspace& workspace, const Actions& actions, QWidget* 
   subscriptions_.push_back(workspace.onChange([this](const document::Change& change) {
     if (change.organs())
       sync();
+    if (change.organs() || change.scan())
+      syncSections();
     if (change.scan() || (change.organs() && !haveSameSurfaces(*change.before.organs, *change.after.organs)))
       syncScan();
   }));
   subscriptions_.push_back(workspace.selection().onChange([this] { sync(); }));
   sync();
   syncScan();
+  syncSections();
+}
+
+/// Only sections about what is open are there.
+void ExplorePage::syncSections() {
+  const document::OrganList& organs = workspace_.document().organs();
+  const auto hasParts = [](const auto& organ) { return !organ->places.empty(); };
+  setSectionShown(cutSection_, !organs.empty());
+  setSectionShown(partsSection_, std::any_of(organs.begin(), organs.end(), hasParts));
+  setSectionShown(organSection_, !organs.empty());
+  setSectionShown(scanSection_, workspace_.state().scan != nullptr);
 }
 
 QWidget* ExplorePage::makeViews(const Actions& actions) {

@@ -20,8 +20,13 @@ private:
   QWidget* makeViews(const Actions& actions);
   void sync();
   void syncScan();
+  void syncSections();
 
   Workspace& workspace_;
+  QWidget* cutSection_ = nullptr;
+  QWidget* partsSection_ = nullptr;
+  QWidget* organSection_ = nullptr;
+  QWidget* scanSection_ = nullptr;
   QLabel* name_ = nullptr;
   QLabel* volume_ = nullptr;
   QLabel* size_ = nullptr;

@@ -6,9 +6,13 @@
 #include <QPushButton>
 #include <QSignalBlocker>
 
+#include <algorithm>
+#include <cmath>
+
 #include "viscera/document/rig_commands.h"
 #include "window/language.h"
 #include "window/widgets/ready_made.h"
+#include "window/widgets/wrapped_label.h"
 
 namespace viscera::app {
 namespace {
@@ -17,14 +21,62 @@ constexpr double kFarthestMove = 1000;
 /// mm; a handle that is nearer to the typed position counts as being there.
 constexpr double kAsTyped = 0.005;
 
+/// A place along an axis of the patient, written with the letter of its side: "R 110.08 mm" lies 110.08 mm to
+/// the right. Its value is positive towards the second letter. A number may be typed with a letter or a sign.
+class SideField final : public QDoubleSpinBox {
+public:
+  SideField(QChar negative, QChar positive, QWidget* parent)
+      : QDoubleSpinBox(parent), negative_(negative), positive_(positive) {}
+
+  QString textFromValue(double value) const override {
+    const QString size = QDoubleSpinBox::textFromValue(std::abs(value));
+    const bool zero = QDoubleSpinBox::valueFromText(size) == 0;
+    return zero ? size : (value < 0 ? negative_ : positive_) + QStringLiteral(" ") + size;
+  }
+  double valueFromText(const QString& text) const override {
+    const QChar side = sideIn(text);
+    const double value = QDoubleSpinBox::valueFromText(withoutSide(text));
+    return side == negative_ ? -value : value;
+  }
+  QValidator::State validate(QString& text, int& cursor) const override {
+    QString number = withoutSide(text);
+    int place = std::min(cursor, static_cast<int>(number.size()));
+    return QDoubleSpinBox::validate(number, place);
+  }
+
+private:
+  /// The letter that the text begins with, or none.
+  QChar sideIn(const QString& text) const {
+    const QString said = text.trimmed().toUpper();
+    const bool any = said.startsWith(negative_) || said.startsWith(positive_);
+    return any ? said[0] : QChar();
+  }
+  QString withoutSide(const QString& text) const {
+    if (sideIn(text).isNull())
+      return text;
+    int first = 0;
+    while (text[first].isSpace())
+      ++first;
+    return text.mid(first + 1); // With the space before the unit, by which the box knows it.
+  }
+
+  QChar negative_, positive_;
+};
+
+/// The letters of the sides, as in the corners of slices.
+constexpr std::array<std::array<char, 2>, 3> kSides = {{{'R', 'L'}, {'A', 'P'}, {'I', 'S'}}};
+
 /// A line of a name and a field in mm for each axis.
 std::array<QDoubleSpinBox*, 3> addFields(QGridLayout* grid, const std::array<QString, 3>& names,
-                                         double farthest) {
+                                         double farthest, bool sided) {
   std::array<QDoubleSpinBox*, 3> fields{};
   for (int axis = 0; axis < 3; ++axis) {
     auto* label = new QLabel(names[axis], grid->parentWidget());
     label->setObjectName(QStringLiteral("muted"));
-    auto* field = fields[axis] = new QDoubleSpinBox(grid->parentWidget());
+    const auto [negative, positive] = kSides[static_cast<std::size_t>(axis)];
+    auto* field = fields[axis] =
+        sided ? new SideField(QLatin1Char(negative), QLatin1Char(positive), grid->parentWidget())
+              : new QDoubleSpinBox(grid->parentWidget());
     field->setRange(-farthest, farthest);
     field->setButtonSymbols(QAbstractSpinBox::NoButtons);
     field->setDecimals(2);
@@ -42,15 +94,16 @@ std::array<QDoubleSpinBox*, 3> addFields(QGridLayout* grid, const std::array<QSt
 } // namespace
 
 PositionBox::PositionBox(Workspace& workspace, Of what, QWidget* parent, PoseEditor* poses)
-    : QWidget(parent), workspace_(workspace), what_(what), poses_(poses), title_(new QLabel(this)),
+    : QWidget(parent), workspace_(workspace), what_(what), poses_(poses), title_(new WrappedLabel(this)),
       fieldBox_(new QWidget(this)) {
   auto* column = makeLayout<QVBoxLayout>(this, 6);
-  title_->setWordWrap(true);
   column->addWidget(title_);
+  heading_ = makeRemark(tr("Place in the patient"), this);
+  column->addWidget(heading_);
   column->addWidget(fieldBox_);
   auto* grid = makeLayout<QGridLayout>(fieldBox_, 4);
-  const std::array<QString, 3> names = {tr("Left"), tr("Posterior"), tr("Superior")};
-  fields_ = addFields(grid, names, kFarthest);
+  const std::array<QString, 3> names = {tr("Right or left"), tr("Front or back"), tr("Foot or head")};
+  fields_ = addFields(grid, names, kFarthest, true);
   for (QDoubleSpinBox* field : fields_) {
     field->setKeyboardTracking(false);
     connect(field, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this, &PositionBox::commit);
@@ -72,6 +125,7 @@ void PositionBox::sync() {
   const document::Rig& rig = workspace_.document().rig();
   const int row = rig.indexOf(workspace_.selection().currentHandle());
   fieldBox_->setVisible(row >= 0);
+  heading_->setVisible(row >= 0);
   if (row < 0) {
     title_->setText(tr("No handle is selected. Click one in the view or in the list."));
     title_->setObjectName(QStringLiteral("muted"));
@@ -119,12 +173,16 @@ DisplacementBox::DisplacementBox(Workspace& workspace, PoseEditor& poses, QWidge
     : QWidget(parent), workspace_(workspace), poses_(poses), apply_(new QPushButton(tr("Apply"), this)),
       result_(makeRemark({}, this)) {
   setObjectName(QStringLiteral("displacementBox"));
-  auto* grid = makeLayout<QGridLayout>(this, 4);
+  auto* column = makeLayout<QVBoxLayout>(this, 4);
+  column->addWidget(makeRemark(tr("Move by"), this));
+  auto* box = new QWidget(this);
+  column->addWidget(box);
+  auto* grid = makeLayout<QGridLayout>(box, 4);
   const std::array<QString, 3> names = {tr("Right to left"), tr("Front to back"), tr("Foot to head")};
   const std::array<QString, 3> tips = {tr("Towards the patient's left; negative: right (R/L)"),
                                        tr("Towards the patient's back; negative: front (A/P)"),
                                        tr("Towards the patient's head; negative: feet (S/I)")};
-  fields_ = addFields(grid, names, kFarthestMove);
+  fields_ = addFields(grid, names, kFarthestMove, false);
   for (int axis = 0; axis < 3; ++axis) {
     fields_[axis]->setToolTip(tips[axis]);
     grid->itemAtPosition(axis, 0)->widget()->setToolTip(tips[axis]);

@@ -33,6 +33,7 @@ private:
   Of what_;
   PoseEditor* poses_;
   QLabel* title_;
+  QLabel* heading_ = nullptr; ///< Of the fields.
   std::array<QDoubleSpinBox*, 3> fields_{};
   QWidget* fieldBox_;
   std::vector<Subscription> subscriptions_;

@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "viscera/live/sequence_setup.h"
+#include "viscera/presentation/presenter.h"
 #include "window/language.h"
 #include "window/style/icon.h"
 
@@ -77,7 +78,7 @@ std::vector<SequenceList::Item> SequenceList::wanted() const {
   for (const live::SampleSequence& sample : live::sampleSequences())
     if (own && live::matchesOrgan(sample, organ->name) == live::SequenceMatch::yes)
       add(text(sample.id), inWords(sample.name),
-          tr("%1: can be fitted to %2").arg(inWords(sample.name), inWords(organ->name)));
+          tr("%1: can be fitted to %2").arg(inWords(sample.name), inWords(presentation::labelOf(*organ))));
   for (const live::SampleSequence& sample : live::sampleSequences())
     add(text(sample.id), inWords(sample.name),
         tr("%1: shows the sample organ and plays").arg(inWords(sample.name)));

@@ -8,6 +8,7 @@
 
 #include <utility>
 
+#include "viscera/presentation/presenter.h"
 #include "window/language.h"
 #include "window/widgets/ready_made.h"
 
@@ -45,7 +46,7 @@ VolumeBox::VolumeBox(Workspace& workspace, PoseEditor& poses, QWidget* parent)
     const auto organ = workspace_.currentOrgan();
     if (organ && poses_.setVolume(organ->id, field_->value()) && organ->volumeLocked)
       workspace_.note(tr("%1 now has the target volume; its lock keeps this volume from now on.")
-                          .arg(inWords(organ->name)));
+                          .arg(inWords(presentation::labelOf(*organ))));
     apply_->setFocus();
     typed_ = false;
     sync();

@@ -5,11 +5,12 @@
 #include <QPushButton>
 
 #include "window/widgets/ready_made.h"
+#include "window/widgets/wrapped_label.h"
 
 namespace viscera::app {
 
 QuizBox::QuizBox(QuizTool& tool, const Actions& actions, QWidget* parent)
-    : QWidget(parent), tool_(tool), question_(new QLabel(this)), result_(makeRemark(QString(), this)) {
+    : QWidget(parent), tool_(tool), question_(new WrappedLabel(this)), result_(makeRemark(QString(), this)) {
   auto* column = makeLayout<QVBoxLayout>(this, 6);
   auto* names = new QCheckBox(actions["view.parts"]->iconText(), this);
   names->setToolTip(actions["view.parts"]->toolTip());
@@ -19,7 +20,6 @@ QuizBox::QuizBox(QuizTool& tool, const Actions& actions, QWidget* parent)
   column->addWidget(names);
   column->addWidget(makeActionButton(actions["quiz.start"], this));
   question_->setObjectName(QStringLiteral("quizQuestion"));
-  question_->setWordWrap(true);
   embolden(question_);
   column->addWidget(question_);
   result_->setObjectName(QStringLiteral("quizResult"));

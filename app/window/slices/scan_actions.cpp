@@ -262,11 +262,12 @@ void ScanActions::opened() {
   const auto item = workspace_.state().scan;
   if (!item)
     return;
-  view_.change([](ViewState& view) {
+  const bool alone = workspace_.document().organs().empty();
+  view_.change([alone](ViewState& view) {
     const ScanLook before = view.scan;
     view.scan = {};
     view.scan.layout = before.layout == "3d" ? "four" : before.layout;
-    view.scan.standing = before.standing;
+    view.scan.standing = before.standing || alone; // Else the 3D view would be empty.
     view.scan.warped = before.warped;
   });
   Q_EMIT layoutChosen();

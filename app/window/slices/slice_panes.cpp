@@ -8,6 +8,7 @@
 
 #include "viscera/document/scan_item.h"
 #include "viscera/medical_io/slice_frame.h"
+#include "viscera/presentation/presenter.h"
 #include "viscera/scene/vtkVisceraHandleSetRepresentation.h"
 #include "window/language.h"
 #include "window/view/picture.h"
@@ -274,7 +275,7 @@ void SlicePanes::read(int direction, const std::optional<Eigen::Vector2d>& pixel
                  .remove(QStringLiteral(" mm"));
   parts << place.join(listSeparator()) + QStringLiteral(" mm");
   if (const auto organ = workspace_.document().organ(reading.organ))
-    parts << inWords(organ->name);
+    parts << inWords(presentation::labelOf(*organ));
   shown.setReading(parts.join(QStringLiteral("   ")));
 }
 

@@ -6,6 +6,8 @@
 #include <vtkCamera.h>
 #include <vtkRenderer.h>
 
+#include "window/view/cut_sight.h"
+
 namespace viscera::app {
 
 CutController::CutController(Workspace& workspace, StressModel& model, ViewWidget& view, Picture& picture,
@@ -72,6 +74,15 @@ void CutController::faceReader() {
   model_.setLook(look);
 }
 
+void CutController::cutAcross(const Vec3& normal) {
+  model_.change([&normal](StressLook& look) {
+    look.normal = normal;
+    look.offset = 0;
+  });
+  seeCut(view_.view(), normal);
+  view_.scheduleRender();
+}
+
 void CutController::probeAt(const QPointF& place) {
   if (handles_.underMouse() || widget_->IsUnderCursor())
     return;
@@ -82,7 +93,9 @@ void CutController::probeAt(const QPointF& place) {
   const auto surface = view.pick(x, y);
   auto inside = tissue ? tissue->pick(scene::rayThrough(view.renderer(), x, y)) : std::nullopt;
   const bool glyphs = model_.look().glyphs != presentation::GlyphChoice::none;
-  if (inside && surface && surface->distance < inside->distance && !glyphs)
+  // Organs around the map are glass: a click through them means the tissue.
+  const bool own = surface && picture_.organOf(surface->organ) == model_.live().organ();
+  if (inside && own && surface->distance < inside->distance && !glyphs)
     inside.reset();
   if (inside)
     return model_.setProbe(inside->point);

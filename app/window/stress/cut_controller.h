@@ -28,6 +28,8 @@ public:
   vtkVisceraCutPlaneWidget* planeWidget() const { return widget_; }
   /// Places the cut through the organ's middle, facing the camera.
   void faceReader();
+  /// Cuts through the middle, across `normal`, and looks at the cut from where it can be seen.
+  void cutAcross(const Vec3& normal);
   /// Shows the values at the nearest visible point there.
   void probeAt(const QPointF& place);
 

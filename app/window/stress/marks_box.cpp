@@ -11,6 +11,7 @@
 #include <set>
 
 #include "viscera/document/stress_mark_commands.h"
+#include "viscera/presentation/presenter.h"
 #include "window/language.h"
 #include "window/stress/profile_chart.h"
 #include "window/style/icon.h"
@@ -132,7 +133,7 @@ void MarksBox::fill(QTreeWidgetItem& item, const document::StressProbe& probe) c
   const auto found = std::find_if(read.begin(), read.end(),
                                   [&](const live::ReadProbe& one) { return one.probe.id == probe.id; });
   const auto organ = workspace_.document().organ(probe.organ);
-  const QString name = organ ? inWords(organ->name) : QString();
+  const QString name = organ ? inWords(presentation::labelOf(*organ)) : QString();
   item.setText(kMarkNumber, QString::number(probe.number));
   item.setText(kMarkOrgan, name);
   const QString rest = tr("%1: at rest %2 mm").arg(name, placeInWords(probe.rest));
@@ -156,7 +157,7 @@ void MarksBox::fill(QTreeWidgetItem& item, const document::StressLine& line) con
   item.setText(kMarkNumber, text(marks.nameOf(line)));
   item.setText(kMarkPlace, tr("%1 mm long").arg(formatNumber((to->rest - from->rest).norm(), kDecimals)));
   const auto organ = workspace_.document().organ(from->organ);
-  item.setText(kMarkOrgan, organ ? inWords(organ->name) : QString());
+  item.setText(kMarkOrgan, organ ? inWords(presentation::labelOf(*organ)) : QString());
   double largest = -1;
   for (const live::ReadProfile& read : model_.marks().profiles)
     if (read.line.id == line.id)

@@ -16,7 +16,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
+#include "viscera/presentation/presenter.h"
 #include "window/language.h"
 #include "window/stress/histogram.h"
 #include "window/stress/marks_box.h"
@@ -53,6 +55,19 @@ QString nameOf(live::WitnessOrigin origin) {
     return StressPage::tr("regular grid");
   }
   return {};
+}
+
+/// From an organ to the nearest handle at rest, mm, where that is far for the size of the organ: then hardly
+/// anything moves it. None where a handle is near, and without handles, which is another matter.
+std::optional<double> gapToHandles(const document::Organ& organ, const document::Rig& rig) {
+  constexpr double kFar = 0.5; // Of the organ's diagonal.
+  const Bounds box = boundsOf(organ.mesh->points);
+  std::optional<double> nearest;
+  for (const document::Handle& handle : rig.handles) {
+    const double gap = (handle.rest - handle.rest.cwiseMax(box.low).cwiseMin(box.high)).norm();
+    nearest = std::min(nearest.value_or(gap), gap);
+  }
+  return nearest && *nearest > kFar * box.diagonal() ? nearest : std::nullopt;
 }
 
 const QSize kMapSwatch(56, 12);
@@ -169,6 +184,8 @@ void StressPage::makeNumbers(const Actions& actions) {
   addSection(tr("Numbers"));
   state_ = addRemark(QString());
   state_->setObjectName(QStringLiteral("stressState"));
+  hint_ = addRemark(QString());
+  hint_->setObjectName(QStringLiteral("stressHint"));
   caution_ = addRemark(QString());
   caution_->setObjectName(QStringLiteral("stressCaution"));
   min_ = addFact(tr("Minimum"));
@@ -261,12 +278,7 @@ QWidget* StressPage::makeDirections() {
     ++index;
   };
   for (const Direction& direction : directions)
-    addButton(direction.name, direction.tip, [this, normal = direction.normal] {
-      model_.change([&](StressLook& look) {
-        look.normal = normal;
-        look.offset = 0;
-      });
-    });
+    addButton(direction.name, direction.tip, [this, normal = direction.normal] { cut_.cutAcross(normal); });
   addButton(tr("Facing the viewer"), tr("Cut through the middle, across the line of sight"),
             [this] { cut_.faceReader(); });
   return box;
@@ -422,6 +434,17 @@ void StressPage::showEvent(QShowEvent* event) {
   syncPose();
 }
 
+QString StressPage::hintText() const {
+  const auto organ = workspace_.document().organ(model_.live().organ());
+  if (!organ || !model_.shown().ready())
+    return {};
+  if (const auto gap = gapToHandles(*organ, workspace_.document().rig()))
+    return tr("No handle is near %1: the nearest is %2 mm away. Place handles around it in Handles (2).")
+        .arg(inWords(presentation::labelOf(*organ)), formatNumber(*gap, 0));
+  return model_.shown().deformed() ? QString()
+                                   : tr("Nothing is deformed: drag a handle, or play a sequence (Space).");
+}
+
 void StressPage::syncNumbers() {
   const QString none = QStringLiteral("-");
   const bool any = model_.shown().ready();
@@ -435,8 +458,11 @@ void StressPage::syncNumbers() {
   toPeak_->setVisible(peak);
   if (peak)
     peakTime_->setText(tr("%1 s").arg(formatNumber(peak->seconds, 2)));
+  const QString hint = hintText();
+  hint_->setText(hint);
+  hint_->setVisible(!hint.isEmpty());
   folded_->setText(any ? locale().toString(model_.shown().folded()) : none);
-  if (!any)
+  if (!any || !model_.shown().deformed())
     return histogram_->clear();
   if (!isVisible())
     return;

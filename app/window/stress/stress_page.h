@@ -48,6 +48,8 @@ private:
   void syncStatus();
   void syncPose();
   void syncNumbers();
+  /// What to do where the map shows nothing; empty where it shows something.
+  QString hintText() const;
   void syncThreshold();
 
   Workspace& workspace_;
@@ -59,6 +61,7 @@ private:
   QComboBox* quantity_ = nullptr;
   QComboBox* colors_ = nullptr;
   QLabel* state_ = nullptr;
+  QLabel* hint_ = nullptr;
   QLabel* caution_ = nullptr;
   QLabel* min_ = nullptr;
   QLabel* mean_ = nullptr;

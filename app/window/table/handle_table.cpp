@@ -11,6 +11,7 @@
 #include <QTableView>
 #include <QVBoxLayout>
 
+#include "viscera/presentation/presenter.h"
 #include "window/actions.h"
 #include "window/language.h"
 
@@ -19,7 +20,8 @@ namespace viscera::app {
 HandleTable::HandleTable(Workspace& workspace, PoseEditor& poses, const Picture& picture, ViewWidget& view,
                          QWidget* parent)
     : QDialog(parent), workspace_(workspace), picture_(picture), view_(view), model_(workspace, poses),
-      sorted_(new QSortFilterProxyModel(this)), table_(new QTableView(this)), vertex_(new QLabel(this)) {
+      sorted_(new QSortFilterProxyModel(this)), table_(new QTableView(this)),
+      vertex_(new WrappedLabel(this)) {
   setWindowTitle(tr("Table of handles"));
   setObjectName(QStringLiteral("handleTable"));
   resize(760, 480);
@@ -34,7 +36,6 @@ HandleTable::HandleTable(Workspace& workspace, PoseEditor& poses, const Picture&
   table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   table_->setAccessibleName(tr("Table of handles"));
   vertex_->setObjectName(QStringLiteral("handleTableVertex"));
-  vertex_->setWordWrap(true);
   vertex_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   auto* copying = new QPushButton(tr("&Copy"), this);
   copying->setToolTip(tr("Copy the selected rows, or all, with all digits (Ctrl+C)"));
@@ -82,7 +83,7 @@ void HandleTable::sayVertex() {
   const Vec3 at = organ->mesh->points.row(vertex->vertex).transpose();
   const QString where = tr("Vertex %1 of %2, at rest at %3, %4, %5 mm (LPS)")
                             .arg(vertex->vertex)
-                            .arg(inWords(organ->name))
+                            .arg(inWords(presentation::labelOf(*organ)))
                             .arg(formatNumber(at.x(), 2))
                             .arg(formatNumber(at.y(), 2))
                             .arg(formatNumber(at.z(), 2));

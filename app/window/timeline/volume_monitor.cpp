@@ -20,6 +20,11 @@ constexpr std::size_t kRows = 7200;
 constexpr std::size_t kDragRows = 600;
 constexpr double kMillisecond = 1e-3;
 const char* const kCycleSlot = "cycle";
+
+bool isCharted(const document::Organ& organ) {
+  return organ.look.tracked && organ.look.visible && organ.closed();
+}
+
 /// The cycle is measured so much later where no sequence is seen: its numbers are not urgent, and a drag that
 /// begins under a lock just set is.
 constexpr int kUnseenDelayMilliseconds = 500;
@@ -73,6 +78,7 @@ void VolumeMonitor::watch(Side& side) {
                                                             // once.
       sides_[first ? 0 : 1].workspace->afterChange([this] { update(); });
   }));
+  side.subscriptions.push_back(side.workspace->selection().onChange([this] { rebuild(); }));
   side.subscriptions.push_back(side.workspace->live().onEvent([this, &side](const live::LiveEvent& event) {
     if (event.status)
       measureSoon(side);
@@ -87,12 +93,35 @@ void VolumeMonitor::watch(Side& side) {
   measureSoon_.start(0);
 }
 
+std::set<document::OrganId> VolumeMonitor::chartedIn(Workspace& workspace) {
+  std::vector<const document::Organ*> whole;
+  for (const auto& organ : workspace.document().organs())
+    if (isCharted(*organ) && !organ->parent)
+      whole.push_back(organ.get());
+  const auto chosen = workspace.document().organ(workspace.selection().organ());
+  const document::OrganId first = !chosen          ? document::OrganId{}
+                                  : chosen->parent ? chosen->parent
+                                                   : chosen->id;
+  std::stable_sort(whole.begin(), whole.end(), [first](const auto* a, const auto* b) {
+    return std::pair(a->id == first, a->restVolumeMm3) > std::pair(b->id == first, b->restVolumeMm3);
+  });
+  std::set<document::OrganId> ids;
+  for (std::size_t i = 0; i < std::min(kMostLines, whole.size()); ++i)
+    ids.insert(whole[i]->id);
+  return ids;
+}
+
 std::vector<VolumeMonitor::Line> VolumeMonitor::linesOf(int side) const {
   std::vector<Line> lines;
   if (!sides_[side].workspace)
     return lines;
-  for (const auto& organ : sides_[side].workspace->document().organs()) {
-    if (!organ->look.tracked || !organ->closed())
+  const document::Document& document = sides_[side].workspace->document();
+  const std::set<document::OrganId> charted = chartedIn(*sides_[side].workspace);
+  for (const auto& organ : document.organs()) {
+    // A cavity of a wall that has no line, such as an open one, stands for itself.
+    const auto wall = document.organ(organ->parent);
+    const bool left = wall && isCharted(*wall) && charted.count(wall->id) == 0;
+    if (!isCharted(*organ) || left || (!organ->parent && charted.count(organ->id) == 0))
       continue;
     const double rest = organ->restVolumeMm3 / kMm3PerMl;
     const std::string label = presentation::labelOf(*organ);
@@ -106,6 +135,13 @@ void VolumeMonitor::rebuild() {
   std::vector<Line> lines = linesOf(0);
   const std::vector<Line> second = linesOf(1);
   lines.insert(lines.end(), second.begin(), second.end());
+  std::ptrdiff_t charted = 0;
+  for (const Side& side : sides_)
+    if (side.workspace) {
+      const document::OrganList& organs = side.workspace->document().organs();
+      charted += std::count_if(organs.begin(), organs.end(), [](const auto& one) { return isCharted(*one); });
+    }
+  unlisted_ = static_cast<int>(charted - static_cast<std::ptrdiff_t>(lines.size()));
   const auto same = [](const Line& a, const Line& b) {
     return a.organ == b.organ && a.side == b.side && a.name == b.name && a.color == b.color;
   };

@@ -7,6 +7,7 @@
 
 #include <array>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -31,6 +32,8 @@ class VolumeMonitor final : public QObject {
   Q_OBJECT
 
 public:
+  static constexpr std::size_t kMostLines = 8;
+
   /// One tracked organ.
   struct Line {
     document::OrganId organ;
@@ -53,8 +56,11 @@ public:
   /// measured.
   void setMeasured(const MeasuredMotion& measured);
 
-  /// The first view's organs come first.
+  /// The first view's organs come first. Hidden organs are left out. Of more than `kMostLines` whole organs
+  /// in a view, the chosen one and the largest are there: more curves than that tell nothing apart.
   const std::vector<Line>& lines() const { return lines_; }
+  /// How many visible, tracked organs have no line.
+  int unlisted() const { return unlisted_; }
   /// A line's name; with two views, preceded by the number of its view.
   QString nameOf(const Line& line) const;
   /// The record of the sequence as played; one column for each line, the time is the first view's.
@@ -115,6 +121,8 @@ private:
 
   void watch(Side& side);
   std::vector<Line> linesOf(int side) const;
+  /// The whole organs of a view that have a line, each with its cavities.
+  static std::set<document::OrganId> chartedIn(Workspace& workspace);
   void rebuild();
   void followFrame();
   void sample();
@@ -130,6 +138,7 @@ private:
   std::array<Side, 2> sides_;
   int cycles_ = 0;
   std::vector<Line> lines_;
+  int unlisted_ = 0;
   sequences::VolumeRecord record_;
   sequences::VolumeRecord drags_;
   QPointer<const MeasuredMotion> measured_;

@@ -4,11 +4,15 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPixmap>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QStackedLayout>
+#include <QTabBar>
 #include <QToolButton>
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include <vtkGenericOpenGLRenderWindow.h>
@@ -28,16 +32,25 @@ namespace viscera::app {
 namespace {
 
 constexpr double kShownVolumeSeconds = 5;
-constexpr double kShownDragSeconds = 12;
-constexpr int kTileWidth = 148;
+/// What the axis of drags shows, s: the least of these that has all of them, or the last one.
+constexpr double kShownDragSeconds[] = {1, 2, 5, 12};
+constexpr int kLeastTileWidth = 148;
+constexpr int kTileMargin = 4;
 constexpr int kTileGap = 8; ///< Between two columns.
 constexpr int kLineSwatch = 10;
-constexpr int kVolumeChartHeight = 160; ///< Above a table.
+constexpr int kVolumeChartHeight = 160; ///< Below the tabs.
+enum { kChartTab, kTableTab };
 
 using Quantity = heart::NormalRange::Quantity;
 
 bool inMilliliters(const heart::NormalRange& range) {
   return range.quantity != Quantity::ejectionPercent;
+}
+
+/// The axis is as long as what went by: half a second at the end of twelve empty ones would say little.
+double spanOf(double seconds) {
+  const double* span = std::lower_bound(std::begin(kShownDragSeconds), std::end(kShownDragSeconds), seconds);
+  return span == std::end(kShownDragSeconds) ? *std::rbegin(kShownDragSeconds) : *span;
 }
 
 QIcon swatch(const Vec3& color) {
@@ -74,21 +87,30 @@ constexpr int kDelay = 40;
 VolumePanel::VolumePanel(VolumeMonitor& monitor, Playback& playback, ViewModel& view, QWidget* parent)
     : QWidget(parent), monitor_(monitor), playback_(playback), view_(view),
       chart_(std::make_unique<scene::VolumeChart>()), chartWidget_(new QVTKOpenGLNativeWidget(this)),
-      cursor_(new ChartCursor(*chartWidget_)), stack_(new QStackedLayout), tileArea_(new QWidget(this)) {
+      cursor_(new ChartCursor(*chartWidget_)), tabs_(new QTabBar(this)), chartTab_(new QWidget(this)),
+      stack_(new QStackedLayout), tileArea_(new QWidget(this)) {
   setObjectName(QStringLiteral("panel"));
   setAttribute(Qt::WA_StyledBackground);
   chart_->setDecimalMark(decimalMark());
   auto* row = makeLayout<QHBoxLayout>(this, 8, {0, 4, 8, 4});
   row->addWidget(makeTiles());
   column_ = makeLayout<QVBoxLayout>(nullptr, 0);
-  column_->addLayout(stack_, 1);
+  tabs_->setObjectName(QStringLiteral("chartTabs"));
+  tabs_->setDrawBase(false);
+  tabs_->setExpanding(false);
+  tabs_->addTab(tr("Chart"));
+  tabs_->hide();
+  column_->addWidget(tabs_);
+  column_->addWidget(chartTab_, 1);
+  auto* chart = makeLayout<QVBoxLayout>(chartTab_, 0);
+  chart->addLayout(stack_, 1);
   normals_ = new QWidget(this);
   auto* normals = makeLayout<QHBoxLayout>(normals_, 8);
   source_ = new ElidedLabel(this);
   source_->setObjectName(QStringLiteral("chartSource"));
   normals->addWidget(source_, 1);
   normals->addWidget(new PersonBox(view, this));
-  column_->addWidget(normals_);
+  chart->addWidget(normals_);
   row->addLayout(column_, 1);
   makeChart();
   connect(&monitor, &VolumeMonitor::linesChanged, this, &VolumePanel::rebuild);
@@ -106,10 +128,19 @@ VolumePanel::VolumePanel(VolumeMonitor& monitor, Playback& playback, ViewModel& 
 
 QWidget* VolumePanel::makeTiles() {
   new QVBoxLayout(tileArea_);
-  tileArea_->layout()->setContentsMargins(8, 0, 0, 0);
+  tileArea_->layout()->setContentsMargins(2 * kTileMargin, 0, 0, 0);
   QWidget* scroll = scrolled(tileArea_);
-  scroll->setFixedWidth(2 * kTileWidth + 24);
+  const int bar = static_cast<QScrollArea*>(scroll)->verticalScrollBar()->sizeHint().width();
+  scroll->setFixedWidth(2 * tileWidth() + kTileGap + 4 * kTileMargin + bar);
   return scroll;
+}
+
+int VolumePanel::tileWidth() const {
+  constexpr double kWidePercent = 1000, kWideMl = 1000;
+  const QString change = tr("%1 % of rest").arg(formatNumber(kWidePercent, 1));
+  const QString beat = tr("EF %1 %  SV %2 ml").arg(formatNumber(kPercent, 0)).arg(formatNumber(kWideMl, 0));
+  return std::max(
+      {kLeastTileWidth, fontMetrics().horizontalAdvance(change), fontMetrics().horizontalAdvance(beat)});
 }
 
 void VolumePanel::makeChart() {
@@ -168,7 +199,7 @@ void VolumePanel::rebuild() {
   delete tileBox_;
   tiles_.clear();
   tileBox_ = new QWidget(tileArea_);
-  auto* grid = makeLayout<QGridLayout>(tileBox_, -1, {4, 0, 4, 0});
+  auto* grid = makeLayout<QGridLayout>(tileBox_, -1, {kTileMargin, 0, kTileMargin, 0});
   grid->setHorizontalSpacing(kTileGap);
   grid->setVerticalSpacing(6);
   grid->setColumnStretch(2, 1); // Tiles keep their width in a wider box.
@@ -210,6 +241,11 @@ void VolumePanel::rebuild() {
     auto* hint = makeRemark(tr("Closed organs show their volume here."), tileBox_);
     grid->addWidget(hint, 0, 0);
   }
+  if (monitor_.unlisted() > 0)
+    grid->addWidget(makeRemark(tr("%n more organs are not drawn: choose one to see its volume.", nullptr,
+                                  monitor_.unlisted()),
+                               tileBox_),
+                    grid->rowCount(), 0, 1, 2);
   grid->setRowStretch(grid->rowCount(), 1);
   static_cast<QVBoxLayout*>(tileArea_->layout())->addWidget(tileBox_);
   tileBox_->show();
@@ -254,7 +290,9 @@ void VolumePanel::drawPrescribed(double length) {
 void VolumePanel::setMeasured(MeasuredMotion& measured, QWidget* table) {
   measured_ = &measured;
   table_ = table;
-  column_->addWidget(table);
+  column_->addWidget(table, 1);
+  tabs_->addTab(tr("Fit of the motion"));
+  connect(tabs_, &QTabBar::currentChanged, this, &VolumePanel::showTab);
   connect(&measured, &MeasuredMotion::changed, this, &VolumePanel::rebuild);
   connect(&measured, &MeasuredMotion::changed, this, &VolumePanel::syncMeasured);
   connect(&playback_, &Playback::stateChanged, this, &VolumePanel::syncMeasured);
@@ -264,16 +302,24 @@ void VolumePanel::setMeasured(MeasuredMotion& measured, QWidget* table) {
 /// The table belongs to the sequence: it is there where that is looked at, also at rest, as after an undo.
 void VolumePanel::syncMeasured() {
   const bool wanted = measured_->present() && playback_.wantedPose() == live::WantedPose::sequence;
-  if (wanted == !table_->isHidden())
+  if (wanted == !tabs_->isHidden())
     return;
-  table_->setVisible(wanted);
+  tabs_->setVisible(wanted);
+  tabs_->setCurrentIndex(wanted ? kTableTab : kChartTab);
+  showTab(tabs_->currentIndex());
   Q_EMIT wantedHeightChanged();
 }
 
+void VolumePanel::showTab(int tab) {
+  chartTab_->setVisible(tab == kChartTab);
+  table_->setVisible(tab == kTableTab);
+  refresh();
+}
+
 std::optional<int> VolumePanel::wantedHeight() const {
-  if (!table_ || table_->isHidden())
+  if (tabs_->isHidden())
     return std::nullopt;
-  return kVolumeChartHeight + table_->sizeHint().height();
+  return tabs_->sizeHint().height() + std::max(kVolumeChartHeight, table_->sizeHint().height());
 }
 
 /// Measured volumes stand at their phases; those of the series before at the same part of the cycle.
@@ -302,7 +348,7 @@ VolumePanel::Tile VolumePanel::addTile(const VolumeMonitor::Line& line) {
   auto* grid = static_cast<QGridLayout*>(tileBox_->layout());
   const int index = static_cast<int>(tiles_.size());
   const bool wholeRow = index % 2 == 0 && tiles_.size() + 1 == monitor_.lines().size();
-  const int width = wholeRow ? 2 * kTileWidth + kTileGap : kTileWidth;
+  const int width = wholeRow ? 2 * tileWidth() + kTileGap : tileWidth();
   const QString called = monitor_.nameOf(line);
   auto* box = new QWidget(tileBox_);
   auto* parts = makeLayout<QGridLayout>(box, 0);
@@ -324,7 +370,7 @@ VolumePanel::Tile VolumePanel::addTile(const VolumeMonitor::Line& line) {
   tile.detail->setObjectName(QStringLiteral("muted"));
   for (QLabel* label : {tile.value, tile.detail}) { // Another number in every frame lays out nothing anew.
     label->ensurePolished();
-    label->setFixedSize(kTileWidth, label->sizeHint().height());
+    label->setFixedSize(tileWidth(), label->sizeHint().height());
   }
   parts->addWidget(name, 0, 0, 1, wholeRow ? 2 : 1);
   parts->addWidget(tile.value, 1, 0);
@@ -383,7 +429,7 @@ QStringList VolumePanel::normalsForms() const {
 
 QString VolumePanel::detailOf(std::size_t line) const {
   const VolumeMonitor::Line& shown = monitor_.lines()[line];
-  if (const auto indices = monitor_.indices(line))
+  if (const auto indices = posed() ? std::nullopt : monitor_.indices(line))
     return tr("EF %1 %  SV %2 ml")
         .arg(formatNumber(kPercent * indices->ejectionFraction, 0))
         .arg(formatNumber(indices->strokeVolumeMl, 0));
@@ -426,11 +472,11 @@ void VolumePanel::refresh() {
   if (!isVisible())
     return;
   const bool cycle = cycleDrawn();
-  bool anything = dragsShown() || monitor_.record().rows() >= 2;
+  bool anything = dragsShown() || (!posed() && monitor_.record().rows() >= 2);
   for (std::size_t line = 0; cycle && line < tiles_.size(); ++line)
     anything = anything || !monitor_.cycle(line).fractions.empty();
   stack_->setCurrentIndex(anything ? 1 : 0);
-  normals_->setVisible(anything && !dragsShown() && !source_->fullText().isEmpty());
+  normals_->setVisible(anything && !posed() && !dragsShown() && !source_->fullText().isEmpty());
   cycle ? drawCycle() : drawRecord();
   chart_->update();
   if (!drawing_.isActive())
@@ -486,9 +532,9 @@ void VolumePanel::drawRecord() {
   take(&record);
   chart_->setAxes((drags ? tr("Time while dragging") : tr("Time")).toStdString(), "s",
                   tr("Volume").toStdString(), "ml");
-  chart_->setTimeSpan(drags ? kShownDragSeconds
-                            : std::max(kShownVolumeSeconds, 1.5 * playback_.player().periodSeconds()));
   const std::size_t rows = record.rows();
+  chart_->setTimeSpan(drags ? spanOf(rows > 0 ? record.seconds(rows - 1) : 0)
+                            : std::max(kShownVolumeSeconds, 1.5 * playback_.player().periodSeconds()));
   if (rows == 0 || rows < charted_ || record.seconds(rows - 1) < chartedUntil_) {
     chart_->clear();
     charted_ = 0;

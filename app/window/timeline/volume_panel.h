@@ -15,6 +15,7 @@
 #include "window/timeline/volume_monitor.h"
 
 class QLabel;
+class QTabBar;
 class QStackedLayout;
 class QVBoxLayout;
 
@@ -35,9 +36,9 @@ public:
   ~VolumePanel() override;
 
   /// Draws the measured volumes of a tracked motion as dots, and shows `table`, of which it becomes the
-  /// parent, under the chart while there is such a motion.
+  /// parent, in a tab beside the chart while there is such a motion.
   void setMeasured(MeasuredMotion& measured, QWidget* table);
-  /// The height that the table needs with the chart; none without it.
+  /// The height that the table needs with its tab; none without it.
   std::optional<int> wantedHeight() const;
 
   void setTheme(const Theme& theme);
@@ -63,6 +64,8 @@ private:
   };
 
   QWidget* makeTiles();
+  /// As wide as the longest detail in the language of the window.
+  int tileWidth() const;
   void makeChart();
   void rebuild();
   /// Whether `rebuild` has followed the monitor's lines; another observer of these may show the panel before.
@@ -74,7 +77,9 @@ private:
   void followFrame();
   void placeCursor();
   double cycleLength() const;
-  bool cycleDrawn() const { return cycleShown_ && !dragsShown(); }
+  /// Whether the document's own pose is looked at: the numbers of a beat say nothing about it.
+  bool posed() const { return playback_.wantedPose() != live::WantedPose::sequence; }
+  bool cycleDrawn() const { return cycleShown_ && !posed() && !dragsShown(); }
   /// Whether the chart shows the last drags, because no sequence is shown.
   bool dragsShown() const { return !playback_.showing() && monitor_.drags().rows() >= 2; }
   void take(const sequences::VolumeRecord* record);
@@ -87,6 +92,7 @@ private:
   void syncPrescribed();
   void drawPrescribed(double length);
   void syncMeasured();
+  void showTab(int tab);
   void drawMeasured(double length);
   Tile addTile(const VolumeMonitor::Line& line);
   QString detailOf(std::size_t line) const;
@@ -97,7 +103,9 @@ private:
   std::unique_ptr<scene::VolumeChart> chart_;
   QVTKOpenGLNativeWidget* chartWidget_;
   ChartCursor* cursor_;
-  QVBoxLayout* column_ = nullptr; ///< The chart and what is under it.
+  QVBoxLayout* column_ = nullptr; ///< Tabs, and the chart or the table.
+  QTabBar* tabs_;                 ///< Shown where there is a table.
+  QWidget* chartTab_;
   QStackedLayout* stack_;         ///< A hint, or the chart.
   ElidedLabel* source_ = nullptr; ///< Explains the stripes.
   QWidget* normals_ = nullptr;    ///< Contains `source_` and the choice of the person.

@@ -197,8 +197,8 @@ void MeasuredMotion::say(const Found& found) {
   if (doubtful > 0) {
     message.severity = Message::Severity::warning;
     message.seconds = 0;
-    message.text += QLatin1Char(' ') + tr("%n phases need attention: see the table below the chart.", nullptr,
-                                          static_cast<int>(doubtful));
+    message.text += QLatin1Char(' ') + tr("%n phases need attention: see the table beside the chart.",
+                                          nullptr, static_cast<int>(doubtful));
   }
   if (!motion.outliers.empty()) {
     live::SeriesRequest fewer = found.request;

@@ -26,6 +26,7 @@
 #include "window/style/icon.h"
 #include "window/widgets/page.h"
 #include "window/widgets/ready_made.h"
+#include "window/widgets/wrapped_label.h"
 
 namespace viscera::app {
 namespace {
@@ -63,9 +64,8 @@ MotionDialog::MotionDialog(Workspace& workspace, MeasuredMotion& measured, Setti
   makeItems(*column);
   makeTimes(*column);
   column->addWidget(new CollapsibleSection(tr("More"), makeMore(), false, this));
-  said_ = new QLabel(this);
+  said_ = new WrappedLabel(this);
   said_->setObjectName(QStringLiteral("motionSaid"));
-  said_->setWordWrap(true);
   said_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   column->addWidget(said_);
   missing_ = makeRemark({}, this);
@@ -112,9 +112,8 @@ void MotionDialog::makeFiles(QVBoxLayout& column) {
   row->addWidget(files);
   row->addStretch(1);
   column.addLayout(row);
-  what_ = new QLabel(this);
+  what_ = new WrappedLabel(this);
   what_->setObjectName(QStringLiteral("seriesWhat"));
-  what_->setWordWrap(true);
   column.addWidget(what_);
 }
 

@@ -180,8 +180,11 @@ void ResidualTable::rebuild() {
     const std::size_t count = found ? found->motion->sequence.organs.size() : 0;
     if (count > 1)
       surfaces_->addItem(tr("All surfaces"), kAll);
-    for (std::size_t i = 0; i < count; ++i)
-      surfaces_->addItem(text(found->motion->sequence.organs[i].name), static_cast<int>(i));
+    for (std::size_t i = 0; i < count; ++i) {
+      const QString name = text(found->motion->sequence.organs[i].name);
+      surfaces_->addItem(shortenedName(name, *surfaces_), static_cast<int>(i));
+      surfaces_->setItemData(surfaces_->count() - 1, name, Qt::ToolTipRole);
+    }
     if (found && measured_.before())
       surfaces_->addItem(tr("Compared with the previous series"), kCompared);
   }

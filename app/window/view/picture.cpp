@@ -180,7 +180,8 @@ void Picture::update() const {
     if (view.scan.standing && view.scan.warped)
       warping = presentation::warpingOf(workspace_.warp());
     std::vector<presentation::TransientSurface> transient = transient_;
-    transient.insert(transient.end(), measured_.begin(), measured_.end());
+    if (!view.shown.stress) // They would cover the map.
+      transient.insert(transient.end(), measured_.begin(), measured_.end());
     presenter_.update(
         {shown, workspace_.live(), view, workspace_.registry(), &stress, map_ ? &*map_ : nullptr, &measuring_,
          &transient, namedParts_ ? &*namedParts_ : nullptr, warping ? &*warping : nullptr,

@@ -10,6 +10,7 @@
 
 #include "window/style/icon.h"
 #include "window/widgets/ready_made.h"
+#include "window/widgets/wrapped_label.h"
 
 namespace viscera::app {
 namespace {
@@ -29,13 +30,11 @@ const char* nameOf(Message::Severity severity) {
 } // namespace
 
 MessageBar::MessageBar(QWidget* parent)
-    : QFrame(parent), icon_(new QLabel(this)), text_(new QLabel(this)), offersBox_(new QWidget(this)),
+    : QFrame(parent), icon_(new QLabel(this)), text_(new WrappedLabel(this)), offersBox_(new QWidget(this)),
       offers_(new QHBoxLayout(offersBox_)), timer_(new QTimer(this)) {
   setObjectName(QStringLiteral("messageBar"));
   auto* row = makeLayout<QHBoxLayout>(this, 8, {12, 8, 8, 8});
-  text_->setWordWrap(true);
   text_->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  text_->setTextFormat(Qt::PlainText);
   text_->setMinimumWidth(120);
   offers_->setContentsMargins(0, 0, 0, 0);
   offers_->setSpacing(8);

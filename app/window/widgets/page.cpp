@@ -9,8 +9,14 @@
 #include <QVBoxLayout>
 
 #include "window/widgets/ready_made.h"
+#include "window/widgets/wrapped_label.h"
 
 namespace viscera::app {
+namespace {
+
+constexpr int kPageSpacing = 8;
+
+} // namespace
 
 CollapsibleSection::CollapsibleSection(const QString& title, QWidget* contents, bool open, QWidget* parent)
     : QWidget(parent), title_(new QToolButton(this)), contents_(contents) {
@@ -39,11 +45,13 @@ bool CollapsibleSection::isOpen() const {
 
 Page::Page(QWidget* parent) : QWidget(parent), column_(new QVBoxLayout(this)) {
   column_->setContentsMargins(12, 12, 12, 12);
-  column_->setSpacing(8);
+  column_->setSpacing(kPageSpacing);
 }
 
 QWidget* Page::addSection(const QString& title) {
-  auto* head = new QWidget(this);
+  auto* section = new QWidget(this);
+  section_ = makeLayout<QVBoxLayout>(section, kPageSpacing);
+  auto* head = new QWidget(section);
   auto* column = makeLayout<QVBoxLayout>(head);
   if (column_->count() > 0) {
     auto* line = new QFrame(head);
@@ -54,12 +62,13 @@ QWidget* Page::addSection(const QString& title) {
   auto* label = new QLabel(title, head);
   label->setObjectName(QStringLiteral("sectionTitle"));
   column->addWidget(label);
+  column_->addWidget(section);
   add(head);
-  return head;
+  return section;
 }
 
 void Page::add(QWidget* widget) {
-  column_->addWidget(widget);
+  (section_ ? section_ : column_)->addWidget(widget);
   facts_ = nullptr;
 }
 
@@ -70,14 +79,13 @@ QLabel* Page::addFact(const QString& name) {
     facts_->setHorizontalSpacing(12);
     facts_->setVerticalSpacing(4);
     facts_->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
-    column_->addLayout(facts_);
+    (section_ ? section_ : column_)->addLayout(facts_);
   }
   auto* label = new QLabel(name, this);
   label->setObjectName(QStringLiteral("muted"));
-  auto* value = new QLabel(this);
+  auto* value = new WrappedLabel(this);
   value->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   value->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  value->setWordWrap(true);
   facts_->addRow(label, value);
   value->setProperty("name", QVariant::fromValue<QWidget*>(label));
   return value;

@@ -35,8 +35,10 @@ public:
   explicit Page(QWidget* parent = nullptr);
 
 protected:
-  /// Begins a section; returns its head.
+  /// Begins a section; returns it, with its title, for `setSectionShown`.
   QWidget* addSection(const QString& title);
+  /// Shows a section, or hides it where it would be empty: a page of dashes says nothing.
+  static void setSectionShown(QWidget* section, bool shown) { section->setVisible(shown); }
   void add(QWidget* widget);
   /// A line of a name and a value that can be selected; returns the value.
   QLabel* addFact(const QString& name);
@@ -52,9 +54,10 @@ protected:
   void finish();
 
 private:
-  QVBoxLayout* column_;
-  QFormLayout* facts_ = nullptr; ///< The layout of the present section, in which successive facts are
-                                 ///< aligned.
+  QVBoxLayout* column_;            ///< Of the sections.
+  QVBoxLayout* section_ = nullptr; ///< Of the present section.
+  QFormLayout* facts_ = nullptr;   ///< The layout of the present section, in which successive facts are
+                                   ///< aligned.
 };
 
 } // namespace viscera::app

@@ -4,13 +4,18 @@
 #include <QPushButton>
 
 #include "window/style/icon.h"
+#include "window/widgets/wrapped_label.h"
 
 namespace viscera::app {
 
+QString shortenedName(const QString& name, const QWidget& shownIn) {
+  constexpr int kWidestName = 180; // Logical pixels.
+  return shownIn.fontMetrics().elidedText(name, Qt::ElideMiddle, kWidestName);
+}
+
 QLabel* makeRemark(const QString& text, QWidget* parent) {
-  auto* label = new QLabel(text, parent);
+  auto* label = new WrappedLabel(text, parent);
   label->setObjectName(QStringLiteral("muted"));
-  label->setWordWrap(true);
   return label;
 }
 

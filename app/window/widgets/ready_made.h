@@ -19,6 +19,10 @@ Layout* makeLayout(QWidget* parent, int spacing = -1, const QMargins& margins = 
   return layout;
 }
 
+/// A name from a file for where it has one line: longer than a panel is wide, it gives up letters in its
+/// middle. The whole name belongs into the tip there.
+QString shortenedName(const QString& name, const QWidget& shownIn);
+
 /// A quiet text of as many lines as it takes.
 QLabel* makeRemark(const QString& text, QWidget* parent);
 

@@ -10,6 +10,7 @@
 #include "viscera/core/error.h"
 #include "viscera/core/phrase.h"
 #include "viscera/geometry/normals.h"
+#include "viscera/geometry/volume.h"
 
 namespace viscera::deformation {
 namespace {
@@ -153,8 +154,12 @@ double nearestRow(const Points& points, Eigen::Index rows, const Vec3& to) {
   return (points.topRows(rows).rowwise() - to.transpose()).rowwise().norm().minCoeff();
 }
 
+bool isLargeEnough(const geometry::TriangleMesh& organ) {
+  return organ.points.rows() >= kLeastOfASurface && organ.triangles.rows() >= kLeastOfASurface;
+}
+
 void requireEnough(const geometry::TriangleMesh& organ, const Placement& placement) {
-  if (organ.points.rows() < kLeastOfASurface || organ.triangles.rows() < kLeastOfASurface)
+  if (!isLargeEnough(organ))
     throw DataError(phrase("a surface of %1 vertices and %2 triangles is too small for handles",
                            organ.points.rows(), organ.triangles.rows()),
                     "organ", "load a closed surface");
@@ -176,34 +181,115 @@ Points enclosingHandles(const Points& organPoints, double margin) {
   return corners;
 }
 
-Points placeHandles(const geometry::TriangleMesh& organ, const Placement& placement) {
-  requireEnough(organ, placement);
-  const double offset = placement.offsetFraction * boundsOf(organ.points).diagonal();
-  const geometry::Normals normals = geometry::vertexNormals(organ);
-  const SurfaceDistance distance(organ);
-  FarthestVertices vertices(organ.points);
+namespace {
 
+/// An organ around which handles are placed, with what its next handle depends on.
+struct Site {
+  Site(const geometry::TriangleMesh& organ, double offsetFraction)
+      : mesh(organ), normals(geometry::vertexNormals(organ)), box(boundsOf(organ.points)),
+        offset(offsetFraction * box.diagonal()), distance(organ), vertices(organ.points) {}
+
+  const geometry::TriangleMesh& mesh;
+  geometry::Normals normals;
+  Bounds box;
+  double offset;
+  SurfaceDistance distance;
+  FarthestVertices vertices;
+  int wanted = 0;
+};
+
+/// Whether a place is outside of all organs, with some room to each.
+bool isFree(const std::vector<Site>& sites, const Vec3& place, double clearance) {
+  for (const Site& site : sites) {
+    const Vec3 nearest = place.cwiseMax(site.box.low).cwiseMin(site.box.high);
+    if ((place - nearest).norm() < clearance && site.distance(place) < clearance)
+      return false;
+  }
+  return true;
+}
+
+/// Writes the next handle of a site into `handles`; false where the surface has no room for another one.
+bool placeNext(std::vector<Site>& sites, Site& site, Points& handles, Eigen::Index& placed) {
+  const double clearance = kSurfaceClearance * site.offset;
+  while (const std::optional<Eigen::Index> vertex = site.vertices.next()) {
+    const Vec3 outward = site.normals.row(*vertex).cast<double>().transpose();
+    const Vec3 handle = site.mesh.points.row(*vertex).transpose() + site.offset * outward;
+    if (outward.squaredNorm() > 0 && nearestRow(handles, placed, handle) >= clearance &&
+        isFree(sites, handle, clearance)) {
+      handles.row(placed++) = handle.transpose();
+      site.vertices.accept(*vertex);
+      return true;
+    }
+    site.vertices.exclude(*vertex, clearance);
+  }
+  return false;
+}
+
+/// Shares `count` handles in proportion to the areas: each organ its whole part, what is left to the largest
+/// remainders.
+void share(std::vector<Site*>& sites, int count) {
+  std::vector<double> parts;
+  double all = 0;
+  for (const Site* site : sites)
+    all += parts.emplace_back(geometry::area(site->mesh.points, site->mesh.triangles));
+  int left = count;
+  for (std::size_t i = 0; i < sites.size(); ++i) {
+    parts[i] = all > 0 ? count * parts[i] / all : double(count) / double(sites.size());
+    sites[i]->wanted = static_cast<int>(parts[i]);
+    parts[i] -= sites[i]->wanted;
+    left -= sites[i]->wanted;
+  }
+  for (; left > 0; --left) {
+    const auto most = std::max_element(parts.begin(), parts.end());
+    ++sites[static_cast<std::size_t>(most - parts.begin())]->wanted;
+    *most = -1;
+  }
+}
+
+} // namespace
+
+Points placeHandles(const geometry::TriangleMesh& organ, const Placement& placement) {
+  return placeHandles(std::vector{&organ}, placement);
+}
+
+Points placeHandles(const std::vector<const geometry::TriangleMesh*>& organs, const Placement& placement) {
+  std::vector<Site> sites;
+  sites.reserve(organs.size());
+  for (const geometry::TriangleMesh* organ : organs)
+    if (organs.size() == 1 || isLargeEnough(*organ)) {
+      requireEnough(*organ, placement);
+      sites.emplace_back(*organ, placement.offsetFraction);
+    }
+  if (sites.empty())
+    throw DataError("there is no surface for handles", "handles", "load a closed surface");
+  Points ends(2 * static_cast<Eigen::Index>(sites.size()), 3);
+  for (std::size_t i = 0; i < sites.size(); ++i) {
+    ends.row(2 * static_cast<Eigen::Index>(i)) = sites[i].box.low.transpose();
+    ends.row(2 * static_cast<Eigen::Index>(i) + 1) = sites[i].box.high.transpose();
+  }
   Points handles(placement.count, 3);
   Eigen::Index placed = 0;
   if (placement.enclosing) {
-    handles.topRows(kCorners) = enclosingHandles(organ.points, placement.boxMargin);
+    handles.topRows(kCorners) = enclosingHandles(ends, placement.boxMargin);
     placed = kCorners;
   }
-  while (placed < handles.rows()) {
-    const std::optional<Eigen::Index> vertex = vertices.next();
-    if (!vertex)
-      throw DataError(phrase("the surface has room for %1 of %2 handles", placed, placement.count), "handles",
-                      "ask for fewer, or put them nearer to the surface");
-    const Vec3 outward = normals.row(*vertex).cast<double>().transpose();
-    const Vec3 handle = organ.points.row(*vertex).transpose() + offset * outward;
-    if (outward.squaredNorm() > 0 && nearestRow(handles, placed, handle) >= kSurfaceClearance * offset &&
-        distance(handle) >= kSurfaceClearance * offset) {
-      handles.row(placed++) = handle.transpose();
-      vertices.accept(*vertex);
-    } else {
-      vertices.exclude(*vertex, kSurfaceClearance * offset);
+  std::vector<Site*> largestFirst;
+  for (Site& site : sites)
+    largestFirst.push_back(&site);
+  std::stable_sort(largestFirst.begin(), largestFirst.end(), [](const Site* a, const Site* b) {
+    return geometry::area(a->mesh.points, a->mesh.triangles) >
+           geometry::area(b->mesh.points, b->mesh.triangles);
+  });
+  share(largestFirst, placement.count - static_cast<int>(placed));
+  for (Site* site : largestFirst)
+    while (site->wanted > 0 && placeNext(sites, *site, handles, placed))
+      --site->wanted;
+  for (Site* site : largestFirst) // What others had no room for.
+    while (placed < handles.rows() && placeNext(sites, *site, handles, placed)) {
     }
-  }
+  if (placed < handles.rows())
+    throw DataError(phrase("the surface has room for %1 of %2 handles", placed, placement.count), "handles",
+                    "ask for fewer, or put them nearer to the surface");
   return handles;
 }
 

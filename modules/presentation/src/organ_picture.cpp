@@ -124,6 +124,7 @@ void OrganPicture::updateSelection(Shown& shown, bool selected, bool visible) {
     shown.outline = std::make_unique<scene::GhostOutline>(shown.organ->mesh);
     shown.outline->setPoints(*shown.points, shown.actor->normals());
     shown.outline->setOpacity(1);
+    shown.outline->setSeenThrough(false);
     shown.outline->setRenderer(view_.renderer());
   }
   shown.outline->setColor(view_.theme().accent);

@@ -1,6 +1,7 @@
 #include "viscera/presentation/presenter.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <cstdio>
 #include <iterator>
@@ -162,7 +163,7 @@ std::optional<LegendText> Presenter::Parts::stressLegend(const Scene& scene) con
   const bool marked = values.folded() > 0 && quantity.quantity != live::StressQuantity::folded;
   return LegendText{translate((values.peak() ? quantity.peakName : quantity.name).c_str()),
                     quantity.unit.empty() ? std::string() : translate(quantity.unit.c_str()),
-                    marked ? translate("folded") : std::string(), values.colors(), values.range()};
+                    marked ? translate("folded") : std::string(), values.colors(), values.legendRange()};
 }
 
 void Presenter::Parts::updateLegend(std::optional<LegendText> wanted) {
@@ -366,12 +367,54 @@ Vec3 shownColor(const Vec3& color) {
   return (middle + (color.array() - middle) * (document::kMostVivid / vivid)).matrix();
 }
 
+namespace {
+
+bool separates(char letter) {
+  return letter == '_' || letter == ' ';
+}
+
+std::vector<std::string> wordsOf(const std::string& name) {
+  std::vector<std::string> words(1);
+  for (const char letter : name)
+    if (separates(letter))
+      words.emplace_back();
+    else
+      words.back() += static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
+  std::erase(words, std::string());
+  std::sort(words.begin(), words.end());
+  return words;
+}
+
+/// A name from a file as people would write it. Only ASCII letters change: others are parts of UTF-8.
+std::string readable(const std::string& name) {
+  const std::optional<anatomy::Part> part = anatomy::partNamed(name);
+  if (part && part->extent == anatomy::Extent::whole)
+    if (std::string title = anatomy::titleOf(*part); wordsOf(title) == wordsOf(name))
+      return title;
+  std::string said;
+  for (const char letter : name)
+    if (!separates(letter))
+      said += letter;
+    else if (!said.empty() && said.back() != ' ')
+      said += ' ';
+  while (!said.empty() && said.back() == ' ')
+    said.pop_back();
+  if (said.empty())
+    return name;
+  said[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(said[0])));
+  return said;
+}
+
+} // namespace
+
 std::string labelOf(const document::Organ& organ, const Presenter::Translate& translate) {
   const Presenter::Translate& say = translate ? translate : Presenter::Translate(untranslated);
   const std::optional<anatomy::Part> chamber = anatomy::chamberNamed(organ.name);
   if (chamber && organ.name == anatomy::abbreviationOf(*chamber))
     return say((organ.name + " cavity").c_str());
-  return say(organ.name.c_str());
+  if (std::string said = say(organ.name.c_str()); said != organ.name)
+    return said;
+  return say(readable(organ.name).c_str());
 }
 
 std::string formatMeasured(document::MeasurementKind kind, double value, const std::string& unit,

@@ -1,5 +1,6 @@
 #include "stress_picture.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -16,6 +17,8 @@ constexpr int kMostGlyphs = 300;
 constexpr double kGlyphSize = 0.33;
 /// Handles this little on the side that is cut away stay, of the organ's radius.
 constexpr double kHandleSlack = 0.08;
+/// The opacity of organs around the one with the map, at most.
+constexpr double kAroundMap = 0.15;
 
 bool stressWanted(const Scene& scene) {
   return scene.view.shown.stress && scene.stress && scene.stress->organ;
@@ -179,6 +182,8 @@ std::map<document::OrganId, Appearance> StressPicture::appearances(const Scene& 
     const bool cavity = organ->parent == scene.stress->organ;
     const bool walls = cavity && cut && !look.threshold && look.glyphs == GlyphChoice::none;
     seen.visible = organ->look.visible && (cavity ? walls : look.others);
+    if (!cavity && drawn()) // Opaque ones would hide the map.
+      seen.opacity = std::min(seen.opacity, kAroundMap);
     if (walls)
       seen.clip = cut;
   }

@@ -24,6 +24,13 @@ constexpr double kLowDegrees[] = {0.001, 0.002, 0.005, 0.01, 0.02, 0.05, 0.1, 0.
 /// The lower end stays while what would do is at most so many times as large.
 constexpr double kLowStays = 6;
 
+/// Of rounding: rad, and parts of the volume.
+constexpr double kStill = 1e-5;
+
+bool strains(const deformation::StressMap& map) {
+  return map.rotationalStress.maxCoeff() > kStill || (map.volumeRatio.array() - 1).abs().maxCoeff() > kStill;
+}
+
 template <std::size_t count>
 double stepAbove(const double (&steps)[count], double value) {
   const auto* step = std::lower_bound(std::begin(steps), std::end(steps), value);
@@ -95,6 +102,13 @@ scene::ValueRange joined(scene::ValueRange a, scene::ValueRange b) {
   return {std::min(a.low, b.low), std::max(a.high, b.high), a.logarithmic && b.logarithmic};
 }
 
+scene::ValueRange StressValues::legendRange() const {
+  if (deformed_ || pinned_ || shared_)
+    return range();
+  const double rest = live::describe(quantity_).ratio ? 1 : 0;
+  return {rest, rest};
+}
+
 void StressValues::update(const live::StressFrame& frame, const StressLook& look,
                           std::optional<scene::ValueRange> shared) {
   shared_ = look.pinned ? std::nullopt : shared;
@@ -114,11 +128,14 @@ void StressValues::update(const live::StressFrame& frame, const StressLook& look
   peak_ = peak;
   summary_ = {};
   folded_ = 0;
+  deformed_ = false;
+  pinned_ = look.pinned && valid(look.range);
   if (!ready())
     return;
+  deformed_ = strains(map);
   summary_ = live::summaryOf(*values_, frame.mesh->witnesses);
   folded_ = static_cast<int>((map.volumeRatio.head(frame.mesh->witnesses).array() <= 0).count());
-  if (look.pinned && valid(look.range))
+  if (pinned_)
     range_ = onScale(look.quantity, look.range, look.logarithmic);
   else
     range_ = steppedRange(look.quantity, {summary_.percentile5, summary_.percentile95},

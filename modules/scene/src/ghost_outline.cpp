@@ -44,6 +44,7 @@ struct GhostOutline::Parts {
   std::shared_ptr<geometry::TriangleMesh> posed; ///< `mesh`, once it has points of its own.
   geometry::Normals normals;
   double diagonal = 0;
+  bool through = true;
   std::vector<float> segments;
   vtkMTimeType drawnFor = 0;
 
@@ -78,7 +79,7 @@ void GhostOutline::Parts::follow() {
   const auto view = viewGeometry(renderer);
   for (const auto& actor : actors)
     actor->GetProperty()->SetLineWidth(static_cast<float>(kLinePixels * view.pixelRatio));
-  if (!actors[0]->GetVisibility() || renderer->GetActiveCamera()->GetMTime() == drawnFor)
+  if (!actors[1]->GetVisibility() || renderer->GetActiveCamera()->GetMTime() == drawnFor)
     return;
   drawnFor = renderer->GetActiveCamera()->GetMTime();
   silhouette(*mesh, normals, view, segments);
@@ -142,6 +143,11 @@ void GhostOutline::setOpacity(double opacity) {
   parts_->actors[1]->GetProperty()->SetOpacity(opacity);
 }
 
+void GhostOutline::setSeenThrough(bool through) {
+  parts_->through = through;
+  setVisible(visible());
+}
+
 void GhostOutline::setClipPlane(const Vec3& origin, const Vec3& normal) {
   vtkNew<vtkPlane> plane;
   plane->SetOrigin(origin.data());
@@ -157,12 +163,12 @@ void GhostOutline::clearClipPlane() {
 }
 
 void GhostOutline::setVisible(bool visible) {
-  for (const auto& actor : parts_->actors)
-    actor->SetVisibility(visible);
+  parts_->actors[0]->SetVisibility(visible && parts_->through);
+  parts_->actors[1]->SetVisibility(visible);
 }
 
 bool GhostOutline::visible() const {
-  return parts_->actors[0]->GetVisibility() != 0;
+  return parts_->actors[1]->GetVisibility() != 0;
 }
 
 } // namespace viscera::scene

@@ -79,6 +79,14 @@ std::vector<double> decadeTicks(ValueRange range, const std::vector<double>& mul
   return ticks;
 }
 
+/// A part of the bar's length. A range of a single value is drawn as its only tick: 0 at the lower end, else
+/// in the middle.
+double placeOnBar(ValueRange range, double value) {
+  if (!(range.high > range.low))
+    return value == 0 ? 0 : 0.5;
+  return std::clamp(partOf(range, value), 0.0, 1.0);
+}
+
 std::vector<double> logarithmicTicks(ValueRange range, int most) {
   std::vector<double> ticks;
   for (const std::vector<double>& multiples : {std::vector<double>{1, 2, 5}, {1, 3}, {1}})
@@ -272,7 +280,7 @@ void Legend::Parts::layOutTicks(const BarPlace& place, double ratio) {
   const double gap = place.level ? -ratio * kLevelGap : ratio * kLegendGap;
   double written = -std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < ticks.size(); ++i) {
-    const double along = place.length * std::clamp(partOf(range, ticks[i]), 0.0, 1.0);
+    const double along = place.length * placeOnBar(range, ticks[i]);
     const auto from = place.at(along, edge), to = place.at(along, edge + tick);
     cells->InsertNextCell({lines.add(from[0], from[1]), lines.add(to[0], to[1])});
     layOutLabel(i, place.at(along, edge + tick + gap), place.level);

@@ -134,4 +134,69 @@ TEST(PlaceHandles, KeepOffTheBunny) {
     EXPECT_GT(nearestVertex(*organ, handles.row(i).transpose()), 0.5 * offset) << i;
 }
 
+/// The parts of the handles that lie nearest to each of the organs.
+std::vector<int> handlesAround(const std::vector<geometry::TriangleMesh>& organs, const Points& handles,
+                               Eigen::Index first) {
+  std::vector<int> counts(organs.size());
+  for (Eigen::Index row = first; row < handles.rows(); ++row) {
+    std::size_t nearest = 0;
+    for (std::size_t organ = 1; organ < organs.size(); ++organ)
+      if (nearestVertex(organs[organ], handles.row(row).transpose()) <
+          nearestVertex(organs[nearest], handles.row(row).transpose()))
+        nearest = organ;
+    ++counts[nearest];
+  }
+  return counts;
+}
+
+std::vector<const geometry::TriangleMesh*> pointersTo(const std::vector<geometry::TriangleMesh>& organs) {
+  std::vector<const geometry::TriangleMesh*> all;
+  for (const auto& organ : organs)
+    all.push_back(&organ);
+  return all;
+}
+
+TEST(PlaceHandles, AroundSeveralOrgansGoByTheSizeOfTheirSurfaces) {
+  const std::vector<geometry::TriangleMesh> organs = {
+      tests::sphere(3, 20, Vec3(-200, 0, 0)), tests::sphere(4, 60), tests::sphere(3, 40, Vec3(300, 0, 0))};
+  Placement placement;
+  placement.count = 8 + 56; // Areas of 1, 9 and 4: shares of 4, 36 and 16.
+  const Points handles = placeHandles(pointersTo(organs), placement);
+  EXPECT_EQ(handlesAround(organs, handles, 8), (std::vector<int>{4, 36, 16}));
+  for (Eigen::Index row = 8; row < handles.rows(); ++row) {
+    const Vec3 place = handles.row(row).transpose();
+    EXPECT_GT((place - Vec3(-200, 0, 0)).norm(), 20);
+    EXPECT_GT(place.norm(), 60);
+    EXPECT_GT((place - Vec3(300, 0, 0)).norm(), 40);
+  }
+  const Bounds box = boundsOf(handles.topRows(8).eval());
+  EXPECT_LT(box.low.x(), -220);
+  EXPECT_GT(box.high.x(), 340) << "the box encloses all of them";
+}
+
+TEST(PlaceHandles, AroundSeveralOrgansLieInNoneOfThem) {
+  const std::vector<geometry::TriangleMesh> organs = {
+      tests::sphere(4, 50), tests::sphere(3, 20, Vec3(71, 0, 0))}; // They all but touch.
+  Placement placement;
+  placement.count = 60;
+  const Points handles = placeHandles(pointersTo(organs), placement);
+  for (Eigen::Index row = 8; row < handles.rows(); ++row) {
+    EXPECT_GT(handles.row(row).norm(), 50);
+    EXPECT_GT((handles.row(row).transpose() - Vec3(71, 0, 0)).norm(), 20);
+  }
+}
+
+TEST(PlaceHandles, AroundOneOfAListAreThoseAroundItAlone) {
+  const auto organ = tests::sphere(3, 50);
+  EXPECT_EQ(placeHandles(std::vector{&organ}, Placement{}), placeHandles(organ, Placement{}));
+}
+
+TEST(PlaceHandles, LeaveOutAFragmentBesideOrgans) {
+  std::vector<geometry::TriangleMesh> organs = {tests::sphere(3, 50), tests::sphere(3, 50, Vec3(200, 0, 0))};
+  organs[1].points.conservativeResize(3, 3);
+  organs[1].triangles = Triangles(1, 3);
+  organs[1].triangles << 0, 1, 2;
+  EXPECT_EQ(placeHandles(pointersTo(organs), Placement{}).rows(), Placement().count);
+}
+
 } // namespace viscera::deformation

@@ -96,5 +96,44 @@ TEST(StressColors, HaveNoMagentaBesidesTheFolded) {
   }
 }
 
+/// Witness points whose tissue is turned by that many degrees and has that part of its volume.
+live::StressFrame frameOf(const deformation::WitnessMesh& mesh, deformation::StressMap& map, double degrees,
+                          double volumeRatio) {
+  const auto count = mesh.points.rows();
+  map.rotationalStress = Values::Constant(count, degrees * M_PI / 180);
+  map.volumeRatio = Values::Constant(count, volumeRatio);
+  map.stretchMax = map.stretchMin = Values::Ones(count);
+  live::StressFrame frame;
+  frame.mesh = std::shared_ptr<const deformation::WitnessMesh>(&mesh, [](const auto*) {});
+  frame.map = std::shared_ptr<const deformation::StressMap>(&map, [](const auto*) {});
+  return frame;
+}
+
+TEST(LegendOfStress, HasNoScaleAtRestAndTheRangeWhereSomethingIsDeformed) {
+  deformation::WitnessMesh mesh;
+  mesh.points = Points::Zero(20, 3);
+  mesh.witnesses = 20;
+  deformation::StressMap map;
+  StressValues values;
+  StressLook look;
+  values.update(frameOf(mesh, map, 1e-9, 1), look);
+  EXPECT_FALSE(values.deformed());
+  EXPECT_EQ(values.legendRange(), (Range{0, 0})) << "no angle is invented";
+  look.quantity = Quantity::volumeRatio;
+  values.update(frameOf(mesh, map, 0, 1 + 1e-12), look);
+  EXPECT_EQ(values.legendRange(), (Range{1, 1}));
+  values.update(frameOf(mesh, map, 0, 1.2), look);
+  EXPECT_TRUE(values.deformed());
+  EXPECT_EQ(values.legendRange(), values.range());
+  look.quantity = Quantity::rotationalStress;
+  values.update(frameOf(mesh, map, 4, 1), look);
+  EXPECT_TRUE(values.deformed());
+  EXPECT_GT(values.legendRange().high, 4);
+  look.pinned = true;
+  look.range = {0, 20};
+  values.update(frameOf(mesh, map, 0, 1), look);
+  EXPECT_EQ(values.legendRange(), (Range{0, 20})) << "the user's own range";
+}
+
 } // namespace
 } // namespace viscera::presentation

@@ -156,16 +156,25 @@ void KeyframedSequence::poseAt(double seconds, double ratePerMinute, Points& pos
     pose = from + place.part * (track_.keys[place.to].pose - from);
 }
 
+/// Each instant is named after the key that is nearest to it, as tables of the keys mark it: every key has
+/// its surroundings, from half way before it to half way behind it.
 std::vector<Phase> KeyframedSequence::phases(double) const {
   std::vector<Phase> phases;
-  if (track_.keys.front().seconds > 0)
-    phases.push_back({"start", 0, 1});
-  for (std::size_t i = 0; i < track_.keys.size(); ++i) {
-    const double begin = track_.keys[i].seconds / track_.periodSeconds;
+  const auto add = [&](Text name, double seconds) {
+    const double begin = seconds / track_.periodSeconds;
     if (!phases.empty())
       phases.back().end = begin;
-    phases.push_back({phrase("key %1", i + 1), begin, 1});
+    phases.push_back({std::move(name), begin, 1});
+  };
+  const std::vector<Keyframe>& keys = track_.keys;
+  if (keys.front().seconds > 0)
+    add("start", 0);
+  for (std::size_t i = 0; i < keys.size(); ++i) {
+    const double before = i > 0 ? keys[i - 1].seconds : 0;
+    add(phrase("key %1", i + 1), 0.5 * (before + keys[i].seconds));
   }
+  if (track_.loop && keys.size() > 1 && keys.front().seconds == 0) // The first key comes again.
+    add(phrase("key %1", 1), 0.5 * (keys.back().seconds + track_.periodSeconds));
   return phases;
 }
 

@@ -123,6 +123,32 @@ TEST(Keyframes, phasesCoverThePeriodFromKeyToKey) {
   EXPECT_EQ(phases.back().end, 1);
 }
 
+/// What a table of the keys marks, the nearest one, has the same number as the name of the instant.
+TEST(Keyframes, everyInstantIsNamedAfterTheNearestKey) {
+  for (const double first : {0.0, 0.5}) {
+    KeyframedSequence::Track recorded = track();
+    recorded.keys.front().seconds = first;
+    const KeyframedSequence sequence(recorded);
+    const std::vector<double> keys = sequence.keys();
+    const auto phases = sequence.phases(15);
+    for (double second = 0.5 * first + 1e-3; second < recorded.periodSeconds; second += 0.01) {
+      std::size_t nearest = 0;
+      const auto gap = [&](std::size_t key) {
+        const double apart = std::abs(keys[key] - second);
+        return first == 0 ? std::min(apart, recorded.periodSeconds - apart) : apart;
+      };
+      for (std::size_t key = 1; key < keys.size(); ++key)
+        if (gap(key) < gap(nearest))
+          nearest = key;
+      const double part = second / recorded.periodSeconds;
+      const auto at =
+          std::find_if(phases.begin(), phases.end(), [part](const Phase& phase) { return part < phase.end; });
+      ASSERT_NE(at, phases.end());
+      EXPECT_EQ(at->name.english(), "key " + std::to_string(nearest + 1)) << second << " s";
+    }
+  }
+}
+
 TEST(Keyframes, oneKeyIsAPoseThatStays) {
   KeyframedSequence::Track recorded = track();
   recorded.keys.resize(1);

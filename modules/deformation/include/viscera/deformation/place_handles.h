@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include "viscera/geometry/triangle_mesh.h"
 
 namespace viscera::deformation {
@@ -25,6 +27,13 @@ struct Placement {
 /// (design notes, science section 1). Deterministic. Throws `DataError` for a mesh with fewer than four
 /// vertices or a count too small. O(n count). Returns `count x 3`.
 Points placeHandles(const geometry::TriangleMesh& organ, const Placement& placement = {});
+
+/// Places handles around several organs, each of which gets handles in proportion to the area of its surface
+/// and at its own distance (`offsetFraction` of its diagonal); none lies on or inside another organ. Handles
+/// for which an organ has no room go to the larger ones. The box encloses all organs. Deterministic; of one
+/// organ the same as above. Throws `DataError` as above, and where all organs together have no room.
+/// O(vertices of an organ x its handles + handles x all vertices).
+Points placeHandles(const std::vector<const geometry::TriangleMesh*>& organs, const Placement& placement);
 
 /// The eight corners of the organ's box grown by `margin` of its diagonal, `8 x 3`.
 Points enclosingHandles(const Points& organPoints, double margin = 0.15);

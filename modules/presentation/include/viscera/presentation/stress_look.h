@@ -36,7 +36,7 @@ struct StressLook {
   bool below = false; ///< Shows what is below the limit instead of what is above.
   GlyphChoice glyphs = GlyphChoice::none;
   bool handles = true;
-  bool others = false; ///< The other organs stay in the picture.
+  bool others = true; ///< The other organs stay in the picture, as glass around the map.
   int witnesses = live::WitnessOptions().wanted;
   bool sameRange = true; ///< Beside another view with a stress map: one range for both.
   int probe = -1;        ///< The point of the mesh whose values are shown; -1: none.

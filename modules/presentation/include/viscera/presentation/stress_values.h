@@ -36,6 +36,11 @@ public:
   /// The colours; `missing` marks folded tissue.
   const scene::ColorMap& colors() const { return colors_; }
   scene::ValueRange range() const { return shared_.value_or(range_); }
+  /// Whether the shown pose, or the sequence, strains the organ at all.
+  bool deformed() const { return deformed_; }
+  /// What a legend says: `range`, but at rest only the value that undeformed tissue has. A scale that no
+  /// number reaches would invent an amount.
+  scene::ValueRange legendRange() const;
   /// The range that these numbers alone would have.
   scene::ValueRange ownRange() const { return range_; }
 
@@ -48,6 +53,8 @@ private:
   std::shared_ptr<const deformation::WitnessMesh> mesh_; ///< The mesh to which the range belongs.
   scene::ColorMap colors_;
   scene::ValueRange range_{0, 0};
+  bool deformed_ = false;
+  bool pinned_ = false; ///< The user keeps the range.
   std::optional<scene::ValueRange> shared_;
 };
 

@@ -29,6 +29,8 @@ public:
   void setRenderer(vtkRenderer* renderer);
   void setColor(const Vec3& color);
   void setOpacity(double opacity);
+  /// Whether the part behind organs is drawn faintly, as at first; false: opaque organs hide the outline.
+  void setSeenThrough(bool through);
   /// Clips the outline on the negative side of a plane (`normal` need not be unit), as `OrganActor` does.
   void setClipPlane(const Vec3& origin, const Vec3& normal);
   void clearClipPlane();
