@@ -46,6 +46,9 @@ protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
   void contextMenuEvent(QContextMenuEvent* event) override;
 
+  /// What an empty list says: that an organ is on its way, or how to get one.
+  void setWaiting(bool waiting);
+
 private:
   void rebuild();
   bool sameRows() const;
