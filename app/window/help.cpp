@@ -82,7 +82,7 @@ void Help::startTask() {
   if (!front)
     return;
   if (!task_) {
-    task_ = new TaskCard(parts_.workspace, parts_.area.view());
+    task_ = new TaskCard(parts_.workspace, &parts_.area);
     parts_.area.addCard(task_, Qt::AlignBottom | Qt::AlignHCenter);
   }
   showWelcome(false);

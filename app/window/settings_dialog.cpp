@@ -19,7 +19,7 @@
 namespace viscera::app {
 namespace {
 
-constexpr int kWidth = 520;
+constexpr int kSettingsWidth = 520;
 
 QString withoutMark(QString text) {
   return text.remove(QLatin1Char('&'));
@@ -31,7 +31,7 @@ SettingsDialog::SettingsDialog(Settings& settings, const Actions& actions, QWidg
     : QDialog(parent), settings_(settings), actions_(actions) {
   setObjectName(QStringLiteral("settings"));
   setWindowTitle(tr("Settings"));
-  setMinimumWidth(kWidth);
+  setMinimumWidth(kSettingsWidth);
   auto* column = makeLayout<QVBoxLayout>(this, 12, {16, 16, 16, 16});
   column->addWidget(makeLook());
   column->addWidget(makeStart());
@@ -112,7 +112,7 @@ void SettingsDialog::addFolder(QFormLayout& form, const QString& name, const cha
   const auto tell = [this, place, key, standard] {
     const QString folder = QDir::toNativeSeparators(settings_.folder(key, standard));
     place->setToolTip(folder);
-    place->setText(place->fontMetrics().elidedText(folder, Qt::ElideMiddle, kWidth / 2));
+    place->setText(place->fontMetrics().elidedText(folder, Qt::ElideMiddle, kSettingsWidth / 2));
   };
   tell();
   auto* choose = new QPushButton(tr("Choose..."), row);

@@ -19,7 +19,7 @@
 namespace viscera::app {
 namespace {
 
-constexpr int kWidth = 1000, kHeight = 700, kListWidth = 280;
+constexpr int kGuideWidth = 1000, kGuideHeight = 700, kListWidth = 280;
 /// Headings below are in the page, but not in the list without a search.
 constexpr int kListedLevel = 2;
 constexpr int kPageRole = Qt::UserRole, kSectionRole = Qt::UserRole + 1;
@@ -31,7 +31,7 @@ GuideWindow::GuideWindow(QWidget* parent)
       sections_(new QListWidget), browser_(new QTextBrowser) {
   setObjectName(QStringLiteral("guide"));
   setWindowTitle(tr("User guide"));
-  resize(kWidth, kHeight);
+  resize(kGuideWidth, kGuideHeight);
   auto* split = new QSplitter(this);
   makeLayout<QVBoxLayout>(this, 0, {8, 8, 8, 8})->addWidget(split);
   split->addWidget(makeList());
@@ -40,7 +40,7 @@ GuideWindow::GuideWindow(QWidget* parent)
   browser_->setAccessibleName(windowTitle());
   split->addWidget(browser_);
   split->setStretchFactor(1, 1);
-  split->setSizes({kListWidth, kWidth - kListWidth});
+  split->setSizes({kListWidth, kGuideWidth - kListWidth});
   connect(browser_, &QTextBrowser::anchorClicked, this, &GuideWindow::follow);
   connect(search_, &QLineEdit::textChanged, this, &GuideWindow::search);
   connect(search_, &QLineEdit::returnPressed, this, [this] {

@@ -19,7 +19,7 @@
 namespace viscera::app {
 namespace {
 
-constexpr int kDecimals = 3, kFactorDecimals = 6;
+constexpr int kValueDecimals = 3, kFactorDecimals = 6;
 /// What pieces of organs are asked for first, by the unit.
 constexpr double kFirstMm = 10, kFirstMl = 0.5;
 
@@ -56,7 +56,7 @@ QWidget* RepairValueBox::makeValue() {
   unit_->setAccessibleName(tr("Unit"));
   layout->addWidget(unit_);
   unit_->setVisible(range.units.size() > 1);
-  value_->setDecimals(repair_ == "scale" ? kFactorDecimals : kDecimals);
+  value_->setDecimals(repair_ == "scale" ? kFactorDecimals : kValueDecimals);
   value_->setRange(range.low, range.high);
   if (repair_ == "remesh")
     value_->setRange(medical_io::finestResolutionMm(*mesh_), sizeMm_.maxCoeff());

@@ -6,7 +6,7 @@ namespace viscera::app {
 namespace {
 
 /// Of the view's height: as the camera frames an organ.
-constexpr double kPartOfView = 0.8;
+constexpr double kPictureOfView = 0.8;
 
 } // namespace
 
@@ -23,7 +23,7 @@ void FirstPicture::showSample(const QString& name) {
 }
 
 void FirstPicture::paintEvent(QPaintEvent*) {
-  const QSize room(width(), static_cast<int>(kPartOfView * height()));
+  const QSize room(width(), static_cast<int>(kPictureOfView * height()));
   const QSize size = picture_.size().scaled(room, Qt::KeepAspectRatio);
   QRect place(QPoint(0, 0), size);
   place.moveCenter(rect().center());

@@ -10,7 +10,7 @@
 namespace viscera::app {
 namespace {
 
-constexpr int kWidth = 360;
+constexpr int kTaskWidth = 360;
 constexpr int kPraiseMs = 6000; ///< So long the card stays when the task is done.
 
 } // namespace
@@ -19,7 +19,7 @@ TaskCard::TaskCard(Workspace& workspace, QWidget* parent)
     : QFrame(parent), workspace_(workspace), text_(new QLabel(this)), end_(new QTimer(this)),
       subscription_(workspace.onChange([this](const document::Change& change) { look(change); })) {
   setObjectName(QStringLiteral("welcomeCard"));
-  setFixedWidth(kWidth);
+  setFixedWidth(kTaskWidth);
   auto* row = makeLayout<QHBoxLayout>(this, 8, {16, 10, 10, 10});
   text_->setObjectName(QStringLiteral("taskText"));
   text_->setWordWrap(true);

@@ -28,7 +28,7 @@ constexpr double kFiner = 0.98;
 /// Organs of people are not larger or smaller than those of the middle by as much as this, along a side.
 constexpr double kNotOnePerson = 1.6;
 
-std::string inDigits(double value) {
+std::string threeDigits(double value) {
   std::array<char, 32> digits{};
   const auto [end, error] =
       std::to_chars(digits.data(), digits.data() + digits.size(), value, std::chars_format::general, 3);
@@ -45,7 +45,7 @@ void offerFactors(DraftOrgan& organ, bool labelMap) {
     const auto factor = medical_io::lifeSizeFactor(organ.name, organ.assessment.volumeMl);
     const bool far = factor && std::max(*factor, 1 / *factor) > kNotOnePerson;
     if (finding.repairs.empty() && far)
-      finding.repairs.push_back("scale=" + inDigits(*factor));
+      finding.repairs.push_back("scale=" + threeDigits(*factor));
     if (finding.severity == FindingSeverity::fault || far)
       finding.repairs.emplace_back("scale");
   }
@@ -57,7 +57,7 @@ void offerFactors(DraftOrgan& organ, bool labelMap) {
     const double finest = medical_io::finestResolutionMm(*organ.beforeRemesh);
     const double half = std::max(organ.resolutionMm / 2, finest);
     if (half < organ.resolutionMm * kFiner)
-      finer.push_back("remesh=" + inDigits(std::max(half, finest * (2 - kFiner))));
+      finer.push_back("remesh=" + threeDigits(std::max(half, finest * (2 - kFiner))));
   }
   findings.push_back({FindingSeverity::doubt, *lost, std::move(finer), FindingSubject::detail});
 }

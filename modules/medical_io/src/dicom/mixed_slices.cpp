@@ -11,7 +11,7 @@ namespace viscera::medical_io {
 namespace {
 
 template <class Sample>
-Sample between(Sample a, Sample b, double part) {
+Sample mixOf(Sample a, Sample b, double part) {
   const double value = (1 - part) * double(a) + part * double(b);
   if constexpr (std::is_floating_point_v<Sample>)
     return static_cast<Sample>(value);
@@ -37,7 +37,7 @@ Scan::Samples mixedSlices(const Scan::Samples& measured, std::size_t slice,
                 for (std::size_t i = 0; i < slice; ++i) {
                   const Sample near = nearBelow ? below[i] : above[i];
                   const bool both = isMeasured(below[i]) && isMeasured(above[i]);
-                  mixed[k * slice + i] = both ? between(below[i], above[i], part) : near;
+                  mixed[k * slice + i] = both ? mixOf(below[i], above[i], part) : near;
                 }
               }
             });

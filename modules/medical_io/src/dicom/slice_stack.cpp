@@ -335,7 +335,7 @@ void reportTilt(const DicomFrame& frame, const Vec3& step, std::size_t steps,
 
 /// p(i, j, k) = p_0 + i d_c row + j d_r column + k step: the step between slices is as it is, not along the
 /// normal, so that a tilted gantry's shear is kept.
-Eigen::Affine3d gridOf(const DicomFrame& frame, const Vec3& origin, const Vec3& step) {
+Eigen::Affine3d stackGrid(const DicomFrame& frame, const Vec3& origin, const Vec3& step) {
   Eigen::Affine3d grid;
   grid.linear() << frame.row * frame.betweenColumns, frame.column * frame.betweenRows, step;
   grid.translation() = origin;
@@ -360,7 +360,7 @@ SliceStack evenStack(const FrameList& list, const std::vector<std::size_t>& slic
     stack.findings.push_back({ScanFinding::Kind::other, "It does not say how thick its slice is; 1 mm is "
                                                         "assumed, so volumes in it are not measured"});
   }
-  stack.indexToLps = gridOf(first, first.position, step);
+  stack.indexToLps = stackGrid(first, first.position, step);
   return stack;
 }
 
@@ -393,7 +393,7 @@ std::optional<SliceStack> resampledStack(const FrameList& list, const std::vecto
     const double part = (here - height(under)) / (height(under + 1) - height(under));
     stack.mixes.push_back({under, std::clamp(part, 0.0, 1.0)});
   }
-  stack.indexToLps = gridOf(at(0), origin + (begin - below * step) * slope, step * slope);
+  stack.indexToLps = stackGrid(at(0), origin + (begin - below * step) * slope, step * slope);
   return stack;
 }
 
