@@ -40,14 +40,13 @@ public:
   OrganMenu* menu() const { return menu_; }
   /// Opens the name of the selected organ for editing.
   void editName();
+  /// What an empty list says: that an organ is on its way, or how to get one.
+  void setWaiting(bool waiting);
 
 protected:
   void changeEvent(QEvent* event) override;
   bool eventFilter(QObject* watched, QEvent* event) override;
   void contextMenuEvent(QContextMenuEvent* event) override;
-
-  /// What an empty list says: that an organ is on its way, or how to get one.
-  void setWaiting(bool waiting);
 
 private:
   void rebuild();
