@@ -25,9 +25,25 @@ std::string spacingText(const Vec3& spacing) {
 
 std::string_view nameOf(medical_io::ScanFinding::Kind kind) {
   // In the order of the enumeration.
-  static constexpr std::array<std::string_view, 8> kNames = {
-      "missing-slice", "doubled-slice", "uneven-spacing", "tilt", "order", "mixed-sizes", "damaged", "other"};
+  static constexpr std::array<std::string_view, 10> kNames = {
+      "missing-slice", "doubled-slice", "uneven-spacing", "tilt",      "order",
+      "mixed-sizes",   "damaged",       "other",          "part-read", "resampled"};
   return kNames[static_cast<std::size_t>(kind)];
+}
+
+/// "slices 1 to 14 of 28"; nothing where all are read as they are.
+std::string sliceText(const medical_io::SliceRange& slices) {
+  if (slices.resampled)
+    return "all " + std::to_string(slices.all) + " slices, resampled";
+  if (slices.last - slices.first + 1 >= slices.all)
+    return {};
+  return "slices " + std::to_string(slices.first) + " to " + std::to_string(slices.last) + " of " +
+         std::to_string(slices.all);
+}
+
+ordered_json slicesJson(const medical_io::SliceRange& slices) {
+  return {
+      {"first", slices.first}, {"last", slices.last}, {"all", slices.all}, {"resampled", slices.resampled}};
 }
 
 ordered_json scanFindingsJson(const medical_io::Scan& scan) {
@@ -46,6 +62,7 @@ ordered_json seriesJson(const std::vector<medical_io::ScanSeries>& all) {
                     {"size", series.size},
                     {"spacingMm", numbersJson(series.spacing)},
                     {"phases", series.phases},
+                    {"slices", slicesJson(series.slices)},
                     {"files", series.files.size()}});
   return list;
 }
@@ -81,8 +98,11 @@ void ScanInputOptions::addTo(CLI::App& options) {
 
 void ScanInputOptions::addChoiceTo(CLI::App& options) {
   options
-      .add_option("--series", chosen_.series,
-                  "Of a DICOM folder with several series; viscera info lists them")
+      .add_option(
+          "--series", chosen_.series,
+          "Of a DICOM folder with several series; viscera info lists them. Behind it, or alone for the "
+          "largest: @2 for the next even part of slices that are not even, @all for all of them "
+          "resampled")
       ->type_name("ID");
   options
       .add_option_function<int>(
@@ -145,9 +165,11 @@ Outcome describeScan(const medical_io::Scan& scan, const std::string& file, Comm
   if (labels)
     listing.add("label map", labels->string() + ", beside it");
   if (series.size() > 1)
-    for (const medical_io::ScanSeries& one : series)
+    for (const medical_io::ScanSeries& one : series) {
+      const std::string slices = sliceText(one.slices);
       listing.add("  " + one.id, one.description + ", " + one.modality + ", " + sizeText(one.size) + ", " +
-                                     spacingText(one.spacing));
+                                     spacingText(one.spacing) + (slices.empty() ? "" : ", " + slices));
+    }
   outcome.text = listing.text();
   return outcome;
 }

@@ -12,8 +12,10 @@ Actions::Actions(QWidget* window) : QObject(window), window_(window) {}
 QAction* Actions::make(const char* id, const Description& description) {
   auto* action = new QAction(description.text, window_);
   action->setObjectName(QLatin1String(id));
-  if (description.icon)
+  if (description.icon) {
     action->setIcon(icon(description.icon));
+    action->setProperty(kIconName, QLatin1String(description.icon));
+  }
   action->setShortcuts(description.shortcuts);
   QString label = description.text;
   label.remove(QLatin1Char('&'));

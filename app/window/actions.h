@@ -12,6 +12,9 @@ class QWidget;
 
 namespace viscera::app {
 
+/// A property of an action: the name of its icon.
+inline constexpr const char* kIconName = "iconName";
+
 /// A register of the window's actions by name; menus, panels and the list of shortcuts share one action.
 class Actions final : public QObject {
   Q_OBJECT

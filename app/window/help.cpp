@@ -1,12 +1,23 @@
 #include "window/help.h"
 
+#include <algorithm>
+#include <map>
+#include <string>
+
+#include "window/guide/guide_window.h"
 #include "window/widgets/help_cards.h"
+#include "window/widgets/task_card.h"
 
 namespace viscera::app {
 
 Help::Help(const Parts& parts, Actions& actions, QObject* parent) : QObject(parent), parts_(parts) {
-  actions.add("help.shortcuts",
-              {tr("&Mouse and keys"), "help", {Qt::Key_Question, tr("Shift+?"), Qt::Key_F1}, {}}, [this] {
+  actions.add("help.guide",
+              {tr("User &guide"), "help", {Qt::Key_F1}, tr("The guide, at what the present mode does")},
+              [this] { openGuide(); });
+  actions.add("help.task", {tr("&First task: drag a dot"), "handles", {}, {}}, [this] { startTask(); });
+  actions.enableWhile({"help.task"}, [this] { return !parts_.workspace.document().rig().handles.empty(); });
+  actions.add("help.shortcuts", {tr("&Mouse and keys"), nullptr, {Qt::Key_Question, tr("Shift+?")}, {}},
+              [this] {
                 shortcuts_->setVisible(!shortcuts_->isVisible());
                 shortcuts_->raise();
               });
@@ -24,6 +35,7 @@ void Help::makeCards(const QMenuBar& menus, QMenu* samples) {
   parts_.area.addCard(shortcuts_, Qt::AlignCenter);
   connect(welcome_, &WelcomeCard::openRequested, &parts_.files, [this] { parts_.files.chooseAndOpen(); });
   connect(welcome_, &WelcomeCard::tourRequested, this, &Help::startTour);
+  connect(welcome_, &WelcomeCard::taskRequested, this, &Help::startTask);
   // After a change of the mode, the welcome card is not needed any more.
   connect(&parts_.modes, &ModeController::changed, this, [this] { showWelcome(false); });
   connect(welcome_, &WelcomeCard::closed, this,
@@ -37,12 +49,46 @@ void Help::showWelcome(bool shown) {
 }
 
 bool Help::close() {
-  for (QWidget* card : {static_cast<QWidget*>(shortcuts_), static_cast<QWidget*>(tour_)})
+  for (QWidget* card :
+       {static_cast<QWidget*>(shortcuts_), static_cast<QWidget*>(tour_), static_cast<QWidget*>(task_)})
     if (card && card->isVisible()) {
       card->hide();
       return true;
     }
   return false;
+}
+
+void Help::openGuide() {
+  // The headings of docs/user_guide.md.
+  static const std::map<std::string, const char*> kSections = {{"explore", "user-guide"},
+                                                               {"handles", "groups-of-handles"},
+                                                               {"deform", "deform-mode"},
+                                                               {"stress", "stress-mode"},
+                                                               {"play", "play-organs-in-motion"}};
+  if (!guide_)
+    guide_ = new GuideWindow(parts_.area.window());
+  const auto section = kSections.find(parts_.modes.present().description().id);
+  guide_->open(QStringLiteral("user_guide.md"),
+               section == kSections.end() ? QString() : QLatin1String(section->second));
+}
+
+/// Of the handles that can be moved, the one in front is bright.
+void Help::startTask() {
+  const auto& handles = parts_.workspace.document().rig().handles;
+  const document::Handle* front = nullptr;
+  for (const document::Handle& handle : handles)
+    if (!handle.locked && handle.visible && (!front || handle.rest.y() < front->rest.y()))
+      front = &handle;
+  if (!front)
+    return;
+  if (!task_) {
+    task_ = new TaskCard(parts_.workspace, &parts_.area);
+    parts_.area.addCard(task_, Qt::AlignBottom | Qt::AlignHCenter);
+  }
+  showWelcome(false);
+  parts_.modes.choose("deform");
+  parts_.workspace.selection().setHandles({front->id});
+  task_->start();
 }
 
 void Help::tellAbout() {

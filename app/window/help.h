@@ -12,11 +12,13 @@ class QMenuBar;
 
 namespace viscera::app {
 
+class GuideWindow;
 class ShortcutCard;
+class TaskCard;
 class TourCard;
 class WelcomeCard;
 
-/// The help of the window: the welcome card, the tour and the list of shortcuts.
+/// The help of the window: the guide, the welcome card, a first task, the tour and the list of shortcuts.
 class Help final : public QObject {
   Q_OBJECT
 
@@ -31,7 +33,7 @@ public:
     ViewArea& area;
   };
 
-  /// Adds "help.shortcuts", "help.tour", "help.welcome" and "help.about".
+  /// Adds "help.guide", "help.shortcuts", "help.task", "help.tour", "help.welcome" and "help.about".
   Help(const Parts& parts, Actions& actions, QObject* parent = nullptr);
 
   /// Makes the cards over the view, once the menus are there; `samples` is the one of sample organs.
@@ -41,6 +43,9 @@ public:
   bool close();
 
 private:
+  /// The guide, at the section of the present mode.
+  void openGuide();
+  void startTask();
   void startTour();
   void tellAbout();
 
@@ -48,6 +53,8 @@ private:
   WelcomeCard* welcome_ = nullptr;
   ShortcutCard* shortcuts_ = nullptr;
   TourCard* tour_ = nullptr;
+  TaskCard* task_ = nullptr;
+  GuideWindow* guide_ = nullptr;
 };
 
 } // namespace viscera::app

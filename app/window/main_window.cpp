@@ -33,6 +33,7 @@
 #include "window/report/report_export.h"
 #include "window/session/session_files.h"
 #include "window/session/session_view.h"
+#include "window/settings_dialog.h"
 #include "window/slices/handle_grip.h"
 #include "window/slices/patient_offer.h"
 #include "window/slices/scan_actions.h"
@@ -47,6 +48,7 @@
 #include "window/view/organ_pointer.h"
 #include "window/view/view_actions.h"
 #include "window/view/view_area.h"
+#include "window/widgets/first_picture.h"
 #include "window/widgets/mode_rail.h"
 #include "window/widgets/panel_dock.h"
 #include "window/widgets/ready_made.h"
@@ -87,6 +89,13 @@ MainWindow::MainWindow(Settings& settings, coordinates::Registry registry, live:
   makeModes();
   (new HandleTable(workspace_, poses_, *picture_, *viewArea_->view(), this))->addTo(actions_);
   makeThemeActions();
+  actions_.add("edit.settings",
+               {tr("&Settings..."),
+                nullptr,
+                {QKeySequence::Preferences},
+                tr("Language, theme, folders and what is shown at the start")},
+               [this] { openSettings(); });
+  actions_["edit.settings"]->setMenuRole(QAction::PreferencesRole);
   slides_ = new Slides(workspace_, view_, *viewArea_->view(), playback_, actions_, this);
   makeSession();
   lecture_ = new LectureScreen({*layout_, *viewArea_, *slides_, playback_, volumes_}, actions_, this);
@@ -134,6 +143,17 @@ void MainWindow::makeThemeActions() {
                                              setTheme(kind);
                                          }));
   }
+}
+
+void MainWindow::openSettings() {
+  auto* dialog = findChild<SettingsDialog*>();
+  if (!dialog) {
+    dialog = new SettingsDialog(settings_, actions_, this);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+  }
+  dialog->show();
+  dialog->raise();
+  dialog->activateWindow();
 }
 
 void MainWindow::makeSession() {
@@ -233,6 +253,7 @@ void MainWindow::connectFiles() {
     viewArea_->frameSoon(); // Once the layout of the session has its sizes.
   });
   connect(samples_, &SampleLoader::loaded, this, fromFront);
+  connectFirstPicture();
   connect(&play_->measured(), &MeasuredMotion::changed, this,
           [this] { stress_->model().setCaution(play_->measured().caution()); });
   connect(&play_->measured(), &MeasuredMotion::found, this, [this, fromFront] {
@@ -260,6 +281,23 @@ void MainWindow::connectFiles() {
     viewArea_->view()->view().frame();
   });
   layout_->imports()->installEventFilter(imports_.get()); // The cross of the panel cancels.
+}
+
+/// An empty window shows the sample that a worker makes.
+void MainWindow::connectFirstPicture() {
+  auto* picture = new FirstPicture(viewArea_);
+  viewArea_->addCard(picture, {});
+  picture->stackUnder(viewArea_->messages());
+  connect(samples_, &SampleLoader::began, picture, [this, picture](const QString& name) {
+    if (!workspace_.document().organs().empty())
+      return;
+    picture->showSample(name);
+    organPanel_->setWaiting(true);
+  });
+  connect(samples_, &SampleLoader::ended, picture, [this, picture] {
+    picture->hide();
+    organPanel_->setWaiting(false);
+  });
 }
 
 void MainWindow::connectHints() {

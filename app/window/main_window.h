@@ -98,6 +98,7 @@ private:
   bool leavesUnwritten();
   void makeModes();
   void makeThemeActions();
+  void openSettings();
   void giveTheme();
   void makeSession();
   void placePanels();
@@ -105,6 +106,7 @@ private:
   void makeMenus();
   void connectView();
   void connectFiles();
+  void connectFirstPicture();
   void connectHints();
   void connectActions();
   void escape();

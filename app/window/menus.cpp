@@ -20,6 +20,7 @@ namespace viscera::app {
 namespace {
 /// The steps on each side of the present one that the list of steps shows.
 constexpr std::size_t kShownSteps = 20;
+constexpr const char* kSeen = "seenInMenu";
 
 /// A text that comes from a file or a user, for a menu: there a single & underlines the letter behind it.
 QString withItsAmpersands(QString text) {
@@ -58,6 +59,22 @@ void giveLetters(const QWidget& menu) {
     action->setText(label);
   }
 }
+/// In menus an icon stands for one command, and a tick for what is on: a second command with the same icon
+/// has none there, and neither has what can be on or off, since Qt draws an icon in place of the tick.
+void giveIcons(const QList<QAction*>& entries, QSet<QString>& taken) {
+  for (QAction* action : entries) {
+    const QString name = action->property(kIconName).toString();
+    const bool free = !name.isEmpty() && !action->isCheckable() && !taken.contains(name);
+    const bool seen = action->property(kSeen).toBool(); // In another menu.
+    if (!seen)
+      action->setIconVisibleInMenu(free);
+    action->setProperty(kSeen, true);
+    if (free && !seen)
+      taken.insert(name);
+    if (action->menu())
+      giveIcons(action->menu()->actions(), taken);
+  }
+}
 } // namespace
 
 Menus::Menus(QMenuBar& bar, const Parts& parts) : QObject(&bar), bar_(bar), parts_(parts) {
@@ -72,6 +89,8 @@ Menus::Menus(QMenuBar& bar, const Parts& parts) : QObject(&bar), bar_(bar), part
     menu->setToolTipsVisible(true);
     giveLetters(*menu);
   }
+  QSet<QString> taken;
+  giveIcons(bar.actions(), taken);
   fillRecent();
   fillSamples();
 }
@@ -123,7 +142,7 @@ void Menus::makeEditMenu() {
   QMenu* steps = edit->addMenu(icon("undo"), tr("&Steps"));
   connect(steps, &QMenu::aboutToShow, this, [this, steps] { fillSteps(steps); });
   fill(edit, {"", "edit.selectAll", "handles.remove", "", "pose.reset", "pose.resetSelected", "",
-              "edit.copyCommands"});
+              "edit.copyCommands", "", "edit.settings"});
 }
 
 void Menus::makeViewMenu() {
@@ -136,6 +155,9 @@ void Menus::makeViewMenu() {
   fill(view, {"view.focus", "", "view.handles", "view.ghost", "view.cut", "view.cube", "view.scale",
               "view.shading", "view.edges", "view.flat", "view.measurements", "view.parts", ""});
   fill(view->addMenu(icon("stress"), tr("St&ress map")), parts_.modes.find("stress").actions());
+  fill(view->addMenu(icon("compare"), tr("&Compare")),
+       {"play.compare", "play.compareSystems", "play.comparePose", "play.compareFiles",
+        "play.compareTextbook", "play.single"});
   QMenu* slices = view->addMenu(icon("patient"), tr("&Scan"));
   fill(slices, parts_.scans.layouts());
   slices->addSeparator();
@@ -155,12 +177,17 @@ void Menus::makeViewMenu() {
 void Menus::makeLanguageMenu(QMenu& menu) {
   constexpr const char* kKey = "window/language";
   auto* choices = new QActionGroup(&menu);
+  connect(&menu, &QMenu::aboutToShow, this, [this, choices] { // The dialog of settings may have changed it.
+    for (QAction* action : choices->actions())
+      action->setChecked(action->data() == parts_.settings.value(kKey).toString());
+  });
   const auto add = [&](const QString& name, const QString& code) {
     QAction* action = menu.addAction(name, this, [this, name, code] {
       parts_.settings.setValue(kKey, code);
       parts_.workspace.note(tr("The next start uses this language: %1.").arg(name));
     });
     action->setCheckable(true);
+    action->setData(code);
     action->setChecked(parts_.settings.value(kKey).toString() == code);
     choices->addAction(action);
   };
@@ -191,7 +218,8 @@ void Menus::makeLastMenus() {
   QMenu* sequence = bar_.addMenu(tr("&Sequence"));
   fill(sequence, {"play.toggle", "play.start", "play.back", "play.forward", "", "play.loop"});
   fill(sequence, parts_.modes.find("play").actions());
-  fill(bar_.addMenu(tr("&Help")), {"help.welcome", "help.tour", "help.shortcuts", "", "help.about"});
+  fill(bar_.addMenu(tr("&Help")),
+       {"help.guide", "", "help.welcome", "help.task", "help.tour", "help.shortcuts", "", "help.about"});
 }
 
 void Menus::fillRecent() {

@@ -48,15 +48,21 @@ QStringList SampleLoader::names() const {
 }
 
 void SampleLoader::load(const QString& name, bool play) {
-  workspace_.inBackground<Sample>(
-      tr("Sample %1").arg(nameInWords(name)), kSlot,
+  Q_EMIT began(name);
+  workspace_.jobs().submit<Sample>(
+      tr("Sample %1").arg(nameInWords(name)).toStdString(), kSlot,
       [library = library_, id = name.toStdString()](Progress& progress) {
         return make(library, id, progress);
       },
-      [this, name, play](const Sample& sample) {
-        take(sample, name);
-        if (play && playback_.sequence() && playback_.wantedPose() == live::WantedPose::sequence)
-          playback_.play();
+      [this, name, play](JobResult<Sample> result) {
+        if (result.error)
+          workspace_.report(*result.error);
+        if (result.value) {
+          take(*result.value, name);
+          if (play && playback_.sequence() && playback_.wantedPose() == live::WantedPose::sequence)
+            playback_.play();
+        }
+        Q_EMIT ended();
       });
 }
 

@@ -40,6 +40,9 @@ public:
   bool loading() const;
 
 Q_SIGNALS:
+  /// A worker makes the sample; `ended` follows, whether there is one then or not.
+  void began(const QString& name);
+  void ended();
   /// `untouched`: the document held no unsaved work before. `first`: the document was empty before.
   void loaded(const QString& name, bool untouched, bool first);
 

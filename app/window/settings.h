@@ -11,9 +11,11 @@
 namespace viscera::app {
 
 /// Keys of `Settings::folder`: of the file dialogs that have no folder of their own, and of those for
-/// sequences.
+/// sequences, pictures and movies.
 inline constexpr const char* kFolderKey = "files/folder";
 inline constexpr const char* kSequencesFolderKey = "files/sequences";
+inline constexpr const char* kPicturesFolderKey = "files/pictures";
+inline constexpr const char* kMoviesFolderKey = "record/folder";
 
 /// The user's settings of the window, an INI file under `$XDG_CONFIG_HOME/viscera`. Passed by reference to
 /// the parts of the window that need it.

@@ -142,8 +142,8 @@
         <translation>%1; sembla %2</translation>
     </message>
     <message>
-        <source>%1; slices %2 to %3 of %4, which are even, were read</source>
-        <translation>%1; s’han llegit els talls %2 a %3 de %4, que són uniformes</translation>
+        <source>%1 of %2 slices were read, slices %3 to %4, which are even; the others, or all of them resampled, can be chosen as a series</source>
+        <translation>s’han llegit %1 de %2 talls, del %3 al %4, que són regulars; els altres, o tots remostrejats, es poden triar com a sèrie</translation>
     </message>
     <message numerus="yes">
         <source>%2 pieces, %n {voxel|voxels} besides the largest</source>
@@ -920,8 +920,8 @@
         <translation>Envoltants</translation>
     </message>
     <message>
-        <source>End-systolic and relaxed</source>
-        <translation>Telesistòlica i relaxada</translation>
+        <source>ESPVR and EDPVR</source>
+        <translation>ESPVR i EDPVR</translation>
     </message>
     <message>
         <source>Endocrine glands</source>
@@ -1901,7 +1901,7 @@
         <translation>Elimina tots els òrgans</translation>
     </message>
     <message>
-        <source>Remove from group</source>
+        <source>Take out of group</source>
         <translation>Treu del grup</translation>
     </message>
     <message>
@@ -2251,7 +2251,7 @@
         <translation>Batec del llibre de text</translation>
     </message>
     <message>
-        <source>The aortic valve opens to 0.8 cm2: the pressure of the hypertrophied ventricle towers above that of the aorta.</source>
+        <source>The aortic valve opens to 0.8 cm2: the pressure of the hypertrophied ventricle is far higher than that of the aorta.</source>
         <translation>La vàlvula aòrtica s’obre fins a 0,8 cm2: la pressió del ventricle hipertròfic supera de molt la de l’aorta.</translation>
     </message>
     <message>
@@ -6746,6 +6746,49 @@
     <message>
         <source>All organs together: %1.</source>
         <translation>Tots els òrgans junts: %1.</translation>
+    </message>
+    <message>
+        <source>All %1 slices were resampled to a distance of %2 mm; values between two slices are mixed from both</source>
+        <translation>Els %1 talls s’han remostrejat a una distància de %2 mm; els valors entre dos talls són una barreja de tots dos</translation>
+    </message>
+    <message>
+        <source>It does not say how thick its slice is; 1 mm is assumed, so volumes in it are not measured</source>
+        <translation>No diu quin gruix té el tall; se suposa 1 mm, de manera que els volums no hi són mesurats</translation>
+    </message>
+    <message>
+        <source>It does not say how large its pixels are; %1 mm were taken from its field of view, so check a length that you know</source>
+        <translation>No diu quina mida tenen els píxels; s’han pres %1 mm del camp de visió, comproveu doncs una longitud coneguda</translation>
+    </message>
+    <message>
+        <source>none of the %1 pieces is as small as that</source>
+        <translation>cap dels %1 trossos no és tan petit</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n of %2 pieces {goes|go}, of %3 mm and %4 ml at most</source>
+        <translation>
+            <numerusform>desapareix %n de %2 trossos, de %3 mm i %4 ml com a màxim</numerusform>
+            <numerusform>desapareixen %n de %2 trossos, de %3 mm i %4 ml com a màxim</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>drops the pieces that are smaller than a size; the largest one stays</source>
+        <translation>elimina els trossos més petits que una mida; el més gran es queda</translation>
+    </message>
+    <message>
+        <source>multiplies all coordinates by a factor</source>
+        <translation>multiplica totes les coordenades per un factor</translation>
+    </message>
+    <message>
+        <source>details of %1 mm take too much memory; %2 mm is the finest for its size</source>
+        <translation>els detalls de %1 mm ocupen massa memòria; %2 mm és el més fi per a la seva mida</translation>
+    </message>
+    <message>
+        <source>choose a coarser resolution</source>
+        <translation>trieu una resolució més gruixuda</translation>
+    </message>
+    <message>
+        <source>remeshing lost a detail: the old surface lies up to %1 mm from the new one</source>
+        <translation>el remallat ha perdut un detall: la superfície antiga és fins a %1 mm de la nova</translation>
     </message>
 </context>
 </TS>

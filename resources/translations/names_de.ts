@@ -142,8 +142,8 @@
         <translation>%1; sie sieht aus wie %2</translation>
     </message>
     <message>
-        <source>%1; slices %2 to %3 of %4, which are even, were read</source>
-        <translation>%1; die Schichten %2 bis %3 von %4, die gleichmäßig sind, wurden gelesen</translation>
+        <source>%1 of %2 slices were read, slices %3 to %4, which are even; the others, or all of them resampled, can be chosen as a series</source>
+        <translation>%1 von %2 Schichten wurden gelesen, die gleichmäßigen von %3 bis %4; die anderen, oder alle umgerechnet, lassen sich als Serie wählen</translation>
     </message>
     <message numerus="yes">
         <source>%2 pieces, %n {voxel|voxels} besides the largest</source>
@@ -920,8 +920,8 @@
         <translation>Umschließend</translation>
     </message>
     <message>
-        <source>End-systolic and relaxed</source>
-        <translation>Endsystolisch und relaxiert</translation>
+        <source>ESPVR and EDPVR</source>
+        <translation>ESPVR und EDPVR</translation>
     </message>
     <message>
         <source>Endocrine glands</source>
@@ -1901,8 +1901,8 @@
         <translation>Alle Organe entfernen</translation>
     </message>
     <message>
-        <source>Remove from group</source>
-        <translation>Aus Gruppe entfernen</translation>
+        <source>Take out of group</source>
+        <translation>Aus der Gruppe nehmen</translation>
     </message>
     <message>
         <source>Remove group</source>
@@ -2251,7 +2251,7 @@
         <translation>Herzschlag wie im Lehrbuch</translation>
     </message>
     <message>
-        <source>The aortic valve opens to 0.8 cm2: the pressure of the hypertrophied ventricle towers above that of the aorta.</source>
+        <source>The aortic valve opens to 0.8 cm2: the pressure of the hypertrophied ventricle is far higher than that of the aorta.</source>
         <translation>Die Aortenklappe öffnet sich auf 0,8 cm2: Der Druck des hypertrophierten Ventrikels liegt weit über dem der Aorta.</translation>
     </message>
     <message>
@@ -6746,6 +6746,49 @@
     <message>
         <source>All organs together: %1.</source>
         <translation>Alle Organe zusammen: %1.</translation>
+    </message>
+    <message>
+        <source>All %1 slices were resampled to a distance of %2 mm; values between two slices are mixed from both</source>
+        <translation>Alle %1 Schichten wurden auf einen Abstand von %2 mm umgerechnet; Werte zwischen zwei Schichten sind aus beiden gemischt</translation>
+    </message>
+    <message>
+        <source>It does not say how thick its slice is; 1 mm is assumed, so volumes in it are not measured</source>
+        <translation>Sie sagt nicht, wie dick ihre Schicht ist; 1 mm wird angenommen, Volumen darin sind also nicht gemessen</translation>
+    </message>
+    <message>
+        <source>It does not say how large its pixels are; %1 mm were taken from its field of view, so check a length that you know</source>
+        <translation>Sie sagt nicht, wie groß ihre Pixel sind; %1 mm wurden ihrem Bildfeld entnommen, prüfen Sie also eine bekannte Länge</translation>
+    </message>
+    <message>
+        <source>none of the %1 pieces is as small as that</source>
+        <translation>keines der %1 Stücke ist so klein</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n of %2 pieces {goes|go}, of %3 mm and %4 ml at most</source>
+        <translation>
+            <numerusform>%n von %2 Stücken geht weg, höchstens %3 mm und %4 ml groß</numerusform>
+            <numerusform>%n von %2 Stücken gehen weg, höchstens %3 mm und %4 ml groß</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>drops the pieces that are smaller than a size; the largest one stays</source>
+        <translation>entfernt die Stücke unter einer Größe; das größte bleibt</translation>
+    </message>
+    <message>
+        <source>multiplies all coordinates by a factor</source>
+        <translation>multipliziert alle Koordinaten mit einem Faktor</translation>
+    </message>
+    <message>
+        <source>details of %1 mm take too much memory; %2 mm is the finest for its size</source>
+        <translation>Einzelheiten von %1 mm brauchen zu viel Speicher; %2 mm ist bei seiner Größe das Feinste</translation>
+    </message>
+    <message>
+        <source>choose a coarser resolution</source>
+        <translation>wählen Sie eine gröbere Auflösung</translation>
+    </message>
+    <message>
+        <source>remeshing lost a detail: the old surface lies up to %1 mm from the new one</source>
+        <translation>die neue Vernetzung hat eine Einzelheit verloren: Die alte Oberfläche liegt bis zu %1 mm von der neuen entfernt</translation>
     </message>
 </context>
 </TS>

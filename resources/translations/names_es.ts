@@ -142,8 +142,8 @@
         <translation>%1; parece %2</translation>
     </message>
     <message>
-        <source>%1; slices %2 to %3 of %4, which are even, were read</source>
-        <translation>%1; se leyeron los cortes %2 a %3 de %4, que son uniformes</translation>
+        <source>%1 of %2 slices were read, slices %3 to %4, which are even; the others, or all of them resampled, can be chosen as a series</source>
+        <translation>se leyeron %1 de %2 cortes, del %3 al %4, que son regulares; los demás, o todos remuestreados, se pueden elegir como serie</translation>
     </message>
     <message numerus="yes">
         <source>%2 pieces, %n {voxel|voxels} besides the largest</source>
@@ -920,8 +920,8 @@
         <translation>Envolventes</translation>
     </message>
     <message>
-        <source>End-systolic and relaxed</source>
-        <translation>Telesistólica y relajada</translation>
+        <source>ESPVR and EDPVR</source>
+        <translation>ESPVR y EDPVR</translation>
     </message>
     <message>
         <source>Endocrine glands</source>
@@ -1901,8 +1901,8 @@
         <translation>Quitar todos los órganos</translation>
     </message>
     <message>
-        <source>Remove from group</source>
-        <translation>Quitar del grupo</translation>
+        <source>Take out of group</source>
+        <translation>Sacar del grupo</translation>
     </message>
     <message>
         <source>Remove group</source>
@@ -2251,7 +2251,7 @@
         <translation>Latido de manual</translation>
     </message>
     <message>
-        <source>The aortic valve opens to 0.8 cm2: the pressure of the hypertrophied ventricle towers above that of the aorta.</source>
+        <source>The aortic valve opens to 0.8 cm2: the pressure of the hypertrophied ventricle is far higher than that of the aorta.</source>
         <translation>La válvula aórtica se abre hasta 0,8 cm2: la presión del ventrículo hipertrofiado supera con mucho la de la aorta.</translation>
     </message>
     <message>
@@ -6746,6 +6746,49 @@
     <message>
         <source>All organs together: %1.</source>
         <translation>Todos los órganos juntos: %1.</translation>
+    </message>
+    <message>
+        <source>All %1 slices were resampled to a distance of %2 mm; values between two slices are mixed from both</source>
+        <translation>Los %1 cortes se remuestrearon a una distancia de %2 mm; los valores entre dos cortes son una mezcla de ambos</translation>
+    </message>
+    <message>
+        <source>It does not say how thick its slice is; 1 mm is assumed, so volumes in it are not measured</source>
+        <translation>No dice qué grosor tiene su corte; se supone 1 mm, por lo que sus volúmenes no están medidos</translation>
+    </message>
+    <message>
+        <source>It does not say how large its pixels are; %1 mm were taken from its field of view, so check a length that you know</source>
+        <translation>No dice qué tamaño tienen sus píxeles; se tomaron %1 mm de su campo de visión, así que compruebe una longitud conocida</translation>
+    </message>
+    <message>
+        <source>none of the %1 pieces is as small as that</source>
+        <translation>ninguno de los %1 trozos es tan pequeño</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n of %2 pieces {goes|go}, of %3 mm and %4 ml at most</source>
+        <translation>
+            <numerusform>desaparece %n de %2 trozos, de %3 mm y %4 ml como máximo</numerusform>
+            <numerusform>desaparecen %n de %2 trozos, de %3 mm y %4 ml como máximo</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>drops the pieces that are smaller than a size; the largest one stays</source>
+        <translation>elimina los trozos menores que un tamaño; el mayor se queda</translation>
+    </message>
+    <message>
+        <source>multiplies all coordinates by a factor</source>
+        <translation>multiplica todas las coordenadas por un factor</translation>
+    </message>
+    <message>
+        <source>details of %1 mm take too much memory; %2 mm is the finest for its size</source>
+        <translation>los detalles de %1 mm ocupan demasiada memoria; %2 mm es lo más fino para su tamaño</translation>
+    </message>
+    <message>
+        <source>choose a coarser resolution</source>
+        <translation>elija una resolución más gruesa</translation>
+    </message>
+    <message>
+        <source>remeshing lost a detail: the old surface lies up to %1 mm from the new one</source>
+        <translation>el remallado perdió un detalle: la superficie antigua está hasta a %1 mm de la nueva</translation>
     </message>
 </context>
 </TS>

@@ -142,8 +142,8 @@
         <translation>%1&#x202f;; il semble être %2</translation>
     </message>
     <message>
-        <source>%1; slices %2 to %3 of %4, which are even, were read</source>
-        <translation>%1&#x202f;; les coupes %2 à %3 sur %4, qui sont régulières, ont été lues</translation>
+        <source>%1 of %2 slices were read, slices %3 to %4, which are even; the others, or all of them resampled, can be chosen as a series</source>
+        <translation>%1 coupes sur %2 ont été lues, les coupes %3 à %4, régulières; les autres, ou toutes rééchantillonnées, peuvent être choisies comme série</translation>
     </message>
     <message numerus="yes">
         <source>%2 pieces, %n {voxel|voxels} besides the largest</source>
@@ -920,8 +920,8 @@
         <translation>Englobantes</translation>
     </message>
     <message>
-        <source>End-systolic and relaxed</source>
-        <translation>Télésystolique et relâchée</translation>
+        <source>ESPVR and EDPVR</source>
+        <translation>ESPVR et EDPVR</translation>
     </message>
     <message>
         <source>Endocrine glands</source>
@@ -1901,7 +1901,7 @@
         <translation>Supprimer tous les organes</translation>
     </message>
     <message>
-        <source>Remove from group</source>
+        <source>Take out of group</source>
         <translation>Retirer du groupe</translation>
     </message>
     <message>
@@ -2248,10 +2248,10 @@
     </message>
     <message>
         <source>Textbook heartbeat</source>
-        <translation>Battement du manuel</translation>
+        <translation>Battement de référence</translation>
     </message>
     <message>
-        <source>The aortic valve opens to 0.8 cm2: the pressure of the hypertrophied ventricle towers above that of the aorta.</source>
+        <source>The aortic valve opens to 0.8 cm2: the pressure of the hypertrophied ventricle is far higher than that of the aorta.</source>
         <translation>La valve aortique s’ouvre à 0,8 cm2&#xa0;: la pression du ventricule hypertrophié dépasse de loin celle de l’aorte.</translation>
     </message>
     <message>
@@ -2948,7 +2948,7 @@
     </message>
     <message>
         <source>choose it again in Play mode</source>
-        <translation>choisissez-le à nouveau dans le mode Lire</translation>
+        <translation>choisissez-le à nouveau dans le mode Lecture</translation>
     </message>
     <message>
         <source>choose it on the organ; check the axes (RAS or LPS) too</source>
@@ -6746,6 +6746,49 @@
     <message>
         <source>All organs together: %1.</source>
         <translation>Tous les organes ensemble : %1.</translation>
+    </message>
+    <message>
+        <source>All %1 slices were resampled to a distance of %2 mm; values between two slices are mixed from both</source>
+        <translation>Les %1 coupes ont été rééchantillonnées à une distance de %2 mm; les valeurs entre deux coupes sont un mélange des deux</translation>
+    </message>
+    <message>
+        <source>It does not say how thick its slice is; 1 mm is assumed, so volumes in it are not measured</source>
+        <translation>Il ne dit pas quelle est l’épaisseur de sa coupe; 1 mm est supposé, les volumes n’y sont donc pas mesurés</translation>
+    </message>
+    <message>
+        <source>It does not say how large its pixels are; %1 mm were taken from its field of view, so check a length that you know</source>
+        <translation>Il ne dit pas quelle est la taille de ses pixels; %1 mm ont été tirés de son champ de vue, vérifiez donc une longueur connue</translation>
+    </message>
+    <message>
+        <source>none of the %1 pieces is as small as that</source>
+        <translation>aucun des %1 morceaux n’est aussi petit</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n of %2 pieces {goes|go}, of %3 mm and %4 ml at most</source>
+        <translation>
+            <numerusform>%n morceau sur %2 disparaît, de %3 mm et %4 ml au plus</numerusform>
+            <numerusform>%n morceaux sur %2 disparaissent, de %3 mm et %4 ml au plus</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>drops the pieces that are smaller than a size; the largest one stays</source>
+        <translation>supprime les morceaux plus petits qu’une taille; le plus grand reste</translation>
+    </message>
+    <message>
+        <source>multiplies all coordinates by a factor</source>
+        <translation>multiplie toutes les coordonnées par un facteur</translation>
+    </message>
+    <message>
+        <source>details of %1 mm take too much memory; %2 mm is the finest for its size</source>
+        <translation>des détails de %1 mm prennent trop de mémoire; %2 mm est le plus fin pour sa taille</translation>
+    </message>
+    <message>
+        <source>choose a coarser resolution</source>
+        <translation>choisissez une résolution plus grossière</translation>
+    </message>
+    <message>
+        <source>remeshing lost a detail: the old surface lies up to %1 mm from the new one</source>
+        <translation>le remaillage a perdu un détail: l’ancienne surface est jusqu’à %1 mm de la nouvelle</translation>
     </message>
 </context>
 </TS>

@@ -1378,6 +1378,10 @@ N: noms, H: tiradors, X: paret, R: restableix, T: clar o fosc, Inici: principi</
         <source>Positions of the organs</source>
         <translation>Posicions dels òrgans</translation>
     </message>
+    <message>
+        <source>Lost details</source>
+        <translation>Detalls perduts</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::FitBox</name>
@@ -1573,8 +1577,8 @@ N: noms, H: tiradors, X: paret, R: restableix, T: clar o fosc, Inici: principi</
         <translation>Treu</translation>
     </message>
     <message>
-        <source>Remove the selected handles from the chosen group</source>
-        <translation>Treu els tiradors seleccionats del grup triat</translation>
+        <source>Take the selected handles out of the chosen group</source>
+        <translation>Treure les nanses seleccionades del grup triat</translation>
     </message>
 </context>
 <context>
@@ -1913,6 +1917,18 @@ Moveu el lliscador de dalt per col·locar-ne, o feu clic a l’òrgan en el mode
     <message>
         <source>Open surfaces (STL, OBJ, PLY, OFF, VTK, VTP, GLB) or label maps (NIfTI, NRRD, DICOM-SEG) with Ctrl+O or drop them here; they get handles at once. Ctrl+S saves all of it as a session. ? lists all keys.</source>
         <translation>Obriu superfícies (STL, OBJ, PLY, OFF, VTK, VTP, GLB) o mapes d’etiquetes (NIfTI, NRRD, DICOM-SEG) amb Ctrl+O o deixeu-los anar aquí; reben tiradors a l’instant. Ctrl+S ho desa tot com a sessió. ? mostra totes les tecles.</translation>
+    </message>
+    <message>
+        <source>User &amp;guide</source>
+        <translation>&amp;Guia de l’usuari</translation>
+    </message>
+    <message>
+        <source>The guide, at what the present mode does</source>
+        <translation>La guia, al que fa el mode present</translation>
+    </message>
+    <message>
+        <source>&amp;First task: drag a dot</source>
+        <translation>&amp;Primera tasca: arrossegar un punt</translation>
     </message>
 </context>
 <context>
@@ -2303,6 +2319,14 @@ Moveu el lliscador de dalt per col·locar-ne, o feu clic a l’òrgan en el mode
         <source>Writing a movie</source>
         <translation>Escriptura d’una pel·lícula</translation>
     </message>
+    <message>
+        <source>&amp;Settings...</source>
+        <translation>&amp;Configuració...</translation>
+    </message>
+    <message>
+        <source>Language, theme, folders and what is shown at the start</source>
+        <translation>Llengua, tema, carpetes i el que es mostra a l’inici</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::MarksBox</name>
@@ -2555,6 +2579,10 @@ Moveu el lliscador de dalt per col·locar-ne, o feu clic a l’òrgan en el mode
     <message>
         <source>&amp;Look from</source>
         <translation>&amp;Mira des de</translation>
+    </message>
+    <message>
+        <source>&amp;Compare</source>
+        <translation>&amp;Compara</translation>
     </message>
 </context>
 <context>
@@ -3067,6 +3095,10 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
     <message>
         <source>%1 (%2 of %3)</source>
         <translation>%1 (%2 de %3)</translation>
+    </message>
+    <message>
+        <source>The sample organ is being made.</source>
+        <translation>S’està creant l’òrgan d’exemple.</translation>
     </message>
 </context>
 <context>
@@ -3662,6 +3694,14 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
         <source>Coordinates are in %1</source>
         <translation>Les coordenades són en %1</translation>
     </message>
+    <message>
+        <source>Remove small fragments</source>
+        <translation>Elimina els fragments petits</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>Escala</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::ReportExport</name>
@@ -4071,6 +4111,25 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
             <numerusform>%n més: vegeu Exploració a la pàgina d’Explora.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>, all %n slices, resampled to an even grid</source>
+        <translation>
+            <numerusform>, el %n tall, remostrejat en una malla regular</numerusform>
+            <numerusform>, els %n talls, remostrejats en una malla regular</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>, slices %1 to %2 of %3</source>
+        <translation>, talls %1 a %2 de %3</translation>
+    </message>
+    <message>
+        <source>The slices are not at even distances: at most %1 of %2 are. What shall be read?</source>
+        <translation>Els talls no són a distàncies regulars: com a màxim %1 de %2 ho són. Què cal llegir?</translation>
+    </message>
+    <message>
+        <source>Read other slices...</source>
+        <translation>Llegeix altres talls...</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::SequenceList</name>
@@ -4166,10 +4225,6 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
         <translation>Voleu desar els canvis de %1?</translation>
     </message>
     <message>
-        <source>Unsaved changes will be lost.</source>
-        <translation>Els canvis no desats es perdran.</translation>
-    </message>
-    <message>
         <source>&amp;Discard</source>
         <translation>&amp;Descarta</translation>
     </message>
@@ -4199,6 +4254,14 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
     <message>
         <source>Choose the folder with the missing files</source>
         <translation>Trieu la carpeta dels fitxers que falten</translation>
+    </message>
+    <message>
+        <source>Save this session?</source>
+        <translation>Voleu desar aquesta sessió?</translation>
+    </message>
+    <message>
+        <source>If you discard them, the changes since the last saving are lost.</source>
+        <translation>Si els descarteu, es perden els canvis des de l’últim desament.</translation>
     </message>
 </context>
 <context>
@@ -5424,6 +5487,14 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
         <source>Close this card</source>
         <translation>Tanca aquesta targeta</translation>
     </message>
+    <message>
+        <source>First task</source>
+        <translation>Primera tasca</translation>
+    </message>
+    <message>
+        <source>Drag a dot, and see the organ follow</source>
+        <translation>Arrossegar un punt i veure com segueix l’òrgan</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::WindowLayout</name>
@@ -5465,6 +5536,141 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
     <message>
         <source>Open folder</source>
         <translation>Obre la carpeta</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::RepairValueBox</name>
+    <message>
+        <source>Unit</source>
+        <translation>Unitat</translation>
+    </message>
+    <message>
+        <source>Life size</source>
+        <translation>Mida natural</translation>
+    </message>
+    <message>
+        <source>The factor by which the organ gets the usual volume of its kind</source>
+        <translation>El factor amb què l’òrgan obté el volum habitual dels seus</translation>
+    </message>
+    <message>
+        <source>Apply</source>
+        <translation>Aplica</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Cancel·la</translation>
+    </message>
+    <message>
+        <source>About %1 triangles. Details smaller than %2 mm are lost.</source>
+        <translation>Uns %1 triangles. Es perden els detalls de menys de %2 mm.</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::GuideWindow</name>
+    <message>
+        <source>User guide</source>
+        <translation>Guia de l’usuari</translation>
+    </message>
+    <message>
+        <source>Search the guide</source>
+        <translation>Cerca a la guia</translation>
+    </message>
+    <message>
+        <source>Sections</source>
+        <translation>Seccions</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n sections</source>
+        <translation>
+            <numerusform>%n secció</numerusform>
+            <numerusform>%n seccions</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::SettingsDialog</name>
+    <message>
+        <source>Settings</source>
+        <translation>Configuració</translation>
+    </message>
+    <message>
+        <source>Lengths are in mm, volumes in ml, everywhere; numbers have the decimal mark of the language.</source>
+        <translation>Les longituds són sempre en mm i els volums en ml; els nombres porten el signe decimal de la llengua.</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Tanca</translation>
+    </message>
+    <message>
+        <source>Look</source>
+        <translation>Aspecte</translation>
+    </message>
+    <message>
+        <source>As the system</source>
+        <translation>Com el sistema</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>Llengua</translation>
+    </message>
+    <message>
+        <source>The next start uses the language.</source>
+        <translation>El pròxim inici fa servir la llengua.</translation>
+    </message>
+    <message>
+        <source>Theme</source>
+        <translation>Tema</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Inici</translation>
+    </message>
+    <message>
+        <source>Show the welcome</source>
+        <translation>Mostra la benvinguda</translation>
+    </message>
+    <message>
+        <source>Folders that dialogs begin in</source>
+        <translation>Carpetes on comencen els diàlegs</translation>
+    </message>
+    <message>
+        <source>Organs and sessions</source>
+        <translation>Òrgans i sessions</translation>
+    </message>
+    <message>
+        <source>Sequences</source>
+        <translation>Seqüències</translation>
+    </message>
+    <message>
+        <source>Pictures</source>
+        <translation>Imatges</translation>
+    </message>
+    <message>
+        <source>Movies</source>
+        <translation>Pel·lícules</translation>
+    </message>
+    <message>
+        <source>Choose...</source>
+        <translation>Tria...</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::TaskCard</name>
+    <message>
+        <source>Close (Esc)</source>
+        <translation>Tanca (Esc)</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Tanca</translation>
+    </message>
+    <message>
+        <source>Drag the bright dot: the organ follows.</source>
+        <translation>Arrossegueu el punt clar: l’òrgan el segueix.</translation>
+    </message>
+    <message>
+        <source>Done. Ctrl+Z takes it back. F1 opens the guide at what you are doing.</source>
+        <translation>Fet. Ctrl+Z ho desfà. F1 obre la guia al que esteu fent.</translation>
     </message>
 </context>
 </TS>

@@ -1378,6 +1378,10 @@ N: Namen, H: Griffe, X: Wand, R: zurück, T: hell oder dunkel, Pos1: Anfang</tra
         <source>Positions of the organs</source>
         <translation>Lage der Organe</translation>
     </message>
+    <message>
+        <source>Lost details</source>
+        <translation>Verlorene Einzelheiten</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::FitBox</name>
@@ -1573,8 +1577,8 @@ N: Namen, H: Griffe, X: Wand, R: zurück, T: hell oder dunkel, Pos1: Anfang</tra
         <translation>Herausnehmen</translation>
     </message>
     <message>
-        <source>Remove the selected handles from the chosen group</source>
-        <translation>Die gewählten Griffe aus der gewählten Gruppe entfernen</translation>
+        <source>Take the selected handles out of the chosen group</source>
+        <translation>Die ausgewählten Griffe aus der gewählten Gruppe nehmen</translation>
     </message>
 </context>
 <context>
@@ -1913,6 +1917,18 @@ Bewegen Sie den Regler oben, um welche zu setzen, oder klicken Sie im Modus Grif
     <message>
         <source>Open surfaces (STL, OBJ, PLY, OFF, VTK, VTP, GLB) or label maps (NIfTI, NRRD, DICOM-SEG) with Ctrl+O or drop them here; they get handles at once. Ctrl+S saves all of it as a session. ? lists all keys.</source>
         <translation>Öffnen Sie Oberflächen (STL, OBJ, PLY, OFF, VTK, VTP, GLB) oder Labelmaps (NIfTI, NRRD, DICOM-SEG) mit Strg+O oder legen Sie sie hier ab; sie erhalten sofort Griffe. Strg+S speichert alles als Sitzung. ? listet alle Tasten.</translation>
+    </message>
+    <message>
+        <source>User &amp;guide</source>
+        <translation>&amp;Handbuch</translation>
+    </message>
+    <message>
+        <source>The guide, at what the present mode does</source>
+        <translation>Das Handbuch, an der Stelle zum jetzigen Modus</translation>
+    </message>
+    <message>
+        <source>&amp;First task: drag a dot</source>
+        <translation>&amp;Erste Aufgabe: einen Punkt ziehen</translation>
     </message>
 </context>
 <context>
@@ -2303,6 +2319,14 @@ Bewegen Sie den Regler oben, um welche zu setzen, oder klicken Sie im Modus Grif
         <source>Writing a movie</source>
         <translation>Ein Film wird geschrieben</translation>
     </message>
+    <message>
+        <source>&amp;Settings...</source>
+        <translation>&amp;Einstellungen ...</translation>
+    </message>
+    <message>
+        <source>Language, theme, folders and what is shown at the start</source>
+        <translation>Sprache, Farbschema, Ordner und was beim Start gezeigt wird</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::MarksBox</name>
@@ -2555,6 +2579,10 @@ Bewegen Sie den Regler oben, um welche zu setzen, oder klicken Sie im Modus Grif
     <message>
         <source>&amp;Look from</source>
         <translation>Ansicht &amp;von</translation>
+    </message>
+    <message>
+        <source>&amp;Compare</source>
+        <translation>&amp;Vergleichen</translation>
     </message>
 </context>
 <context>
@@ -3067,6 +3095,10 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
     <message>
         <source>%1 (%2 of %3)</source>
         <translation>%1 (%2 von %3)</translation>
+    </message>
+    <message>
+        <source>The sample organ is being made.</source>
+        <translation>Das Beispielorgan wird erzeugt.</translation>
     </message>
 </context>
 <context>
@@ -3662,6 +3694,14 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
         <source>Coordinates are in %1</source>
         <translation>Koordinaten sind in %1</translation>
     </message>
+    <message>
+        <source>Remove small fragments</source>
+        <translation>Kleine Bruchstücke entfernen</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>Skalieren</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::ReportExport</name>
@@ -4071,6 +4111,25 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
             <numerusform>%n weitere: siehe Scan auf der Seite von Erkunden.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>, all %n slices, resampled to an even grid</source>
+        <translation>
+            <numerusform>, alle %n Schicht, auf ein gleichmäßiges Gitter umgerechnet</numerusform>
+            <numerusform>, alle %n Schichten, auf ein gleichmäßiges Gitter umgerechnet</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>, slices %1 to %2 of %3</source>
+        <translation>, Schichten %1 bis %2 von %3</translation>
+    </message>
+    <message>
+        <source>The slices are not at even distances: at most %1 of %2 are. What shall be read?</source>
+        <translation>Die Schichten haben keine gleichmäßigen Abstände: höchstens %1 von %2 haben sie. Was soll gelesen werden?</translation>
+    </message>
+    <message>
+        <source>Read other slices...</source>
+        <translation>Andere Schichten lesen ...</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::SequenceList</name>
@@ -4166,10 +4225,6 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
         <translation>Änderungen von %1 speichern?</translation>
     </message>
     <message>
-        <source>Unsaved changes will be lost.</source>
-        <translation>Ungespeicherte Änderungen gehen verloren.</translation>
-    </message>
-    <message>
         <source>&amp;Discard</source>
         <translation>&amp;Verwerfen</translation>
     </message>
@@ -4199,6 +4254,14 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
     <message>
         <source>Choose the folder with the missing files</source>
         <translation>Ordner mit den fehlenden Dateien wählen</translation>
+    </message>
+    <message>
+        <source>Save this session?</source>
+        <translation>Diese Sitzung speichern?</translation>
+    </message>
+    <message>
+        <source>If you discard them, the changes since the last saving are lost.</source>
+        <translation>Verwerfen Sie sie, so gehen die Änderungen seit dem letzten Speichern verloren.</translation>
     </message>
 </context>
 <context>
@@ -5424,6 +5487,14 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
         <source>Close this card</source>
         <translation>Diese Karte schließen</translation>
     </message>
+    <message>
+        <source>First task</source>
+        <translation>Erste Aufgabe</translation>
+    </message>
+    <message>
+        <source>Drag a dot, and see the organ follow</source>
+        <translation>Einen Punkt ziehen und sehen, wie das Organ folgt</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::WindowLayout</name>
@@ -5465,6 +5536,141 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
     <message>
         <source>Open folder</source>
         <translation>Ordner öffnen</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::RepairValueBox</name>
+    <message>
+        <source>Unit</source>
+        <translation>Einheit</translation>
+    </message>
+    <message>
+        <source>Life size</source>
+        <translation>Lebensgröße</translation>
+    </message>
+    <message>
+        <source>The factor by which the organ gets the usual volume of its kind</source>
+        <translation>Der Faktor, durch den das Organ das übliche Volumen seiner Art bekommt</translation>
+    </message>
+    <message>
+        <source>Apply</source>
+        <translation>Anwenden</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>About %1 triangles. Details smaller than %2 mm are lost.</source>
+        <translation>Etwa %1 Dreiecke. Einzelheiten unter %2 mm gehen verloren.</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::GuideWindow</name>
+    <message>
+        <source>User guide</source>
+        <translation>Handbuch</translation>
+    </message>
+    <message>
+        <source>Search the guide</source>
+        <translation>Im Handbuch suchen</translation>
+    </message>
+    <message>
+        <source>Sections</source>
+        <translation>Abschnitte</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n sections</source>
+        <translation>
+            <numerusform>%n Abschnitt</numerusform>
+            <numerusform>%n Abschnitte</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::SettingsDialog</name>
+    <message>
+        <source>Settings</source>
+        <translation>Einstellungen</translation>
+    </message>
+    <message>
+        <source>Lengths are in mm, volumes in ml, everywhere; numbers have the decimal mark of the language.</source>
+        <translation>Längen sind überall in mm, Volumen in ml; Zahlen haben das Dezimalzeichen der Sprache.</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Look</source>
+        <translation>Aussehen</translation>
+    </message>
+    <message>
+        <source>As the system</source>
+        <translation>Wie das System</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>Sprache</translation>
+    </message>
+    <message>
+        <source>The next start uses the language.</source>
+        <translation>Der nächste Start verwendet die Sprache.</translation>
+    </message>
+    <message>
+        <source>Theme</source>
+        <translation>Farbschema</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Start</translation>
+    </message>
+    <message>
+        <source>Show the welcome</source>
+        <translation>Begrüßung zeigen</translation>
+    </message>
+    <message>
+        <source>Folders that dialogs begin in</source>
+        <translation>Ordner, in denen Dialoge beginnen</translation>
+    </message>
+    <message>
+        <source>Organs and sessions</source>
+        <translation>Organe und Sitzungen</translation>
+    </message>
+    <message>
+        <source>Sequences</source>
+        <translation>Sequenzen</translation>
+    </message>
+    <message>
+        <source>Pictures</source>
+        <translation>Bilder</translation>
+    </message>
+    <message>
+        <source>Movies</source>
+        <translation>Filme</translation>
+    </message>
+    <message>
+        <source>Choose...</source>
+        <translation>Wählen ...</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::TaskCard</name>
+    <message>
+        <source>Close (Esc)</source>
+        <translation>Schließen (Esc)</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Drag the bright dot: the organ follows.</source>
+        <translation>Ziehen Sie den hellen Punkt: Das Organ folgt.</translation>
+    </message>
+    <message>
+        <source>Done. Ctrl+Z takes it back. F1 opens the guide at what you are doing.</source>
+        <translation>Geschafft. Strg+Z nimmt es zurück. F1 öffnet das Handbuch bei dem, was Sie tun.</translation>
     </message>
 </context>
 </TS>

@@ -311,6 +311,13 @@
             <numerusform>%n more: see Scan on the page of Explore.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>, all %n slices, resampled to an even grid</source>
+        <translation>
+            <numerusform>, all %n slice, resampled to an even grid</numerusform>
+            <numerusform>, all %n slices, resampled to an even grid</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::SessionFiles</name>
@@ -359,6 +366,16 @@
         <translation>
             <numerusform>The pose folds the tissue at %n voxel: their values are estimates.</numerusform>
             <numerusform>The pose folds the tissue at %n voxels: their values are estimates.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::GuideWindow</name>
+    <message numerus="yes">
+        <source>%n sections</source>
+        <translation>
+            <numerusform>%n section</numerusform>
+            <numerusform>%n sections</numerusform>
         </translation>
     </message>
 </context>

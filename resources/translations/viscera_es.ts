@@ -1378,6 +1378,10 @@ N: nombres, H: tiradores, X: pared, R: restablecer, T: claro u oscuro, Inicio: p
         <source>Positions of the organs</source>
         <translation>Posiciones de los órganos</translation>
     </message>
+    <message>
+        <source>Lost details</source>
+        <translation>Detalles perdidos</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::FitBox</name>
@@ -1573,8 +1577,8 @@ N: nombres, H: tiradores, X: pared, R: restablecer, T: claro u oscuro, Inicio: p
         <translation>Sacar</translation>
     </message>
     <message>
-        <source>Remove the selected handles from the chosen group</source>
-        <translation>Sacar los tiradores seleccionados del grupo elegido</translation>
+        <source>Take the selected handles out of the chosen group</source>
+        <translation>Sacar las asas seleccionadas del grupo elegido</translation>
     </message>
 </context>
 <context>
@@ -1913,6 +1917,18 @@ Mueva el control de arriba para colocar algunos o haga clic en el órgano en el 
     <message>
         <source>Open surfaces (STL, OBJ, PLY, OFF, VTK, VTP, GLB) or label maps (NIfTI, NRRD, DICOM-SEG) with Ctrl+O or drop them here; they get handles at once. Ctrl+S saves all of it as a session. ? lists all keys.</source>
         <translation>Abra superficies (STL, OBJ, PLY, OFF, VTK, VTP, GLB) o mapas de etiquetas (NIfTI, NRRD, DICOM-SEG) con Ctrl+O o suéltelos aquí; reciben tiradores al instante. Ctrl+S lo guarda todo como sesión. ? muestra todas las teclas.</translation>
+    </message>
+    <message>
+        <source>User &amp;guide</source>
+        <translation>&amp;Guía del usuario</translation>
+    </message>
+    <message>
+        <source>The guide, at what the present mode does</source>
+        <translation>La guía, en lo que hace el modo presente</translation>
+    </message>
+    <message>
+        <source>&amp;First task: drag a dot</source>
+        <translation>&amp;Primera tarea: arrastrar un punto</translation>
     </message>
 </context>
 <context>
@@ -2303,6 +2319,14 @@ Mueva el control de arriba para colocar algunos o haga clic en el órgano en el 
         <source>Writing a movie</source>
         <translation>Escritura de una película</translation>
     </message>
+    <message>
+        <source>&amp;Settings...</source>
+        <translation>&amp;Ajustes...</translation>
+    </message>
+    <message>
+        <source>Language, theme, folders and what is shown at the start</source>
+        <translation>Idioma, tema, carpetas y lo que se muestra al inicio</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::MarksBox</name>
@@ -2555,6 +2579,10 @@ Mueva el control de arriba para colocar algunos o haga clic en el órgano en el 
     <message>
         <source>&amp;Look from</source>
         <translation>&amp;Mirar desde</translation>
+    </message>
+    <message>
+        <source>&amp;Compare</source>
+        <translation>&amp;Comparar</translation>
     </message>
 </context>
 <context>
@@ -3067,6 +3095,10 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
     <message>
         <source>%1 (%2 of %3)</source>
         <translation>%1 (%2 de %3)</translation>
+    </message>
+    <message>
+        <source>The sample organ is being made.</source>
+        <translation>Se está creando el órgano de ejemplo.</translation>
     </message>
 </context>
 <context>
@@ -3662,6 +3694,14 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
         <source>Coordinates are in %1</source>
         <translation>Las coordenadas están en %1</translation>
     </message>
+    <message>
+        <source>Remove small fragments</source>
+        <translation>Eliminar fragmentos pequeños</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>Escalar</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::ReportExport</name>
@@ -4071,6 +4111,25 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
             <numerusform>%n más: vea Estudio en la página de Explorar.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>, all %n slices, resampled to an even grid</source>
+        <translation>
+            <numerusform>, el %n corte, remuestreado en una malla regular</numerusform>
+            <numerusform>, los %n cortes, remuestreados en una malla regular</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>, slices %1 to %2 of %3</source>
+        <translation>, cortes %1 a %2 de %3</translation>
+    </message>
+    <message>
+        <source>The slices are not at even distances: at most %1 of %2 are. What shall be read?</source>
+        <translation>Los cortes no están a distancias regulares: a lo sumo %1 de %2 lo están. ¿Qué se debe leer?</translation>
+    </message>
+    <message>
+        <source>Read other slices...</source>
+        <translation>Leer otros cortes...</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::SequenceList</name>
@@ -4166,10 +4225,6 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
         <translation>¿Guardar los cambios de %1?</translation>
     </message>
     <message>
-        <source>Unsaved changes will be lost.</source>
-        <translation>Los cambios sin guardar se perderán.</translation>
-    </message>
-    <message>
         <source>&amp;Discard</source>
         <translation>&amp;Descartar</translation>
     </message>
@@ -4199,6 +4254,14 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
     <message>
         <source>Choose the folder with the missing files</source>
         <translation>Elegir la carpeta de los archivos que faltan</translation>
+    </message>
+    <message>
+        <source>Save this session?</source>
+        <translation>¿Guardar esta sesión?</translation>
+    </message>
+    <message>
+        <source>If you discard them, the changes since the last saving are lost.</source>
+        <translation>Si los descarta, se pierden los cambios desde el último guardado.</translation>
     </message>
 </context>
 <context>
@@ -5424,6 +5487,14 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
         <source>Close this card</source>
         <translation>Cerrar esta tarjeta</translation>
     </message>
+    <message>
+        <source>First task</source>
+        <translation>Primera tarea</translation>
+    </message>
+    <message>
+        <source>Drag a dot, and see the organ follow</source>
+        <translation>Arrastrar un punto y ver cómo sigue el órgano</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::WindowLayout</name>
@@ -5465,6 +5536,141 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
     <message>
         <source>Open folder</source>
         <translation>Abrir carpeta</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::RepairValueBox</name>
+    <message>
+        <source>Unit</source>
+        <translation>Unidad</translation>
+    </message>
+    <message>
+        <source>Life size</source>
+        <translation>Tamaño natural</translation>
+    </message>
+    <message>
+        <source>The factor by which the organ gets the usual volume of its kind</source>
+        <translation>El factor con el que el órgano obtiene el volumen habitual de los suyos</translation>
+    </message>
+    <message>
+        <source>Apply</source>
+        <translation>Aplicar</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Cancelar</translation>
+    </message>
+    <message>
+        <source>About %1 triangles. Details smaller than %2 mm are lost.</source>
+        <translation>Unos %1 triángulos. Se pierden los detalles de menos de %2 mm.</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::GuideWindow</name>
+    <message>
+        <source>User guide</source>
+        <translation>Guía del usuario</translation>
+    </message>
+    <message>
+        <source>Search the guide</source>
+        <translation>Buscar en la guía</translation>
+    </message>
+    <message>
+        <source>Sections</source>
+        <translation>Secciones</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n sections</source>
+        <translation>
+            <numerusform>%n sección</numerusform>
+            <numerusform>%n secciones</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::SettingsDialog</name>
+    <message>
+        <source>Settings</source>
+        <translation>Ajustes</translation>
+    </message>
+    <message>
+        <source>Lengths are in mm, volumes in ml, everywhere; numbers have the decimal mark of the language.</source>
+        <translation>Las longitudes están siempre en mm y los volúmenes en ml; los números llevan el signo decimal del idioma.</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Cerrar</translation>
+    </message>
+    <message>
+        <source>Look</source>
+        <translation>Aspecto</translation>
+    </message>
+    <message>
+        <source>As the system</source>
+        <translation>Como el sistema</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>Idioma</translation>
+    </message>
+    <message>
+        <source>The next start uses the language.</source>
+        <translation>El próximo inicio usa el idioma.</translation>
+    </message>
+    <message>
+        <source>Theme</source>
+        <translation>Tema</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Inicio</translation>
+    </message>
+    <message>
+        <source>Show the welcome</source>
+        <translation>Mostrar la bienvenida</translation>
+    </message>
+    <message>
+        <source>Folders that dialogs begin in</source>
+        <translation>Carpetas en que empiezan los diálogos</translation>
+    </message>
+    <message>
+        <source>Organs and sessions</source>
+        <translation>Órganos y sesiones</translation>
+    </message>
+    <message>
+        <source>Sequences</source>
+        <translation>Secuencias</translation>
+    </message>
+    <message>
+        <source>Pictures</source>
+        <translation>Imágenes</translation>
+    </message>
+    <message>
+        <source>Movies</source>
+        <translation>Películas</translation>
+    </message>
+    <message>
+        <source>Choose...</source>
+        <translation>Elegir...</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::TaskCard</name>
+    <message>
+        <source>Close (Esc)</source>
+        <translation>Cerrar (Esc)</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Cerrar</translation>
+    </message>
+    <message>
+        <source>Drag the bright dot: the organ follows.</source>
+        <translation>Arrastre el punto claro: el órgano lo sigue.</translation>
+    </message>
+    <message>
+        <source>Done. Ctrl+Z takes it back. F1 opens the guide at what you are doing.</source>
+        <translation>Hecho. Ctrl+Z lo deshace. F1 abre la guía en lo que está haciendo.</translation>
     </message>
 </context>
 </TS>

@@ -153,7 +153,7 @@
     </message>
     <message>
         <source>Play</source>
-        <translation>Lire</translation>
+        <translation>Lecture</translation>
     </message>
     <message>
         <source>Stop</source>
@@ -520,7 +520,7 @@ N&#xa0;: noms, H&#xa0;: poignées, X&#xa0;: paroi, R&#xa0;: rétablir, T&#xa0;: 
     </message>
     <message>
         <source>Textbook beat</source>
-        <translation>Battement du manuel</translation>
+        <translation>Battement de référence</translation>
     </message>
     <message>
         <source>Volumes of healthy adults over one beat at this rate</source>
@@ -1378,6 +1378,10 @@ N&#xa0;: noms, H&#xa0;: poignées, X&#xa0;: paroi, R&#xa0;: rétablir, T&#xa0;: 
         <source>Positions of the organs</source>
         <translation>Positions des organes</translation>
     </message>
+    <message>
+        <source>Lost details</source>
+        <translation>Détails perdus</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::FitBox</name>
@@ -1434,7 +1438,7 @@ N&#xa0;: noms, H&#xa0;: poignées, X&#xa0;: paroi, R&#xa0;: rétablir, T&#xa0;: 
     </message>
     <message>
         <source>Fit the textbook&apos;s beat to %1</source>
-        <translation>Ajuster le battement du manuel à %1</translation>
+        <translation>Ajuster le battement de référence à %1</translation>
     </message>
 </context>
 <context>
@@ -1573,7 +1577,7 @@ N&#xa0;: noms, H&#xa0;: poignées, X&#xa0;: paroi, R&#xa0;: rétablir, T&#xa0;: 
         <translation>Retirer</translation>
     </message>
     <message>
-        <source>Remove the selected handles from the chosen group</source>
+        <source>Take the selected handles out of the chosen group</source>
         <translation>Retirer les poignées sélectionnées du groupe choisi</translation>
     </message>
 </context>
@@ -1913,6 +1917,18 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez sur l’organe en mode
     <message>
         <source>Open surfaces (STL, OBJ, PLY, OFF, VTK, VTP, GLB) or label maps (NIfTI, NRRD, DICOM-SEG) with Ctrl+O or drop them here; they get handles at once. Ctrl+S saves all of it as a session. ? lists all keys.</source>
         <translation>Ouvrez des surfaces (STL, OBJ, PLY, OFF, VTK, VTP, GLB) ou des cartes d’étiquettes (NIfTI, NRRD, DICOM-SEG) avec Ctrl+O ou déposez-les ici&#x202f;; elles reçoivent aussitôt des poignées. Ctrl+S enregistre le tout comme session.&#x202f;? montre toutes les touches.</translation>
+    </message>
+    <message>
+        <source>User &amp;guide</source>
+        <translation>&amp;Guide de l’utilisateur</translation>
+    </message>
+    <message>
+        <source>The guide, at what the present mode does</source>
+        <translation>Le guide, à l’endroit du mode présent</translation>
+    </message>
+    <message>
+        <source>&amp;First task: drag a dot</source>
+        <translation>&amp;Premier essai : tirer un point</translation>
     </message>
 </context>
 <context>
@@ -2303,6 +2319,14 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez sur l’organe en mode
         <source>Writing a movie</source>
         <translation>Écriture d’un film</translation>
     </message>
+    <message>
+        <source>&amp;Settings...</source>
+        <translation>&amp;Paramètres...</translation>
+    </message>
+    <message>
+        <source>Language, theme, folders and what is shown at the start</source>
+        <translation>Langue, thème, dossiers et ce qui est montré au démarrage</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::MarksBox</name>
@@ -2556,6 +2580,10 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez sur l’organe en mode
         <source>&amp;Look from</source>
         <translation>&amp;Regarder depuis</translation>
     </message>
+    <message>
+        <source>&amp;Compare</source>
+        <translation>&amp;Comparer</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::MessageBar</name>
@@ -2661,7 +2689,7 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez sur l’organe en mode
     </message>
     <message>
         <source>A single image shows no motion. Open it with File &gt; Open, then choose &quot;Fit a sequence to an organ&quot; in Play mode to give the heart and its chambers the textbook&apos;s beat.</source>
-        <translation>Une image seule ne montre pas de mouvement. Ouvrez-la avec Fichier &gt; Ouvrir, puis choisissez «&#xa0;Ajuster une séquence à un organe&#xa0;» en mode Lire pour donner au cœur et à ses cavités le battement du manuel.</translation>
+        <translation>Une image seule ne montre pas de mouvement. Ouvrez-la avec Fichier &gt; Ouvrir, puis choisissez «&#xa0;Ajuster une séquence à un organe&#xa0;» en mode Lecture pour donner au cœur et à ses cavités le battement de référence.</translation>
     </message>
     <message>
         <source>Label</source>
@@ -3068,6 +3096,10 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
         <source>%1 (%2 of %3)</source>
         <translation>%1 (%2 sur %3)</translation>
     </message>
+    <message>
+        <source>The sample organ is being made.</source>
+        <translation>L’organe d’exemple est en cours de création.</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::PanelDock</name>
@@ -3163,7 +3195,7 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     <name>viscera::app::PlayMode</name>
     <message>
         <source>Play</source>
-        <translation>Lire</translation>
+        <translation>Lecture</translation>
     </message>
     <message>
         <source>Space plays or pauses; drag the timeline to look at one instant</source>
@@ -3662,6 +3694,14 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
         <source>Coordinates are in %1</source>
         <translation>Les coordonnées sont en %1</translation>
     </message>
+    <message>
+        <source>Remove small fragments</source>
+        <translation>Supprimer les petits fragments</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>Mettre à l’échelle</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::ReportExport</name>
@@ -4071,6 +4111,25 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
             <numerusform>%n autres&#xa0;: voir Examen sur la page d’Explorer.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>, all %n slices, resampled to an even grid</source>
+        <translation>
+            <numerusform>, la %n coupe, rééchantillonnée sur une grille régulière</numerusform>
+            <numerusform>, les %n coupes, rééchantillonnées sur une grille régulière</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>, slices %1 to %2 of %3</source>
+        <translation>, coupes %1 à %2 sur %3</translation>
+    </message>
+    <message>
+        <source>The slices are not at even distances: at most %1 of %2 are. What shall be read?</source>
+        <translation>Les coupes ne sont pas régulièrement espacées : %1 sur %2 au plus le sont. Que faut-il lire ?</translation>
+    </message>
+    <message>
+        <source>Read other slices...</source>
+        <translation>Lire d’autres coupes...</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::SequenceList</name>
@@ -4166,10 +4225,6 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
         <translation>Enregistrer les modifications de %1&#x202f;?</translation>
     </message>
     <message>
-        <source>Unsaved changes will be lost.</source>
-        <translation>Les modifications non enregistrées seront perdues.</translation>
-    </message>
-    <message>
         <source>&amp;Discard</source>
         <translation>A&amp;bandonner</translation>
     </message>
@@ -4199,6 +4254,14 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     <message>
         <source>Choose the folder with the missing files</source>
         <translation>Choisir le dossier des fichiers manquants</translation>
+    </message>
+    <message>
+        <source>Save this session?</source>
+        <translation>Enregistrer cette session ?</translation>
+    </message>
+    <message>
+        <source>If you discard them, the changes since the last saving are lost.</source>
+        <translation>Si vous ne les gardez pas, les modifications depuis le dernier enregistrement sont perdues.</translation>
     </message>
 </context>
 <context>
@@ -5424,6 +5487,14 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
         <source>Close this card</source>
         <translation>Fermer cette carte</translation>
     </message>
+    <message>
+        <source>First task</source>
+        <translation>Premier essai</translation>
+    </message>
+    <message>
+        <source>Drag a dot, and see the organ follow</source>
+        <translation>Tirer un point et voir l’organe suivre</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::WindowLayout</name>
@@ -5465,6 +5536,141 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     <message>
         <source>Open folder</source>
         <translation>Ouvrir un dossier</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::RepairValueBox</name>
+    <message>
+        <source>Unit</source>
+        <translation>Unité</translation>
+    </message>
+    <message>
+        <source>Life size</source>
+        <translation>Taille réelle</translation>
+    </message>
+    <message>
+        <source>The factor by which the organ gets the usual volume of its kind</source>
+        <translation>Le facteur qui donne à l’organe le volume habituel de son espèce</translation>
+    </message>
+    <message>
+        <source>Apply</source>
+        <translation>Appliquer</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>About %1 triangles. Details smaller than %2 mm are lost.</source>
+        <translation>Environ %1 triangles. Les détails de moins de %2 mm sont perdus.</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::GuideWindow</name>
+    <message>
+        <source>User guide</source>
+        <translation>Guide de l’utilisateur</translation>
+    </message>
+    <message>
+        <source>Search the guide</source>
+        <translation>Chercher dans le guide</translation>
+    </message>
+    <message>
+        <source>Sections</source>
+        <translation>Sections</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n sections</source>
+        <translation>
+            <numerusform>%n section</numerusform>
+            <numerusform>%n sections</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::SettingsDialog</name>
+    <message>
+        <source>Settings</source>
+        <translation>Paramètres</translation>
+    </message>
+    <message>
+        <source>Lengths are in mm, volumes in ml, everywhere; numbers have the decimal mark of the language.</source>
+        <translation>Les longueurs sont partout en mm, les volumes en ml ; les nombres ont le séparateur décimal de la langue.</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Fermer</translation>
+    </message>
+    <message>
+        <source>Look</source>
+        <translation>Apparence</translation>
+    </message>
+    <message>
+        <source>As the system</source>
+        <translation>Comme le système</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>Langue</translation>
+    </message>
+    <message>
+        <source>The next start uses the language.</source>
+        <translation>Le prochain démarrage utilise la langue.</translation>
+    </message>
+    <message>
+        <source>Theme</source>
+        <translation>Thème</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Démarrage</translation>
+    </message>
+    <message>
+        <source>Show the welcome</source>
+        <translation>Afficher l’accueil</translation>
+    </message>
+    <message>
+        <source>Folders that dialogs begin in</source>
+        <translation>Dossiers où commencent les dialogues</translation>
+    </message>
+    <message>
+        <source>Organs and sessions</source>
+        <translation>Organes et sessions</translation>
+    </message>
+    <message>
+        <source>Sequences</source>
+        <translation>Séquences</translation>
+    </message>
+    <message>
+        <source>Pictures</source>
+        <translation>Images</translation>
+    </message>
+    <message>
+        <source>Movies</source>
+        <translation>Films</translation>
+    </message>
+    <message>
+        <source>Choose...</source>
+        <translation>Choisir...</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::TaskCard</name>
+    <message>
+        <source>Close (Esc)</source>
+        <translation>Fermer (Échap)</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Fermer</translation>
+    </message>
+    <message>
+        <source>Drag the bright dot: the organ follows.</source>
+        <translation>Tirez le point clair : l’organe suit.</translation>
+    </message>
+    <message>
+        <source>Done. Ctrl+Z takes it back. F1 opens the guide at what you are doing.</source>
+        <translation>C’est fait. Ctrl+Z l’annule. F1 ouvre le guide là où vous en êtes.</translation>
     </message>
 </context>
 </TS>

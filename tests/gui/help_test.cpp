@@ -1,13 +1,32 @@
 #include "window_test.h"
 
 #include <QAction>
+#include <QCheckBox>
+#include <QComboBox>
 #include <QLabel>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QMenu>
+#include <QMenuBar>
 #include <QPointer>
 #include <QPushButton>
+#include <QRegularExpression>
 #include <QTest>
+#include <QTextBlock>
+#include <QTextBrowser>
 
+#include <algorithm>
+#include <map>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "window/guide/guide_window.h"
+#include "window/settings_dialog.h"
+#include "window/widgets/first_picture.h"
 #include "window/widgets/help_cards.h"
 #include "window/widgets/pointing_frame.h"
+#include "window/widgets/task_card.h"
 
 namespace viscera::tests {
 namespace {
@@ -47,7 +66,7 @@ TEST_F(WindowTest, TheWelcomeLeavesMostOfASmallViewFree) {
   settle();
   const auto& card = *window().findChild<app::WelcomeCard*>();
   const auto buttons = card.findChildren<QPushButton*>();
-  ASSERT_EQ(buttons.size(), 3);
+  ASSERT_EQ(buttons.size(), 4);
   EXPECT_LE(card.height(), window().viewArea().height() / 3);
   EXPECT_TRUE(buttons[1]->isVisible()) << "the samples";
   window().resize(1280, 800);
@@ -103,6 +122,168 @@ TEST_F(Tour, MayBeUnderWayWhenTheWindowEnds) {
   const QPointer<app::PointingFrame> frame = frames().front();
   endWindow();
   EXPECT_TRUE(frame.isNull()) << "the window takes its frames with it";
+}
+
+TEST_F(Tour, GoesOnWithReturnAndSpaceAndLeavesTheHeartBeating) {
+  next(); // The step that plays.
+  ASSERT_TRUE(window().playback().player().playing());
+  const QString before = card().findChild<QLabel*>()->text();
+  QTest::keyClick(&view(), Qt::Key_Space);
+  settle();
+  EXPECT_NE(card().findChild<QLabel*>()->text(), before);
+  EXPECT_TRUE(window().playback().player().playing()) << "Space is the tour's as long as it is shown";
+  for (std::size_t step = 2; step < card().steps().size(); ++step)
+    QTest::keyClick(&window(), Qt::Key_Return);
+  settle();
+  EXPECT_FALSE(card().isVisible());
+}
+
+class GuideTest : public WindowTest {
+protected:
+  app::GuideWindow& guide() { return *window().findChild<app::GuideWindow*>(); }
+  QString shownHeading() { return guide().findChild<QTextBrowser*>()->textCursor().block().text(); }
+};
+
+TEST_F(GuideTest, OpensInTheWindowAtThePresentMode) {
+  const std::vector<std::pair<const char*, const char*>> headings = {{"explore", "User guide"},
+                                                                     {"handles", "Groups of handles"},
+                                                                     {"deform", "Deform mode"},
+                                                                     {"stress", "Stress mode"},
+                                                                     {"play", "Play: organs in motion"}};
+  for (const auto& [mode, heading] : headings) {
+    window().setMode(mode);
+    window().actions()["help.guide"]->trigger();
+    ASSERT_TRUE(guide().isVisible());
+    EXPECT_EQ(shownHeading().toStdString(), heading);
+  }
+  EXPECT_EQ(window().actions()["help.guide"]->shortcut(), QKeySequence(Qt::Key_F1));
+}
+
+TEST_F(GuideTest, FindsTheSectionsThatHaveAllWords) {
+  window().actions()["help.guide"]->trigger();
+  auto& list = *guide().findChild<QListWidget*>();
+  const int all = list.count();
+  EXPECT_GT(all, 20);
+  guide().findChild<QLineEdit*>(QStringLiteral("guideSearch"))->setText(QStringLiteral("volume LOCK"));
+  EXPECT_GT(list.count(), 1);
+  for (int row = 0; row < list.count(); ++row) {
+    list.setCurrentRow(row);
+    const QString page = guide().findChild<QTextBrowser*>()->toPlainText();
+    EXPECT_TRUE(page.contains(QStringLiteral("lock"), Qt::CaseInsensitive));
+    EXPECT_EQ(shownHeading().trimmed(), list.item(row)->toolTip());
+  }
+  guide().findChild<QLineEdit*>(QStringLiteral("guideSearch"))->setText(QStringLiteral("xyzzy"));
+  EXPECT_EQ(list.count(), 0);
+  guide().findChild<QLineEdit*>(QStringLiteral("guideSearch"))->clear();
+  EXPECT_EQ(list.count(), all);
+}
+
+/// A link leads to the place that it names, on each page that the program has within.
+TEST_F(GuideTest, EveryLinkBetweenItsPagesLeadsSomewhere) {
+  const auto pages = app::guidePages();
+  ASSERT_GT(pages.size(), 10u);
+  const QRegularExpression link(QStringLiteral("\\]\\(([a-z_]*\\.md)?(#[^)]*)?\\)"));
+  int seen = 0;
+  for (const app::GuidePage& page : pages)
+    for (auto at = link.globalMatch(page.markdown); at.hasNext();) {
+      const auto match = at.next();
+      const QString name = match.captured(1).isEmpty() ? page.name : match.captured(1);
+      const auto target =
+          std::find_if(pages.begin(), pages.end(), [&](const auto& p) { return p.name == name; });
+      if (target == pages.end() || match.captured(2).isEmpty())
+        continue; // For developers, or the whole page.
+      const QString anchor = match.captured(2).mid(1);
+      EXPECT_TRUE(std::any_of(target->sections.begin(), target->sections.end(),
+                              [&](const auto& section) { return section.anchor == anchor; }))
+          << page.name.toStdString() << " -> " << match.captured(0).toStdString();
+      ++seen;
+    }
+  EXPECT_GT(seen, 10);
+}
+
+TEST_F(WindowTest, SettingsAreInOneDialogAndApplyAtOnce) {
+  window().actions()["edit.settings"]->trigger();
+  auto& dialog = *window().findChild<app::SettingsDialog*>();
+  ASSERT_TRUE(dialog.isVisible());
+  auto& theme = *dialog.findChild<QComboBox*>(QStringLiteral("settingsTheme"));
+  theme.setCurrentIndex(1);
+  Q_EMIT theme.activated(1);
+  EXPECT_TRUE(window().actions()["theme.light"]->isChecked());
+  auto& cube = *dialog.findChild<QCheckBox*>(QStringLiteral("settings.view.cube"));
+  const bool before = window().viewModel().state().orientationCube;
+  cube.click();
+  EXPECT_NE(window().viewModel().state().orientationCube, before);
+  window().actions()["view.cube"]->trigger();
+  EXPECT_EQ(cube.isChecked(), before) << "the menu's change is the dialog's";
+  auto& language = *dialog.findChild<QComboBox*>(QStringLiteral("settingsLanguage"));
+  language.setCurrentIndex(language.findData(QStringLiteral("de")));
+  Q_EMIT language.activated(language.currentIndex());
+  dialog.close();
+  settle();
+  window().actions()["edit.settings"]->trigger();
+  auto& again = *window().findChild<app::SettingsDialog*>();
+  EXPECT_EQ(again.findChild<QComboBox*>(QStringLiteral("settingsLanguage"))->currentData().toString(),
+            QStringLiteral("de"));
+  theme.setCurrentIndex(0);
+  window().actions()["theme.dark"]->trigger();
+}
+
+/// Every command of the menus, with the menu that it is in.
+void collectEntries(const QList<QAction*>& actions, std::vector<QAction*>& found) {
+  for (QAction* action : actions) {
+    found.push_back(action);
+    if (action->menu())
+      collectEntries(action->menu()->actions(), found);
+  }
+}
+
+TEST_F(WindowTest, MenusHaveOneMarkForWhatIsOnAndAnIconForOneCommand) {
+  std::vector<QAction*> entries;
+  collectEntries(window().findChild<QMenuBar*>(QStringLiteral("menus"))->actions(), entries);
+  std::map<QString, std::set<QString>> commands; // By the icon.
+  for (QAction* entry : entries) {
+    if (entry->icon().isNull() || !entry->isIconVisibleInMenu() || entry->menu())
+      continue;
+    EXPECT_FALSE(entry->isCheckable()) << "an icon hides the tick: " << entry->text().toStdString();
+    commands[entry->property(app::kIconName).toString()].insert(entry->objectName());
+  }
+  EXPECT_GT(commands.size(), 10u);
+  for (const auto& [icon, ids] : commands)
+    EXPECT_EQ(ids.size(), 1u) << icon.toStdString();
+}
+
+TEST_F(WindowTest, AnEmptyWindowShowsTheHeartWhileItIsMade) {
+  auto& picture = *window().findChild<app::FirstPicture*>();
+  EXPECT_FALSE(picture.isVisible());
+  window().samples().load(QStringLiteral("heart"), false);
+  EXPECT_TRUE(picture.isVisible()) << "at once";
+  EXPECT_GT(picture.grab().toImage().pixelColor(picture.rect().center()).red(), 100) << "it is the heart";
+  for (const QLabel* label : window().findChildren<QLabel*>())
+    EXPECT_FALSE(label->isVisible() && label->text().startsWith(QLatin1String("No organ yet")));
+  settle();
+  EXPECT_FALSE(picture.isVisible());
+  EXPECT_FALSE(document().organs().empty());
+  window().samples().load(QStringLiteral("heart"), false);
+  EXPECT_FALSE(picture.isVisible()) << "organs are in its place";
+  settle();
+}
+
+TEST_F(WindowTest, TheFirstTaskEndsWhenItIsDone) {
+  open(sphereFile());
+  EXPECT_TRUE(window().actions()["help.task"]->isEnabled());
+  window().actions()["help.task"]->trigger();
+  settle();
+  auto& card = *window().findChild<app::TaskCard*>();
+  ASSERT_TRUE(card.isVisible());
+  EXPECT_EQ(window().mode(), "deform");
+  const auto chosen = window().workspace().selection().handles();
+  ASSERT_EQ(chosen.size(), 1u);
+  const int row = document().rig().indexOf(chosen.front());
+  const QPoint at = onScreen(handleInView(row));
+  drag(at, at + QPoint(0, 25));
+  settle();
+  EXPECT_TRUE(card.done());
+  EXPECT_TRUE(waitUntil([&] { return !card.isVisible(); })) << "it goes by itself";
 }
 
 } // namespace

@@ -36,6 +36,7 @@
 #include "window/import/arriving_surfaces.h"
 #include "window/import/import_controller.h"
 #include "window/import/import_panel.h"
+#include "window/import/repair_value_box.h"
 #include "window/language.h"
 
 namespace viscera::tests {
@@ -485,6 +486,42 @@ TEST_F(Import, ThePreviewHasTheColoursThatTheOrgansWillHave) {
       << "the file's, though the program knows a liver's";
   press(importButton());
   EXPECT_EQ(colors(), previewed);
+}
+
+TEST_F(Import, RemovesFragmentsBelowASizeThatIsSeenBefore) {
+  TriangleMesh ribs = sphere(3, 20, {-100, 0, 300});
+  const auto add = [&ribs](const TriangleMesh& part) {
+    const auto points = ribs.points.rows(), triangles = ribs.triangles.rows();
+    ribs.points.conservativeResize(points + part.points.rows(), 3);
+    ribs.points.bottomRows(part.points.rows()) = part.points;
+    ribs.triangles.conservativeResize(triangles + part.triangles.rows(), 3);
+    ribs.triangles.bottomRows(part.triangles.rows()) =
+        part.triangles.array() + static_cast<std::int32_t>(points);
+  };
+  add(sphere(3, 15, {-100, 0, 360}));
+  add(sphere(2, 1.5, {-100, 0, 400}));
+  open(write(ribs, QStringLiteral("ribs.stl")));
+  press(repairButton(QStringLiteral("remove-fragments")));
+  auto& box = *panel().findChild<app::RepairValueBox*>();
+  auto& effect = *box.findChild<QLabel*>(QStringLiteral("repairEffect"));
+  EXPECT_TRUE(effect.text().startsWith(QStringLiteral("1 of 3 pieces goes"))) << effect.text().toStdString();
+  EXPECT_EQ(window().imports().draft().organs[0].assessment.report.components, 3) << "only shown so far";
+  auto& unit = *box.findChild<QComboBox*>();
+  unit.setCurrentIndex(unit.findText(QStringLiteral("mm")));
+  EXPECT_EQ(box.id(), QStringLiteral("remove-fragments=10mm"));
+  press(box.findChild<QPushButton*>(QStringLiteral("applyRepair")));
+  EXPECT_EQ(window().imports().draft().organs[0].assessment.report.components, 2) << "no rib is lost";
+  press(panel().findChild<QPushButton*>(QStringLiteral("revert")));
+  EXPECT_EQ(window().imports().draft().organs[0].assessment.report.components, 3);
+}
+
+TEST_F(Import, ScalesAnOrganOfMetresToLifeSize) {
+  open(write(sphere(4, 1350), QStringLiteral("stomach.stl")));
+  press(repairButton(QStringLiteral("scale")));
+  auto& box = *panel().findChild<app::RepairValueBox*>();
+  press(box.findChild<QPushButton*>(QStringLiteral("lifeSize")));
+  press(box.findChild<QPushButton*>(QStringLiteral("applyRepair")));
+  EXPECT_NEAR(window().imports().draft().organs[0].assessment.volumeMl, 895, 10);
 }
 
 } // namespace

@@ -345,6 +345,30 @@ struct Chooser {
   QTimer timer;
 };
 
+TEST_F(SlicesTest, UnevenSlicesAreChosenBeforeAnyIsShown) {
+  LabelImage image = orientedPhantomGrid(0, {0, 1, 2});
+  fillPhantom(image);
+  const std::filesystem::path folder = path(QStringLiteral("head")).toStdString();
+  std::filesystem::create_directory(folder);
+  for (int k = 0; k < image.size[2]; ++k) {
+    DicomElements elements = dicomSlice(image, k);
+    elements[0x00200032] = "DS" + decimals(Vec3(-21, -36, -36 + (k < 9 ? 4 * k : 32 + 7 * (k - 8))));
+    std::ofstream(folder / std::to_string(k), std::ios::binary) << dicomBytes(elements);
+  }
+  Chooser all(QStringLiteral("resampled"));
+  window().scans().open(QString::fromStdString(folder.string()));
+  settle();
+  ASSERT_EQ(all.offered.size(), 3) << "each even part, and all";
+  EXPECT_TRUE(all.offered[0].contains(QStringLiteral("slices 1 to 9 of 17"))) << all.offered[0].toStdString();
+  ASSERT_TRUE(document().state().scan);
+  EXPECT_GT(document().state().scan->scan->size[2], 17);
+  Chooser part(QStringLiteral("slices 1 to 9"));
+  window().scans().open(QString::fromStdString(folder.string()));
+  settle();
+  EXPECT_EQ(document().state().scan->scan->size[2], 9);
+  EXPECT_TRUE(message().contains(QStringLiteral("9 of 17 slices were read"))) << message().toStdString();
+}
+
 TEST_F(SlicesTest, SeveralSeriesAndPhasesAreListedToChooseFromAndWhatIsOddIsSaid) {
   LabelImage image = orientedPhantomGrid(0, {0, 1, 2});
   fillPhantom(image);
@@ -368,11 +392,11 @@ TEST_F(SlicesTest, SeveralSeriesAndPhasesAreListedToChooseFromAndWhatIsOddIsSaid
     return waitUntil([&] { return document().state().scan->scan->description == description; });
   };
   {
-    Chooser chooser(QStringLiteral("Abdomen"));
+    Chooser chooser(QStringLiteral("slices 1 to 11 of"));
     window().files().open({QString::fromStdString(folder.string())});
     ASSERT_TRUE(opened("Abdomen 5.0"));
-    ASSERT_EQ(chooser.offered.size(), 3) << chooser.offered.join(QLatin1Char('\n')).toStdString();
-    EXPECT_TRUE(chooser.offered.filter(QStringLiteral("CT")).filter(QStringLiteral("21 x 23 x")).size() == 3);
+    ASSERT_EQ(chooser.offered.size(), 5) << chooser.offered.join(QLatin1Char('\n')).toStdString();
+    EXPECT_TRUE(chooser.offered.filter(QStringLiteral("CT")).filter(QStringLiteral("21 x 23 x")).size() == 5);
     EXPECT_EQ(chooser.offered.filter(QStringLiteral("phase 2 of 2")).size(), 1);
     settle();
     EXPECT_TRUE(message().contains(QStringLiteral("is missing"))) << message().toStdString();

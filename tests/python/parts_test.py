@@ -47,6 +47,24 @@ class Files(Folder):
             with self.assertRaises(viscera.CannotCreateError):
                 viscera.write_surface(self.folder / file, points, triangles)
 
+    def test_surfaces_are_repaired_by_size(self):
+        points, triangles = kidney()
+        crumb = points[triangles[:4].ravel()] * 0.001
+        both = np.vstack([points, crumb])
+        faces = np.vstack([triangles, len(points) + np.arange(12).reshape(4, 3)])
+        for limit in ("2%", "5mm", "0.1ml"):
+            mended = viscera.repair_surface(both, faces, [f"remove-fragments={limit}"])
+            self.assertEqual(len(mended.triangles), len(triangles), limit)
+        large = viscera.repair_surface(points, triangles, ["scale=10"])
+        np.testing.assert_allclose(large.points, 10 * points)
+        factor = viscera.life_size_factor("stomach", viscera.volume(*large) / 1000)
+        self.assertLess(factor, 1)
+        self.assertIsNone(viscera.life_size_factor("thing", 5))
+        self.assertIn("remesh", viscera.surface_repairs())
+        for wrong in ("magic", "remesh=none", "scale", "remove-fragments=5kg"):
+            with self.assertRaises(viscera.UsageError):
+                viscera.repair_surface(points, triangles, [wrong])
+
     def test_handles_come_back_with_every_bit_and_their_labels(self):
         places = np.random.default_rng(2).normal(0, 50, (9, 3))
         labels = [f"Apex {i}" for i in range(9)]

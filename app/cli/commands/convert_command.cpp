@@ -90,6 +90,10 @@ public:
     options.add_option("--unit", unit_, "Unit of IN's coordinates; OUT is in mm")
         ->check(CLI::IsMember({"mm", "cm", "m", "in"}))
         ->capture_default_str();
+    options
+        .add_option("--remove-fragments", fragments_,
+                    "Drop pieces of the surface that are smaller than this: 2%, 5mm or 0.3ml")
+        ->type_name("SIZE");
     options.add_flag("--keep-largest", keepLargest_, "Keep the largest piece of the surface only");
     options.add_flag("--fill-holes", fillHoles_, "Close holes with caps");
     options.add_flag("--orient", orient_, "Turn triangles so that all of them face outward");
@@ -98,6 +102,18 @@ public:
                     "Make the surface anew with about N triangles: closed, without intersections")
         ->type_name("N")
         ->check(wholeBetween(kFewestConvertedTriangles, kMostConvertedTriangles));
+    options
+        .add_option(
+            "--resolution", resolutionMm_,
+            "Make the surface anew with details of MM, with as many triangles as --remesh says, or as "
+            "that takes")
+        ->type_name("MM")
+        ->check(CLI::PositiveNumber);
+    options
+        .add_option("--scale", scale_,
+                    "Multiply all coordinates, or life-size: to the usual volume of the organ that the "
+                    "file's name says")
+        ->type_name("FACTOR");
     options.add_flag("--mirror", mirror_, "Exchange left and right");
     options
         .add_option("--element-size", elementMm_,
@@ -153,7 +169,7 @@ private:
 
   /// All organs of all inputs into one file.
   Outcome convertOrgans(CommandContext& context) const {
-    if (!repairs().empty() || remesh_ || !fromSpace_.empty() || unit_ != "mm")
+    if (!repairs().empty() || remakes() || !scale_.empty() || !fromSpace_.empty() || unit_ != "mm")
       throw UsageError("several organs are written as they are", out_,
                        "leave out the options, or convert the organs one by one");
     const OrganGroup group = organGroup(inputs_, context.samples, context.progress);
@@ -200,7 +216,8 @@ private:
 
   /// One organ, filled up to its cavities.
   Outcome convertToTetrahedra(CommandContext& context) const {
-    if (!repairs().empty() || remesh_ || !fromSpace_.empty() || space_ != "LPS" || unit_ != "mm")
+    if (!repairs().empty() || remakes() || !scale_.empty() || !fromSpace_.empty() || space_ != "LPS" ||
+        unit_ != "mm")
       throw UsageError("tetrahedra are written in LPS mm of a surface as it is", out_,
                        "convert the surface first, and then the result");
     OrganGroup group = organGroup(inputs_, context.samples, context.progress);
@@ -317,11 +334,16 @@ private:
       mesh = geometry::scaled(std::move(mesh), millimetres(unit_));
     for (const std::string& repair : repairs())
       mesh = medical_io::surfaceRepair(repair).apply(mesh, context.progress, context.threads);
+    mesh = scaled(std::move(mesh), surface.name);
     Converted result;
-    if (remesh_) {
+    if (remakes()) {
       geometry::TriangleMesh before = std::move(mesh);
-      mesh = medical_io::remeshed(before, *remesh_, context.progress, context.threads);
+      mesh = resolutionMm_ ? medical_io::remeshedAt(before, *resolutionMm_, remesh_.value_or(0),
+                                                    context.progress, context.threads)
+                           : medical_io::remeshed(before, *remesh_, context.progress, context.threads);
       result.change = medical_io::surfaceChange(before, mesh, context.threads);
+      if (auto lost = medical_io::doubtAbout(*result.change))
+        warnings.push_back(std::move(*lost));
     }
     result.name = surface.name;
     result.report = geometry::checkSurface(mesh);
@@ -330,6 +352,24 @@ private:
       outcome.warnings.push_back(amongOthers ? phrase("%1: %2", surface.name, warning) : std::move(warning));
     result.mesh = std::make_shared<const geometry::TriangleMesh>(std::move(mesh));
     return result;
+  }
+
+  bool remakes() const { return remesh_ || resolutionMm_; }
+
+  geometry::TriangleMesh scaled(geometry::TriangleMesh mesh, const std::string& name) const {
+    if (scale_.empty())
+      return mesh;
+    Progress quiet;
+    if (scale_ != "life-size")
+      return medical_io::surfaceRepair("scale=" + scale_).apply(mesh, quiet, {});
+    const geometry::SurfaceReport report = geometry::checkSurface(mesh);
+    const auto factor = report.closed()
+                            ? medical_io::lifeSizeFactor(name, std::abs(report.volumeMm3) / kMm3PerMl)
+                            : std::nullopt;
+    if (!factor)
+      throw DataError("its life size is not known", name,
+                      "close the surface by --fill-holes and name the file by its organ, or give a factor");
+    return geometry::scaled(std::move(mesh), *factor);
   }
 
   void write(const std::vector<medical_io::SurfacePart>& parts,
@@ -353,7 +393,9 @@ private:
 
   void describe(const std::vector<Converted>& converted, Outcome& outcome) const {
     std::vector<std::string> done = repairs();
-    if (remesh_)
+    if (!scale_.empty())
+      done.push_back("scale=" + scale_);
+    if (remakes())
       done.emplace_back("remesh");
     Eigen::Index vertices = 0, triangles = 0;
     bool closed = true;
@@ -427,6 +469,8 @@ private:
   /// The repairs asked for, in the order in which they are done.
   std::vector<std::string> repairs() const {
     std::vector<std::string> list;
+    if (!fragments_.empty())
+      list.push_back("remove-fragments=" + fragments_);
     if (keepLargest_)
       list.emplace_back("keep-largest");
     if (orient_) // Before the holes: caps run as the triangles beside them do.
@@ -441,9 +485,9 @@ private:
   void requireNoSurfaceOptions() const {
     if (!fromSpace_.empty())
       throw UsageError("handle files state their axes themselves", "--from-space");
-    if (!repairs().empty() || remesh_)
+    if (!repairs().empty() || remakes() || !scale_.empty())
       throw UsageError("handles cannot be repaired as surfaces are", in_,
-                       "leave out --fill-holes, --keep-largest, --orient, --remesh and --mirror");
+                       "leave out the options that repair a surface");
   }
 
   medical_io::Space written() const { return spaceNamed(space_); }
@@ -462,6 +506,8 @@ private:
   bool orient_ = false;
   bool mirror_ = false;
   std::optional<int> remesh_;
+  std::optional<double> resolutionMm_;
+  std::string fragments_, scale_;
 };
 
 } // namespace

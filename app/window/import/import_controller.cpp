@@ -3,6 +3,7 @@
 #include <QEvent>
 #include <QFileInfo>
 
+#include "viscera/medical_io/surface_pieces.h"
 #include "window/file_actions.h"
 #include "window/import/import_panel.h"
 #include "window/import/organ_check.h"
@@ -16,6 +17,7 @@ constexpr const char* kImportSlot = "import";
 constexpr double kGlass = 0.5, kSolid = 1;
 /// As a fraction of the diagonal: for a smaller difference the camera does not move.
 constexpr double kElsewhere = 0.01;
+const Vec3 kRemoved(0.85, 0.15, 0.1);
 
 } // namespace
 
@@ -25,6 +27,7 @@ ImportController::ImportController(Workspace& workspace, FileActions& files, Pic
   connect(panel_, &ImportPanel::accepted, this, &ImportController::accept);
   connect(panel_, &ImportPanel::cancelled, this, &ImportController::cancel);
   connect(panel_, &ImportPanel::repairRequested, this, &ImportController::repair);
+  connect(panel_, &ImportPanel::previewRequested, this, &ImportController::previewRemoval);
   connect(panel_, &ImportPanel::revertRequested, this, &ImportController::revert);
   connect(panel_, &ImportPanel::includedChanged, this, &ImportController::include);
 }
@@ -76,6 +79,7 @@ void ImportController::close() {
 }
 
 void ImportController::show() {
+  removal_.clear(); // The new cards ask for no value.
   panel_->showDraft(draft_, names_.size() == 1
                                 ? tr("Check of %1").arg(QFileInfo(names_.front()).fileName())
                                 : tr("Check of %n files", nullptr, static_cast<int>(names_.size())));
@@ -99,6 +103,8 @@ void ImportController::preview() {
     box = surfaces.empty() ? own : Bounds{box.low.cwiseMin(own.low), box.high.cwiseMax(own.high)};
     surfaces.push_back(std::move(surface));
   }
+  if (!removal_.empty())
+    addRemoved(surfaces);
   const double moved = (box.low - previewed_.low).norm() + (box.high - previewed_.high).norm();
   const bool elsewhere = !surfaces.empty() && moved > kElsewhere * box.diagonal();
   picture_.setTransientSurfaces(std::move(surfaces), alone);
@@ -106,6 +112,29 @@ void ImportController::preview() {
     return;
   picture_.view().frame(box);
   previewed_ = box;
+}
+
+/// In red, while the organ that it is a part of becomes glass.
+void ImportController::addRemoved(std::vector<presentation::TransientSurface>& surfaces) const {
+  const auto& mesh = draft_.organs.at(fromOrgan_).mesh;
+  const auto limit = medical_io::fragmentLimit(removal_.substr(removal_.find('=') + 1));
+  if (!limit)
+    return;
+  for (presentation::TransientSurface& surface : surfaces)
+    if (surface.mesh == mesh)
+      surface.opacity = kGlass;
+  auto part =
+      std::make_shared<const geometry::TriangleMesh>(medical_io::SurfacePieces(*mesh).part(*limit, true));
+  if (part->triangles.rows() > 0)
+    surfaces.push_back({std::move(part), kRemoved, kSolid, false});
+}
+
+void ImportController::previewRemoval(std::size_t organ, const std::string& repair) {
+  if (!open_)
+    return;
+  fromOrgan_ = organ;
+  removal_ = repair.starts_with("remove-fragments=") ? repair : std::string();
+  preview();
 }
 
 void ImportController::work(const QString& name, const std::vector<std::size_t>& organs,

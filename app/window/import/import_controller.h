@@ -6,6 +6,7 @@
 #include <functional>
 
 #include "viscera/document/import_draft.h"
+#include "viscera/presentation/presenter.h"
 
 namespace viscera::app {
 
@@ -51,13 +52,18 @@ private:
   void include(const std::vector<std::size_t>& organs, bool included);
   void show();
   void preview();
+  void addRemoved(std::vector<presentation::TransientSurface>& surfaces) const;
+  /// Shows in red what a repair would remove from that organ.
+  void previewRemoval(std::size_t organ, const std::string& repair);
   void close();
 
   Workspace& workspace_;
   FileActions& files_;
   ImportPanel* panel_;
   Picture& picture_;
-  Bounds previewed_; ///< In the picture.
+  Bounds previewed_;          ///< In the picture.
+  std::size_t fromOrgan_ = 0; ///< Of which `removed_` is a part.
+  std::string removal_;       ///< The repair that would remove it; empty: none is being chosen.
   document::ImportDraft draft_;
   QStringList names_;
   bool open_ = false;

@@ -210,6 +210,8 @@ void ImportPanel::addOrgan(const document::ImportDraft& draft, std::size_t place
   auto* check = new OrganCheck(draft.organs[place], detail, organs_);
   connect(check, &OrganCheck::repairRequested, this,
           [this, place](const QString& id) { Q_EMIT repairRequested({place}, id.toStdString()); });
+  connect(check, &OrganCheck::previewRequested, this,
+          [this, place](const QString& id) { Q_EMIT previewRequested(place, id.toStdString()); });
   connect(check, &OrganCheck::revertRequested, this, [this, place] { Q_EMIT revertRequested(place); });
   connect(check, &OrganCheck::includedChanged, this,
           [this, place](bool included) { Q_EMIT includedChanged({place}, included); });

@@ -11,6 +11,7 @@
 
 #include "viscera/medical_io/plausible_size.h"
 #include "viscera/medical_io/surface_repairs.h"
+#include "window/import/repair_value_box.h"
 #include "window/language.h"
 #include "window/widgets/elided_check.h"
 #include "window/widgets/flow_layout.h"
@@ -65,7 +66,9 @@ QString repairName(const std::string& id) {
   static const std::map<std::string, const char*> kNames = {
       {"orient", QT_TRANSLATE_NOOP("viscera::app::Repairs", "Turn triangles outward")},
       {"fill-holes", QT_TRANSLATE_NOOP("viscera::app::Repairs", "Fill holes")},
+      {"remove-fragments", QT_TRANSLATE_NOOP("viscera::app::Repairs", "Remove small fragments")},
       {"keep-largest", QT_TRANSLATE_NOOP("viscera::app::Repairs", "Keep the largest piece")},
+      {"scale", QT_TRANSLATE_NOOP("viscera::app::Repairs", "Scale")},
       {"remesh", QT_TRANSLATE_NOOP("viscera::app::Repairs", "Remesh")},
       {"mirror", QT_TRANSLATE_NOOP("viscera::app::Repairs", "Mirror left and right")},
       {"ras-to-lps", QT_TRANSLATE_NOOP("viscera::app::Repairs", "Convert from RAS to LPS")},
@@ -79,6 +82,15 @@ QString repairName(const std::string& id) {
   const auto known = kNames.find(id);
   if (known != kNames.end())
     return repairText(known->second);
+  const auto value = id.find('=');
+  if (value != std::string::npos) {
+    const bool scales = id.starts_with("scale");
+    const QString number = text(id.substr(value + 1));
+    return QStringLiteral("%1: %2").arg(repairName(id.substr(0, value)),
+                                        id.starts_with("remesh") ? number + QStringLiteral(" mm")
+                                        : scales                 ? QStringLiteral("\u00d7 ") + number
+                                                                 : number);
+  }
   for (const medical_io::LengthUnit& unit : medical_io::lengthUnits())
     if (id == "unit-" + std::string(unit.id))
       return repairText(QT_TRANSLATE_NOOP("viscera::app::Repairs", "Coordinates are in %1"))
@@ -87,7 +99,7 @@ QString repairName(const std::string& id) {
 }
 
 QString repairTip(const std::string& id) {
-  return asSentence(medical_io::surfaceRepair(id).does);
+  return asSentence(medical_io::surfaceRepair(id == "scale" ? "scale=1" : id).does);
 }
 
 QString subjectName(medical_io::FindingSubject subject) {
@@ -101,7 +113,8 @@ QString subjectName(medical_io::FindingSubject subject) {
       {FindingSubject::facing, QT_TRANSLATE_NOOP("viscera::app::Findings", "Triangles that face inward")},
       {FindingSubject::pieces, QT_TRANSLATE_NOOP("viscera::app::Findings", "Separate pieces")},
       {FindingSubject::crossings, QT_TRANSLATE_NOOP("viscera::app::Findings", "Crossing triangles")},
-      {FindingSubject::arrangement, QT_TRANSLATE_NOOP("viscera::app::Findings", "Positions of the organs")}};
+      {FindingSubject::arrangement, QT_TRANSLATE_NOOP("viscera::app::Findings", "Positions of the organs")},
+      {FindingSubject::detail, QT_TRANSLATE_NOOP("viscera::app::Findings", "Lost details")}};
   return QCoreApplication::translate("viscera::app::Findings", kNames.at(subject));
 }
 
@@ -129,11 +142,12 @@ FindingLine::FindingLine(const medical_io::Finding& finding, QWidget* parent) : 
 }
 
 OrganCheck::OrganCheck(const document::DraftOrgan& organ, const Detail& detail, QWidget* parent)
-    : QFrame(parent) {
+    : QFrame(parent), organ_(organ), column_(nullptr) {
   setObjectName(QStringLiteral("organCheck"));
   const bool brief =
       detail.brief && !organ.assessment.questionable() && organ.repairs.empty() && !organ.refusal;
-  auto* column = makeLayout<QVBoxLayout>(this, 6, {12, brief ? 4 : 8, 12, brief ? 4 : 8});
+  column_ = makeLayout<QVBoxLayout>(this, 6, {12, brief ? 4 : 8, 12, brief ? 4 : 8});
+  auto* column = column_;
   column->addLayout(makeHeading(organ, detail.file));
   if (!organ.included || brief)
     return;
@@ -143,7 +157,7 @@ OrganCheck::OrganCheck(const document::DraftOrgan& organ, const Detail& detail, 
       if (finding.severity == severity &&
           (detail.size || finding.subject != medical_io::FindingSubject::size)) {
         auto* line = new FindingLine(finding, this);
-        connect(line, &FindingLine::repairRequested, this, &OrganCheck::repairRequested);
+        connect(line, &FindingLine::repairRequested, this, &OrganCheck::request);
         column->addWidget(line);
       }
   column->addWidget(makeGoodLine(organ));
@@ -189,9 +203,36 @@ void OrganCheck::addRepairs(QMenu& menu) {
   if (!menu.isEmpty())
     return;
   menu.setToolTipsVisible(true);
-  for (const medical_io::SurfaceRepair& repair : medical_io::surfaceRepairs())
-    menu.addAction(repairName(repair.id), this, [this, id = text(repair.id)] { Q_EMIT repairRequested(id); })
-        ->setToolTip(repairTip(repair.id));
+  for (const medical_io::SurfaceRepair& repair : medical_io::surfaceRepairs()) {
+    QAction* action = repair.value
+                          ? menu.addAction(repairName(repair.id) + QStringLiteral("..."), this,
+                                           [this, id = repair.id] { ask(id); })
+                          : menu.addAction(repairName(repair.id), this,
+                                           [this, id = text(repair.id)] { Q_EMIT repairRequested(id); });
+    action->setToolTip(repairTip(repair.id));
+  }
+}
+
+/// A surface is made anew at the usual resolution at one click; a finer one is asked for by the menu.
+void OrganCheck::request(const QString& id) {
+  if (id == QLatin1String("remove-fragments") || id == QLatin1String("scale"))
+    return ask(id.toStdString());
+  Q_EMIT repairRequested(id);
+}
+
+void OrganCheck::ask(const std::string& repair) {
+  delete box_;
+  box_ = new RepairValueBox(organ_, repair, this);
+  column_->addWidget(box_);
+  connect(box_, &RepairValueBox::chosen, this, &OrganCheck::repairRequested);
+  connect(box_, &RepairValueBox::changed, this, &OrganCheck::previewRequested);
+  connect(box_, &RepairValueBox::closed, this, [this] {
+    box_->hide();
+    box_->deleteLater();
+    box_ = nullptr;
+    Q_EMIT previewRequested({});
+  });
+  Q_EMIT previewRequested(box_->id());
 }
 
 void OrganCheck::contextMenuEvent(QContextMenuEvent* event) {

@@ -8,8 +8,11 @@
 
 class QLayout;
 class QMenu;
+class QVBoxLayout;
 
 namespace viscera::app {
+
+class RepairValueBox;
 
 /// The text of the button for a repair (an id of `medical_io::surfaceRepairs`): "Fill holes".
 QString repairName(const std::string& id);
@@ -48,6 +51,8 @@ public:
 Q_SIGNALS:
   void includedChanged(bool included);
   void repairRequested(const QString& id);
+  /// The value of a repair is being chosen: the view shows what would be removed; empty: no more.
+  void previewRequested(const QString& id);
   void revertRequested();
 
 protected:
@@ -57,8 +62,15 @@ private:
   QLayout* makeHeading(const document::DraftOrgan& organ, bool withFile);
   QLayout* makeFoot(const document::DraftOrgan& organ);
   void addRepairs(QMenu& menu);
+  /// Asks for the value of a repair that needs one, below the findings.
+  void request(const QString& id);
+  void ask(const std::string& repair);
   /// Lists all good findings in one line.
   QWidget* makeGoodLine(const document::DraftOrgan& organ);
+
+  document::DraftOrgan organ_; ///< Of which a value is asked; its surfaces are shared.
+  QVBoxLayout* column_;
+  RepairValueBox* box_ = nullptr; ///< Null: no value is asked for.
 };
 
 } // namespace viscera::app

@@ -307,14 +307,7 @@ std::vector<const char*> PlayMode::actions() const {
           "play.forgetBefore",
           "",
           "view.labels",
-          "view.seeThrough",
-          "",
-          "play.compare",
-          "play.compareSystems",
-          "play.comparePose",
-          "play.compareFiles",
-          "play.compareTextbook",
-          "play.single"};
+          "view.seeThrough"};
 }
 
 QWidget* PlayMode::makePage(const Actions& actions) {

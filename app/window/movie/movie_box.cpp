@@ -24,7 +24,6 @@ namespace {
 constexpr QSize kSizes[] = {{1280, 720}, {1920, 1080}, {960, 540}, {640, 480}, {1080, 1080}};
 constexpr int kMostFrames = 60;
 constexpr int kMostCycles = 100;
-constexpr const char* kMovieFolderKey = "record/folder";
 
 QFormLayout* formOf(QWidget* widget) {
   return widget->findChild<QFormLayout*>();
@@ -54,7 +53,7 @@ MovieBox::MovieBox(Settings& settings, QWidget* parent) : QWidget(parent), setti
   connect(record_, &QPushButton::clicked, this, [this] {
     if (running_)
       return Q_EMIT cancelRequested();
-    settings_.setValue(kMovieFolderKey, QFileInfo(file_->text()).absolutePath());
+    settings_.setValue(kMoviesFolderKey, QFileInfo(file_->text()).absolutePath());
     Q_EMIT recordRequested(plan());
   });
   refresh();
@@ -171,7 +170,7 @@ void MovieBox::syncFormat() {
 void MovieBox::proposeFile() {
   if (chosen_ || running_)
     return;
-  const QString folder = settings_.folder(kMovieFolderKey, QStandardPaths::MoviesLocation);
+  const QString folder = settings_.folder(kMoviesFolderKey, QStandardPaths::MoviesLocation);
   file_->setText(freeMovieFile(folder, name_.isEmpty() ? QStringLiteral("viscera") : name_, format(),
                                table_->isEnabled() && table_->isChecked()));
   file_->setToolTip(file_->text());

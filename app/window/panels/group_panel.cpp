@@ -115,7 +115,7 @@ QWidget* GroupPanel::makeButtons() {
                   if (const document::Group* group = current())
                     workspace_.perform(document::addToGroup(group->id, selected()));
                 });
-  takeOut_ = button("groupTakeOut", tr("Take out"), tr("Remove the selected handles from the chosen group"),
+  takeOut_ = button("groupTakeOut", tr("Take out"), tr("Take the selected handles out of the chosen group"),
                     [this, selected] {
                       if (const document::Group* group = current())
                         workspace_.perform(document::removeFromGroup(group->id, selected()));

@@ -85,8 +85,7 @@ OrganPanel::OrganPanel(Workspace& workspace, PoseEditor& poses, VolumeMonitor& v
   opacity_->setObjectName(QStringLiteral("opacity"));
   (new ListKeys(list_))->add(Qt::Key_Delete, [this] { remove(chosen()); });
   auto* column = makeLayout<QVBoxLayout>(this, 4, {0, 4, 0, 8});
-  empty_->setText(
-      tr("No organ yet.\nOpen a file (Ctrl+O), drop one here, or take a sample organ from the menu."));
+  setWaiting(false);
   empty_->setContentsMargins(12, 8, 12, 8);
   column->addWidget(empty_);
   search_->setObjectName(QStringLiteral("organSearch"));
@@ -578,6 +577,13 @@ void OrganPanel::contextMenuEvent(QContextMenuEvent* event) {
   if (!item->isSelected())
     list_->setCurrentItem(item);
   menu_->popup(event->globalPos());
+}
+
+void OrganPanel::setWaiting(bool waiting) {
+  empty_->setText(
+      waiting
+          ? tr("The sample organ is being made.")
+          : tr("No organ yet.\nOpen a file (Ctrl+O), drop one here, or take a sample organ from the menu."));
 }
 
 } // namespace viscera::app

@@ -40,6 +40,8 @@ public:
   OrganMenu* menu() const { return menu_; }
   /// Opens the name of the selected organ for editing.
   void editName();
+  /// What an empty list says: that an organ is on its way, or how to get one.
+  void setWaiting(bool waiting);
 
 protected:
   void changeEvent(QEvent* event) override;

@@ -164,9 +164,10 @@ bool SessionFiles::whenSaved(std::function<void()> then) {
 SessionFiles::Answer SessionFiles::ask() const {
   if (question_)
     return question_(name());
-  QMessageBox box(QMessageBox::Question, tr("Save changes?"), tr("Save the changes of %1?").arg(name()),
+  QMessageBox box(QMessageBox::Question, tr("Save changes?"),
+                  file_.isEmpty() ? tr("Save this session?") : tr("Save the changes of %1?").arg(name()),
                   QMessageBox::NoButton, window_);
-  box.setInformativeText(tr("Unsaved changes will be lost."));
+  box.setInformativeText(tr("If you discard them, the changes since the last saving are lost."));
   QPushButton* save = box.addButton(tr("&Save"), QMessageBox::AcceptRole);
   QPushButton* discard = box.addButton(tr("&Discard"), QMessageBox::DestructiveRole);
   box.addButton(tr("&Cancel"), QMessageBox::RejectRole);

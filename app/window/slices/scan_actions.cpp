@@ -63,6 +63,11 @@ QString lineOf(const medical_io::ScanSeries& series) {
                      .arg(series.size[0])
                      .arg(series.size[1])
                      .arg(series.size[2]);
+  const medical_io::SliceRange& slices = series.slices;
+  if (slices.resampled)
+    line += ScanActions::tr(", all %n slices, resampled to an even grid", nullptr, slices.all);
+  else if (slices.last - slices.first + 1 < slices.all)
+    line += ScanActions::tr(", slices %1 to %2 of %3").arg(slices.first).arg(slices.last).arg(slices.all);
   return line.trimmed();
 }
 
@@ -82,6 +87,20 @@ std::vector<Offer> offersOf(const std::vector<medical_io::ScanSeries>& series) {
       offers.push_back({line, {item.id, phase}});
     }
   return offers;
+}
+
+/// What the user chooses: one of several scans, or which slices of one that is not even.
+QString questionOf(const std::vector<medical_io::ScanSeries>& series) {
+  const medical_io::SliceRange& first = series.front().slices;
+  const int read = first.last - first.first + 1;
+  const bool one = std::all_of(series.begin(), series.end(), [&](const medical_io::ScanSeries& other) {
+    return other.files == series.front().files;
+  });
+  if (one && series.size() > 1 && read < first.all)
+    return ScanActions::tr("The slices are not at even distances: at most %1 of %2 are. What shall be read?")
+        .arg(read)
+        .arg(first.all);
+  return ScanActions::tr("The folder has several scans. Which one?");
 }
 
 /// The first offer of the series that a file belongs to; the first of all for a folder.
@@ -237,9 +256,8 @@ void ScanActions::choose(const QString& place, const std::vector<medical_io::Sca
   for (const Offer& offer : offers)
     lines << offer.line;
   bool chosen = false;
-  const QString line =
-      QInputDialog::getItem(window_, tr("Open a scan"), tr("The folder has several scans. Which one?"), lines,
-                            offerOf(place, series), false, &chosen);
+  const QString line = QInputDialog::getItem(window_, tr("Open a scan"), questionOf(series), lines,
+                                             offerOf(place, series), false, &chosen);
   if (chosen)
     read(place, offers[static_cast<std::size_t>(lines.indexOf(line))].options);
 }
@@ -272,18 +290,21 @@ void ScanActions::opened() {
   });
   Q_EMIT layoutChosen();
   std::vector<Text> odd;
-  for (const medical_io::ScanFinding& finding : item->scan->findings)
+  bool partly = false;
+  for (const medical_io::ScanFinding& finding : item->scan->findings) {
     odd.push_back(finding.sentence);
+    partly = partly || finding.kind == medical_io::ScanFinding::Kind::partRead;
+  }
   for (const Text& sentence : document::scanFit(workspace_.state()))
     odd.push_back(sentence);
-  reportScanFindings(odd);
+  reportScanFindings(odd, partly);
 }
 
 void ScanActions::reportScanFit() {
-  reportScanFindings(document::scanFit(workspace_.state()));
+  reportScanFindings(document::scanFit(workspace_.state()), false);
 }
 
-void ScanActions::reportScanFindings(const std::vector<Text>& sentences) {
+void ScanActions::reportScanFindings(const std::vector<Text>& sentences, bool partly) {
   if (sentences.empty())
     return;
   QStringList lines;
@@ -292,8 +313,13 @@ void ScanActions::reportScanFindings(const std::vector<Text>& sentences) {
   if (sentences.size() > kShownFindings)
     lines << tr("%n more: see Scan on the page of Explore.", nullptr,
                 static_cast<int>(sentences.size() - kShownFindings));
-  workspace_.note(text(workspace_.state().scan->name) + QStringLiteral(": ") + lines.join(QLatin1Char('\n')),
-                  15);
+  const document::ScanItem& item = *workspace_.state().scan;
+  const QString said = text(item.name) + QStringLiteral(": ") + lines.join(QLatin1Char('\n'));
+  if (!partly)
+    return workspace_.note(said, 15);
+  workspace_.say({Message::Severity::warning,
+                  said,
+                  {{tr("Read other slices..."), [this, place = text(item.file.string())] { open(place); }}}});
 }
 
 } // namespace viscera::app

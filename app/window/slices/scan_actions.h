@@ -50,7 +50,8 @@ private:
   void chooseAndOpen(bool folder);
   void choose(const QString& place, const std::vector<medical_io::ScanSeries>& series);
   void read(const QString& place, const medical_io::ScanOptions& options);
-  void reportScanFindings(const std::vector<Text>& sentences);
+  /// `partly`: the scan has not all slices of its series; others are offered.
+  void reportScanFindings(const std::vector<Text>& sentences, bool partly);
   /// Adds a checkable action that is checked while the view has that choice.
   void addChoice(Actions& actions, const char* id, const Actions::Description& description,
                  std::function<bool(const presentation::ScanLook&)> chosen,

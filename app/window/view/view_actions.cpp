@@ -157,7 +157,7 @@ void ViewActions::offerIsolate(const document::Organ& organ) {
 }
 
 void ViewActions::saveScreenshot() {
-  const QString folder = parts_.settings.folder("files/pictures", QStandardPaths::PicturesLocation);
+  const QString folder = parts_.settings.folder(kPicturesFolderKey, QStandardPaths::PicturesLocation);
   const QString file =
       QStringLiteral("%1/viscera_%2.png")
           .arg(folder, QDateTime::currentDateTime().toString(QStringLiteral("yyyyMMdd_hhmmss_zzz")));

@@ -1,14 +1,21 @@
 #include "window/widgets/help_cards.h"
 
+#include <QAbstractSpinBox>
 #include <QAction>
+#include <QApplication>
+#include <QComboBox>
 #include <QHBoxLayout>
 #include <QHideEvent>
+#include <QKeyEvent>
 #include <QLabel>
+#include <QLineEdit>
 #include <QMenu>
 #include <QMenuBar>
+#include <QPlainTextEdit>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QShowEvent>
+#include <QTextEdit>
 #include <QToolButton>
 
 #include <algorithm>
@@ -55,6 +62,8 @@ WelcomeCard::WelcomeCard(QMenu* samples, QWidget* parent) : QFrame(parent) {
   };
   auto* open = addButton(tr("Open a patient..."), tr("Choose organ surfaces of a patient (Ctrl+O)"));
   auto* sample = addButton(tr("Sample organs"), tr("Organs that come with the program"));
+  auto* task = addButton(tr("First task"), tr("Drag a dot, and see the organ follow"));
+  task->setObjectName(QStringLiteral("firstTask"));
   auto* tour = addButton(tr("Two-minute tour"), tr("The parts of the window, step by step"));
   title->setMinimumHeight(open->sizeHint().height());
   title->setContentsMargins(0, 0, 4, 0);
@@ -68,9 +77,10 @@ WelcomeCard::WelcomeCard(QMenu* samples, QWidget* parent) : QFrame(parent) {
   QSizePolicy policy(QSizePolicy::Preferred, QSizePolicy::Minimum);
   policy.setHeightForWidth(true);
   setSizePolicy(policy);
-  lesser_ = {title, tour, open};
+  lesser_ = {title, task, tour, open};
   parent->installEventFilter(this);
   connect(open, &QPushButton::clicked, this, &WelcomeCard::openRequested);
+  connect(task, &QPushButton::clicked, this, &WelcomeCard::taskRequested);
   connect(tour, &QPushButton::clicked, this, &WelcomeCard::tourRequested);
   connect(closeButton, &QToolButton::clicked, this, [this] {
     hide();
@@ -153,6 +163,36 @@ void TourCard::start() {
   goTo(0);
   raise();
   next_->setFocus();
+  qApp->installEventFilter(this);
+}
+
+namespace {
+
+/// Whether a widget takes letters or chooses by Return, so that the keys of the tour are its own.
+bool takesKeys(const QWidget* widget) {
+  return qobject_cast<const QLineEdit*>(widget) || qobject_cast<const QTextEdit*>(widget) ||
+         qobject_cast<const QPlainTextEdit*>(widget) || qobject_cast<const QAbstractSpinBox*>(widget) ||
+         qobject_cast<const QComboBox*>(widget) || qobject_cast<const QMenu*>(widget) ||
+         (qobject_cast<const QAbstractButton*>(widget) && widget->hasFocus());
+}
+
+} // namespace
+
+bool TourCard::eventFilter(QObject* watched, QEvent* event) {
+  const bool override = event->type() == QEvent::ShortcutOverride;
+  if ((!override && event->type() != QEvent::KeyPress) || !isVisible())
+    return QFrame::eventFilter(watched, event);
+  const auto* pressed = static_cast<QKeyEvent*>(event);
+  const int key = pressed->key();
+  const auto* widget = qobject_cast<QWidget*>(watched);
+  const bool ours = (key == Qt::Key_Return || key == Qt::Key_Enter || key == Qt::Key_Space) &&
+                    (pressed->modifiers() & ~Qt::KeypadModifier) == Qt::NoModifier;
+  if (!ours || !widget || widget->window() != window() || (takesKeys(widget) && !isAncestorOf(widget)))
+    return QFrame::eventFilter(watched, event);
+  event->accept();
+  if (!override && !pressed->isAutoRepeat())
+    next_->click();
+  return true;
 }
 
 void TourCard::goTo(std::size_t step) {
@@ -182,8 +222,10 @@ void TourCard::dropFrames() {
 
 void TourCard::hideEvent(QHideEvent* event) {
   QFrame::hideEvent(event);
-  if (!event->spontaneous()) // The window was not merely minimised.
-    dropFrames();
+  if (event->spontaneous()) // The window was merely minimised.
+    return;
+  qApp->removeEventFilter(this);
+  dropFrames();
 }
 
 ShortcutCard::ShortcutCard(const QMenuBar& menus, QWidget* parent) : QFrame(parent) {

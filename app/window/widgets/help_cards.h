@@ -28,6 +28,7 @@ public:
 
 Q_SIGNALS:
   void openRequested();
+  void taskRequested();
   void tourRequested();
   void closed();
   /// It is there and so high, or is gone (0).
@@ -68,6 +69,8 @@ public:
   const std::vector<TourStep>& steps() const { return steps_; }
 
 protected:
+  /// While the tour is shown, Return and Space go on, wherever the focus is but in a field.
+  bool eventFilter(QObject* watched, QEvent* event) override;
   void hideEvent(QHideEvent* event) override;
 
 private:

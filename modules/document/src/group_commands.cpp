@@ -152,7 +152,7 @@ Command addToGroup(GroupId group, std::vector<HandleId> handles) {
 }
 
 Command removeFromGroup(GroupId group, std::vector<HandleId> handles) {
-  return edit::onPart("Remove from group", &DocumentState::rig,
+  return edit::onPart("Take out of group", &DocumentState::rig,
                       [group, handles = std::move(handles)](Rig& rig) {
                         std::erase_if(edit::require(rig.groups, group, kGroupKind).handles, [&](HandleId id) {
                           return std::find(handles.begin(), handles.end(), id) != handles.end();

@@ -1,13 +1,19 @@
 #include "viscera/document/import_draft.h"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
+#include <charconv>
+#include <cmath>
+#include <cstdlib>
+#include <cstring>
 #include <map>
 #include <utility>
 
 #include "viscera/core/error.h"
 #include "viscera/core/parallel.h"
 #include "viscera/core/phrase.h"
+#include "viscera/medical_io/plausible_size.h"
 #include "viscera/medical_io/surface_repairs.h"
 
 namespace viscera::document {
@@ -20,6 +26,45 @@ using medical_io::FindingSubject;
 /// Whether a user who asks for this repair knows the axes.
 bool changesAxes(const std::string& repair) {
   return repair == "ras-to-lps" || repair.starts_with("y-up") || repair.starts_with("flip-");
+}
+
+/// A resolution that is finer by less than this part is not worth another try.
+constexpr double kFiner = 0.98;
+/// Organs of people are not larger or smaller than those of the middle by as much as this, along a side.
+constexpr double kNotOnePerson = 1.6;
+
+std::string threeDigits(double value) {
+  std::array<char, 32> digits{};
+  const auto [end, error] =
+      std::to_chars(digits.data(), digits.data() + digits.size(), value, std::chars_format::general, 3);
+  return {digits.data(), end};
+}
+
+/// Where no unit explains the size, the factor that leads to life size; and of a detail that was lost, the
+/// resolution that may keep it.
+void offerFactors(DraftOrgan& organ, bool labelMap) {
+  auto& findings = organ.assessment.findings;
+  for (Finding& finding : findings) {
+    if (finding.subject != FindingSubject::size || finding.severity < FindingSeverity::doubt || labelMap)
+      continue;
+    const auto factor = medical_io::lifeSizeFactor(organ.name, organ.assessment.volumeMl);
+    const bool far = factor && std::max(*factor, 1 / *factor) > kNotOnePerson;
+    if (finding.repairs.empty() && far)
+      finding.repairs.push_back("scale=" + threeDigits(*factor));
+    if (finding.severity == FindingSeverity::fault || far)
+      finding.repairs.emplace_back("scale");
+  }
+  const auto lost = organ.remade ? medical_io::doubtAbout(*organ.remade) : std::nullopt;
+  if (!lost)
+    return;
+  std::vector<std::string> finer;
+  if (organ.beforeRemesh) {
+    const double finest = medical_io::finestResolutionMm(*organ.beforeRemesh);
+    const double half = std::max(organ.resolutionMm / 2, finest);
+    if (half < organ.resolutionMm * kFiner)
+      finer.push_back("remesh=" + threeDigits(std::max(half, finest * (2 - kFiner))));
+  }
+  findings.push_back({FindingSeverity::doubt, *lost, std::move(finer), FindingSubject::detail});
 }
 
 /// `report` as in `assessSurface`; none: not known.
@@ -36,11 +81,35 @@ void assess(DraftOrgan& organ, const std::optional<geometry::SurfaceReport>& rep
   organ.answered.reset();
   organ.assessment = report ? medical_io::assessSurface(*organ.mesh, *report, origin, progress)
                             : medical_io::assessSurface(*organ.mesh, origin, progress);
+  offerFactors(organ, labelMap);
+}
+
+bool remeshes(const std::string& id) {
+  return id == "remesh" || id.starts_with("remesh=");
+}
+
+/// A remeshing after another one begins where that one did.
+void takeBackRemesh(DraftOrgan& organ, const std::string& next) {
+  if (!organ.beforeRemesh || !remeshes(next) || organ.repairs.empty())
+    return;
+  organ.mesh = organ.beforeRemesh;
+  organ.repairs.pop_back();
+}
+
+void noteRemesh(DraftOrgan& organ, const std::string& id) {
+  organ.beforeRemesh = remeshes(id) ? organ.mesh : nullptr;
+  if (organ.beforeRemesh)
+    organ.resolutionMm = id == "remesh" ? medical_io::usualResolutionMm(*organ.mesh)
+                                        : std::strtod(id.c_str() + std::strlen("remesh="), nullptr);
 }
 
 void repair(DraftOrgan& organ, const medical_io::SurfaceRepair& what, Progress& progress) {
+  takeBackRemesh(organ, what.id);
   auto mesh = std::make_shared<const geometry::TriangleMesh>(what.apply(*organ.mesh, progress, {}));
+  noteRemesh(organ, what.id);
   organ.change = what.remakes ? std::optional(medical_io::surfaceChange(*organ.mesh, *mesh)) : std::nullopt;
+  if (organ.change)
+    organ.remade = organ.change;
   organ.mesh = std::move(mesh);
   organ.repairs.push_back(what.id);
   organ.refusal.reset();
@@ -109,12 +178,18 @@ struct FoundIn {
   const Finding* finding;
 };
 
+/// A factor or a resolution is found for one organ, or asked for it.
+bool isOfOneOrgan(const std::string& id) {
+  return id == "scale" || id.starts_with("scale=") || id.starts_with("remesh=");
+}
+
 /// Repairs that every organ's finding names, in the order of the first.
 std::vector<std::string> commonRepairs(const std::vector<FoundIn>& where) {
   std::vector<std::string> common = where.front().finding->repairs;
   for (const FoundIn& one : where)
     std::erase_if(common, [&](const std::string& id) {
-      return std::count(one.finding->repairs.begin(), one.finding->repairs.end(), id) == 0;
+      return isOfOneOrgan(id) ||
+             std::count(one.finding->repairs.begin(), one.finding->repairs.end(), id) == 0;
     });
   return common;
 }
@@ -123,7 +198,7 @@ std::vector<std::string> commonRepairs(const std::vector<FoundIn>& where) {
 std::vector<std::string> commonestRepair(const std::vector<FoundIn>& where) {
   std::vector<std::pair<std::string, int>> votes;
   for (const FoundIn& one : where) {
-    if (one.finding->repairs.empty())
+    if (one.finding->repairs.empty() || isOfOneOrgan(one.finding->repairs.front()))
       continue;
     const std::string& id = one.finding->repairs.front();
     auto known = std::find_if(votes.begin(), votes.end(), [&](const auto& vote) { return vote.first == id; });
@@ -172,8 +247,11 @@ Organ finished(const Organ& read, const DraftOrgan& organ) {
   result.file = read.file;
   if (!organ.repairs.empty())
     result.warnings.push_back(phrase("repaired on import: %1", joined(organ.repairs)));
-  if (organ.change)
-    result.warnings.push_back(inWords(*organ.change));
+  if (organ.remade) {
+    result.warnings.push_back(inWords(*organ.remade));
+    if (auto lost = medical_io::doubtAbout(*organ.remade))
+      result.warnings.push_back(std::move(*lost));
+  }
   return result;
 }
 
@@ -216,7 +294,7 @@ ImportDraft draftOf(OpenedFiles files, Progress& progress) {
 
 ImportDraft repaired(ImportDraft draft, const std::vector<std::size_t>& organs, const std::string& id,
                      Progress& progress) {
-  const medical_io::SurfaceRepair& what = medical_io::surfaceRepair(id);
+  const medical_io::SurfaceRepair what = medical_io::surfaceRepair(id);
   for (std::size_t done = 0; done < organs.size(); ++done) {
     DraftOrgan& organ = draft.organs.at(organs[done]);
     progress.report(static_cast<double>(done) / static_cast<double>(organs.size()),
@@ -239,6 +317,8 @@ ImportDraft reverted(ImportDraft draft, std::size_t place, Progress& progress) {
   organ.mesh = organ.asRead;
   organ.repairs.clear();
   organ.change.reset();
+  organ.remade.reset();
+  organ.beforeRemesh.reset();
   organ.refusal.reset();
   assess(organ, draft.files.organs[place].report, draft.files, place, progress);
   assessTogether(draft);

@@ -38,8 +38,9 @@ template <>
 constexpr const char* kTypeName<float> = "float32";
 
 /// As in the file; the numbers of `ScanFinding::Kind`.
-constexpr std::array<const char*, 8> kKinds = {"missing slice", "doubled slice", "uneven spacing", "tilt",
-                                               "order",         "mixed sizes",   "damaged",        "other"};
+constexpr std::array<const char*, 10> kKinds = {"missing slice", "doubled slice", "uneven spacing", "tilt",
+                                                "order",         "mixed sizes",   "damaged",        "other",
+                                                "part read",     "resampled"};
 
 /// Texts that are empty are left out.
 constexpr std::pair<const char*, std::string Scan::*> kTexts[] = {{"modality", &Scan::modality},

@@ -182,7 +182,7 @@ private:
     add(FindingSeverity::doubt,
         phrase("%2, %n of them {is a small fragment|are small fragments} of less than 2 % of its area",
                crumbs, text),
-        {"keep-largest"});
+        {"remove-fragments", "keep-largest"});
   }
 
   void checkIntersections() {

@@ -125,4 +125,13 @@ std::optional<Text> doubtAboutSize(std::string_view name, double diagonalMm) {
                                 roundedText(diagonalMm), units);
 }
 
+std::optional<double> lifeSizeFactor(std::string_view name, double volumeMl) {
+  const auto part = anatomy::partNamed(name);
+  const anatomy::Norm* volume = part ? anatomy::volumeNormOf(*part) : nullptr;
+  if (!volume || !(volumeMl > 0))
+    return std::nullopt;
+  const anatomy::Range range = anatomy::rangeOf(*volume);
+  return std::cbrt(0.5 * (range.low + range.high) / volumeMl);
+}
+
 } // namespace viscera::medical_io

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -23,8 +24,10 @@
 #include "viscera/geometry/signed_distance.h"
 #include "viscera/geometry/signed_distance_grid.h"
 #include "viscera/geometry/triangle_mesh.h"
+#include "viscera/geometry/volume.h"
 #include "viscera/medical_io/contour.h"
 #include "viscera/medical_io/plausible_size.h"
+#include "viscera/medical_io/surface_pieces.h"
 #include "vtk_poly_data.h"
 
 namespace viscera::medical_io {
@@ -44,6 +47,12 @@ constexpr double kFirstPassBand = 0.05, kSecondPassBand = 0.1;
 constexpr double kFewestCells = 4;
 constexpr Eigen::Index kVerticesAtOnce = 512;
 constexpr int kFewestTriangles = 500, kMostTriangles = 20'000;
+constexpr int kUsualCells = 100, kMostCells = 300, kMostFineTriangles = 200'000;
+/// Triangles of the area of one cell's side.
+constexpr double kTrianglesPerCell = 0.5;
+/// Of the diagonal: a surface that lies farther away has lost a detail.
+constexpr double kLostDetail = 0.02;
+constexpr double kLeastFactor = 1e-6, kLargestFactor = 1e6, kMostMm = 1e4;
 
 /// A repair that takes no time worth reporting.
 template <class Function>
@@ -86,6 +95,49 @@ SurfaceRepair flip(std::string id, Text does, const Vec3& signs) {
                [signs](const TriangleMesh& mesh) { return withSigns(mesh, signs); });
 }
 
+SurfaceRepair removal(const FragmentLimit& limit) {
+  SurfaceRepair repair =
+      quick("remove-fragments", "drops the pieces that are smaller than a size; the largest one stays",
+            [limit](const TriangleMesh& mesh) { return SurfacePieces(mesh).part(limit, false); });
+  repair.value = RepairValue{FragmentLimit{}.value, 0, kMostMm, {"%", "mm", "ml"}};
+  return repair;
+}
+
+SurfaceRepair scaling(double factor) {
+  SurfaceRepair repair = quick("scale", "multiplies all coordinates by a factor",
+                               [factor](const TriangleMesh& mesh) { return geometry::scaled(mesh, factor); });
+  repair.value = RepairValue{0, kLeastFactor, kLargestFactor, {}};
+  return repair;
+}
+
+/// The number at the begin of a text, with nothing but `unit`, which may be left out, behind it.
+std::optional<double> numberIn(std::string_view text, std::string_view unit) {
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  const std::string_view rest = text.substr(static_cast<std::size_t>(end - text.data()));
+  if (error != std::errc() || (!rest.empty() && rest != unit))
+    return std::nullopt;
+  return value;
+}
+
+/// The repair with a value in place of what it is without one.
+std::optional<SurfaceRepair> withValue(const SurfaceRepair& repair, std::string_view words) {
+  if (repair.id == "remove-fragments") {
+    const auto limit = fragmentLimit(words);
+    return limit ? std::optional(removal(*limit)) : std::nullopt;
+  }
+  const auto value = numberIn(words, repair.id == "remesh" ? "mm" : "");
+  if (!value || !repair.value || !(*value >= repair.value->low && *value <= repair.value->high))
+    return std::nullopt;
+  if (repair.id == "scale")
+    return scaling(*value);
+  SurfaceRepair finer = repair;
+  finer.apply = [mm = *value](const TriangleMesh& mesh, Progress& progress, Threads threads) {
+    return remeshedAt(mesh, mm, 0, progress, threads);
+  };
+  return finer;
+}
+
 std::vector<SurfaceRepair> allRepairs() {
   std::vector<SurfaceRepair> list = {
       quick("orient", "turns triangles around so that all of them face outward",
@@ -95,13 +147,15 @@ std::vector<SurfaceRepair> allRepairs() {
             }),
       quick("fill-holes", "fills every hole with a cap",
             [](const TriangleMesh& mesh) { return geometry::closeHoles(mesh).mesh; }),
+      removal(FragmentLimit{}),
       quick("keep-largest", "keeps the piece with the largest area and drops the others",
             [](const TriangleMesh& mesh) { return geometry::largestPiece(mesh); }),
       {"remesh", "makes a closed surface without intersections near this one; colours are lost",
        [](const TriangleMesh& mesh, Progress& progress, Threads threads) {
          return remeshed(mesh, 0, progress, threads);
        },
-       true},
+       true, RepairValue{0, 0.01, kMostMm, {"mm"}}},
+      scaling(1),
       quick("mirror", "exchanges left and right", geometry::mirrored),
       quick("ras-to-lps", "turns the surface by half a turn, as from RAS to LPS", geometry::turnedHalf),
       quick("y-up", "turns the surface by a quarter turn, from a model whose y axis points to the head",
@@ -192,11 +246,21 @@ const std::vector<SurfaceRepair>& surfaceRepairs() {
   return kRepairs;
 }
 
-const SurfaceRepair& surfaceRepair(std::string_view id) {
+SurfaceRepair surfaceRepair(std::string_view id) {
+  const std::size_t end = std::min(id.find('='), id.size());
   std::string known;
   for (const SurfaceRepair& repair : surfaceRepairs()) {
-    if (repair.id == id)
+    if (repair.id == id && repair.id != "scale")
       return repair;
+    if (repair.id == id.substr(0, end) && repair.value) {
+      auto special = withValue(repair, id.substr(std::min(end + 1, id.size())));
+      if (!special)
+        throw UsageError(misuse("\"%1\" is no value for the repair \"%2\"",
+                                std::string(id.substr(std::min(end + 1, id.size()))), repair.id),
+                         {}, misuse("for example remove-fragments=5mm, remesh=1.5 or scale=0.1"));
+      special->id = id;
+      return std::move(*special);
+    }
     known += (known.empty() ? "" : ", ") + repair.id;
   }
   throw UsageError(misuse("there is no repair \"%1\"", std::string(id)), {}, misuse("there are: %1", known));
@@ -238,6 +302,34 @@ TriangleMesh remeshed(const TriangleMesh& mesh, int triangles, Progress& progres
   return repairSurface(mesh, options, progress, threads);
 }
 
+double usualResolutionMm(const TriangleMesh& mesh) {
+  const Bounds box = boundsOf(mesh.points);
+  return (box.high - box.low).maxCoeff() / kUsualCells;
+}
+
+double finestResolutionMm(const TriangleMesh& mesh) {
+  return usualResolutionMm(mesh) * kUsualCells / kMostCells;
+}
+
+int trianglesAt(const TriangleMesh& mesh, double resolutionMm) {
+  const double count =
+      kTrianglesPerCell * geometry::area(mesh.points, mesh.triangles) / (resolutionMm * resolutionMm);
+  return static_cast<int>(std::clamp(count, double(kFewestTriangles), double(kMostFineTriangles)));
+}
+
+TriangleMesh remeshedAt(const TriangleMesh& mesh, double resolutionMm, int triangles, Progress& progress,
+                        Threads threads) {
+  const double finest = finestResolutionMm(mesh);
+  if (!(resolutionMm >= finest * (1 - 1e-9)))
+    throw DataError(phrase("details of %1 mm take too much memory; %2 mm is the finest for its size",
+                           inDigits(resolutionMm, 2), inDigits(finest, 2)),
+                    "surface", "choose a coarser resolution");
+  RepairOptions options;
+  options.cells = std::max(1, static_cast<int>(std::lround(finest * kMostCells / resolutionMm)));
+  options.triangles = triangles > 0 ? triangles : trianglesAt(mesh, resolutionMm);
+  return repairSurface(mesh, options, progress, threads);
+}
+
 SurfaceChange surfaceChange(const TriangleMesh& before, const TriangleMesh& after, Threads threads) {
   const geometry::SignedDistance distance(std::make_shared<const TriangleMesh>(after));
   std::vector<int> used(before.triangles.data(), before.triangles.data() + before.triangles.size());
@@ -250,7 +342,14 @@ SurfaceChange surfaceChange(const TriangleMesh& before, const TriangleMesh& afte
   });
   const bool any = distances.size() > 0;
   return {before.triangles.rows(), after.triangles.rows(), any ? distances.mean() : 0,
-          any ? distances.maxCoeff() : 0};
+          any ? distances.maxCoeff() : 0, boundsOf(before.points).diagonal()};
+}
+
+std::optional<Text> doubtAbout(const SurfaceChange& change) {
+  if (change.maximumMm <= kLostDetail * change.diagonalMm)
+    return std::nullopt;
+  return phrase("remeshing lost a detail: the old surface lies up to %1 mm from the new one",
+                inDigits(change.maximumMm, 2));
 }
 
 Text inWords(const SurfaceChange& change) {

@@ -141,10 +141,9 @@ CurvePanel loopPanel(const ShownCirculation& shown, const ShownCirculation* befo
   const double pericardium = shown.beat.pericardium.front();
   top *= 1.12;
   fullest *= 1.08;
-  panel.curves.push_back(
-      relation("End-systolic and relaxed", chamber.v0,
-               std::min(fullest, chamber.v0 + (top - pericardium) / chamber.ees),
-               [&](double v) { return pericardium + circulation::endSystolicPressure(chamber, v); }));
+  panel.curves.push_back(relation(
+      "ESPVR and EDPVR", chamber.v0, std::min(fullest, chamber.v0 + (top - pericardium) / chamber.ees),
+      [&](double v) { return pericardium + circulation::endSystolicPressure(chamber, v); }));
   const double steepest = chamber.v0 + std::log1p((top - pericardium) / chamber.a) / chamber.b;
   panel.curves.push_back(relation("", chamber.v0, std::min(fullest, steepest), [&](double v) {
     return pericardium + circulation::relaxedPressure(chamber, v);
@@ -254,7 +253,7 @@ std::vector<CirculationLine> circulationLegend(const ShownCirculation* before) {
   std::vector<CirculationLine> lines = {{"Left ventricle", kVentricle},
                                         {"Aorta", kArtery},
                                         {"Left atrium, right ventricle", kAtrium},
-                                        {"End-systolic and relaxed", kRelation}};
+                                        {"ESPVR and EDPVR", kRelation}};
   if (before)
     lines.push_back({before->name, kBefore, true});
   return lines;

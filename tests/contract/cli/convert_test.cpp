@@ -65,6 +65,26 @@ TEST_F(CliConvert, AFileThatDoesNotSayThatItIsRasIsTurned) {
   EXPECT_EQ(runJson({"info", path("lps.ply")})["boundsMm"], json::array({-90.0, 0.0, -90.0, 0.0, 0.0, 90.0}));
 }
 
+TEST_F(CliConvert, RepairsBySizeAndWithAResolution) {
+  const std::string file = put("stomach.off", cubeOff(2700));
+  const json scaled = runJson({"convert", file, path("tenth.ply"), "--scale", "0.1"});
+  EXPECT_EQ(scaled["repairs"], json::array({"scale=0.1"}));
+  EXPECT_EQ(runJson({"info", path("tenth.ply")})["boundsMm"][1], 270);
+  runJson({"convert", file, path("stomach.ply"), "--scale", "life-size"});
+  const double volume = runJson({"info", path("stomach.ply")})["volumeMl"];
+  EXPECT_GT(volume, 700);
+  EXPECT_LT(volume, 1100);
+  const json fine = runJson({"convert", path("stomach.ply"), path("fine.ply"), "--resolution", "2"});
+  const json coarse = runJson({"convert", path("stomach.ply"), path("coarse.ply"), "--resolution", "8"});
+  EXPECT_GT(fine["triangles"], coarse["triangles"]);
+  EXPECT_EQ(fine["repairs"], json::array({"remesh"}));
+  EXPECT_EQ(
+      runJson({"convert", path("fine.ply"), path("same.ply"), "--remove-fragments", "5mm"})["triangles"],
+      fine["triangles"]);
+  EXPECT_EQ(run({"convert", file, path("no.ply"), "--remove-fragments", "5kg"}).exitCode, 64);
+  EXPECT_EQ(run({"convert", put("thing.off", cubeOff(60)), path("no.ply"), "--scale", "life-size"}).exitCode, 65);
+}
+
 TEST_F(CliConvert, UnitsAreThoseOfTheInput) {
   const std::string metres = put("metres.off", cubeOff(0.06));
   EXPECT_TRUE(saysOf(runJson({"info", metres}), "metres"));

@@ -180,9 +180,45 @@ TEST_F(ImportDrafts, SayWhatRemeshingHasChanged) {
   EXPECT_NEAR(change->maximumMm, 21, 1) << "the far end of the lost vessel";
   EXPECT_LT(change->meanMm, 6);
   EXPECT_THAT(inEnglish(accepted(anew).organs.at(0).organ.warnings),
-              testing::ElementsAre("repaired on import: remesh", testing::HasSubstr("triangles instead of")));
+              testing::ElementsAre("repaired on import: remesh", testing::HasSubstr("triangles instead of"),
+                                   testing::HasSubstr("remeshing lost a detail")));
   EXPECT_FALSE(repaired(anew, {0}, "mirror", progress_).organs[0].change) << "of the last repair";
   EXPECT_FALSE(reverted(anew, 0, progress_).organs[0].change);
+}
+
+TEST_F(ImportDrafts, ALostDetailIsAFindingUntilAFinerSurfaceHasIt) {
+  TriangleMesh vessel = tests::sphere(3, 1, {0, 0, 0});
+  vessel.points = vessel.points * Vec3(14, 0.8, 0.8).asDiagonal();
+  vessel.points.rowwise() += Eigen::RowVector3d(52, 0, 0);
+  const ImportDraft first = draft({{"liver.ply", together(tests::sphere(4, 40), vessel)}});
+  const auto lost = [](const ImportDraft& draft) {
+    const auto& all = draft.organs[0].assessment.findings;
+    return std::find_if(all.begin(), all.end(),
+                        [](const auto& f) { return f.subject == medical_io::FindingSubject::detail; });
+  };
+  ImportDraft anew = repaired(first, {0}, "remesh", progress_);
+  ASSERT_NE(lost(anew), anew.organs[0].assessment.findings.end());
+  EXPECT_TRUE(anew.questionable()) << "not \"No problems found\"";
+  EXPECT_NE(lost(repaired(anew, {0}, "orient", progress_)),
+            repaired(anew, {0}, "orient", progress_).organs[0].assessment.findings.end())
+      << "another repair does not bring it back";
+  int tries = 0;
+  while (lost(anew) != anew.organs[0].assessment.findings.end() && !lost(anew)->repairs.empty() &&
+         ++tries < 4)
+    anew = repaired(anew, {0}, lost(anew)->repairs.front(), progress_);
+  EXPECT_EQ(lost(anew), anew.organs[0].assessment.findings.end());
+  EXPECT_EQ(anew.organs[0].repairs.size(), 1u) << "each begins with the surface as it was read";
+}
+
+TEST_F(ImportDrafts, ASizeThatNoUnitExplainsIsScaledToLifeSize) {
+  const ImportDraft first = draft({{"stomach.ply", tests::sphere(4, 1350)}});
+  const auto& findings = first.organs[0].assessment.findings;
+  const auto size = std::find_if(findings.begin(), findings.end(),
+                                 [](const auto& f) { return f.subject == medical_io::FindingSubject::size; });
+  ASSERT_EQ(size->repairs.size(), 2u);
+  EXPECT_EQ(size->repairs[1], "scale");
+  const ImportDraft scaled = repaired(first, {0}, size->repairs[0], progress_);
+  EXPECT_NEAR(scaled.organs[0].assessment.volumeMl, 895, 10) << "the middle of the range after a meal";
 }
 
 TEST_F(ImportDrafts, AnOrganThatCannotBeRepairedStaysAndTheOthersAreRepaired) {

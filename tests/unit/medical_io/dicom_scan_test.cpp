@@ -134,10 +134,75 @@ TEST_F(DicomScan, NamesMissingSlicesAndTakesTheLongestEvenPart) {
   ASSERT_EQ(count(scan, Kind::missingSlice), 1) << sentences(scan);
   EXPECT_THAT(sentences(scan),
               HasSubstr("2 slices are missing between slice 11 (z = 4 mm) and the next, which "
-                        "are 12 mm apart in place of 4 mm; slices 1 to 11 of 15"));
+                        "are 12 mm apart in place of 4 mm"));
+  EXPECT_THAT(scan.findings.front().sentence.english(),
+              HasSubstr("11 of 15 slices were read, slices 1 to 11"));
+  EXPECT_EQ(scan.findings.front().kind, Kind::partRead);
   EXPECT_EQ(scan.size[2], 11);
   EXPECT_NEAR(scan.at(Vec3(-9.5, 3.25, -14)).value_or(0), tests::phantomValue({-9.5, 3.25, -14}), 0.55);
   EXPECT_FALSE(scan.at(Vec3(0, 0, 20)).has_value()) << "nothing is stretched";
+}
+
+/// As many head CTs are: fine slices at the base of the skull, coarse ones above.
+TEST_F(DicomScan, ReadsEachEvenPartOrAllSlicesResampled) {
+  const LabelImage image = smallPhantom();
+  const double fine = 4.22, coarse = 7.38;
+  std::vector<double> heights;
+  for (int k = 0; k < image.size[2]; ++k)
+    heights.push_back(-36 + (k < 9 ? fine * k : fine * 8 + coarse * (k - 8)));
+  write(image, {}, [&](DicomElements& elements, int k) {
+    elements[0x00200032] = "DS" + tests::decimals(Vec3(-21, -36, heights[std::size_t(k)]));
+  });
+  const auto depth = [&](const std::string& series) { return read({series, 0}).size[2]; };
+  const Scan first = read();
+  EXPECT_EQ(first.findings.front().sentence.english().find("9 of 17 slices"), 0U) << sentences(first);
+  EXPECT_EQ(first.size[2], 9);
+  EXPECT_EQ(depth("@2"), 9) << "the parts share the slice at which they meet";
+  const std::vector<ScanSeries> list = listScans(folder_.path(), progress_);
+  ASSERT_EQ(list.size(), 3U);
+  EXPECT_EQ(list[1].id, "1.2.3.4@2");
+  EXPECT_EQ(list[1].slices.first, 9);
+  EXPECT_EQ(list[1].slices.all, 17);
+  EXPECT_NEAR(list[1].spacing.z(), coarse, 1e-6);
+  EXPECT_TRUE(list[2].slices.resampled);
+  EXPECT_THROW(read({"@3", 0}), UsageError);
+  const Scan all = read({"@all", 0});
+  EXPECT_EQ(all.findings.front().kind, Kind::resampled);
+  EXPECT_NEAR(all.spacing().z(), fine, 1e-6);
+  EXPECT_EQ(all.size, list[2].size);
+  const double top = all.indexToLps.translation().z() + fine * (all.size[2] - 1);
+  EXPECT_NEAR(top, heights.back(), fine / 2 + 1e-6) << "it reaches as far as the slices";
+  // Measured slices stay as they are; between coarse ones, values are mixed by the distance.
+  for (int k = 0; k < 9; ++k)
+    EXPECT_EQ(all.value(7, 5, k), first.value(7, 5, k)) << k;
+  for (int k = 9; k < all.size[2]; ++k) {
+    const double z = std::min(-36 + fine * k, heights.back());
+    const auto above = std::upper_bound(heights.begin(), heights.end() - 1, z);
+    const auto slice = std::size_t(above - heights.begin());
+    const double part = (z - heights[slice - 1]) / (heights[slice] - heights[slice - 1]);
+    const auto at = [&](std::size_t s) { return double(image.voxels[first.indexOf(7, 5, 0) + s * 21 * 23]); };
+    EXPECT_NEAR(all.value(7, 5, k), (1 - part) * at(slice - 1) + part * at(slice), 0.51) << k;
+  }
+}
+
+TEST_F(DicomScan, DoesNotResampleSlicesThatAreShiftedSideways) {
+  write(smallPhantom(), {}, [](DicomElements& elements, int k) {
+    elements[0x00200032] = "DS" + tests::decimals(Vec3(-21 + (k > 8 ? 5 : 0), -36, -36 + 4 * k));
+  });
+  const std::vector<ScanSeries> list = listScans(folder_.path(), progress_);
+  EXPECT_EQ(list.size(), 2U) << "two even parts, and no grid of both";
+  EXPECT_FALSE(list.back().slices.resampled);
+}
+
+TEST_F(DicomScan, SaysWhatIsTakenForASizeOfPixelsThatIsNotThere) {
+  const LabelImage image = smallPhantom();
+  write(image, {}, [](DicomElements& e, int) {
+    e.erase(0x00280030);
+    e[0x00181100] = "DS92";
+  });
+  const Scan scan = read();
+  EXPECT_NEAR(scan.spacing().x(), 4, 1e-9) << "92 mm on 23 pixels";
+  EXPECT_THAT(sentences(scan), HasSubstr("does not say how large its pixels are; 4 mm"));
 }
 
 TEST_F(DicomScan, NamesUnevenSpacingAboveOnePercent) {

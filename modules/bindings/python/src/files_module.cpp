@@ -14,7 +14,9 @@
 #include "viscera/medical_io/handle_file.h"
 #include "viscera/medical_io/label_map.h"
 #include "viscera/medical_io/label_surfaces.h"
+#include "viscera/medical_io/plausible_size.h"
 #include "viscera/medical_io/surface_file.h"
+#include "viscera/medical_io/surface_repairs.h"
 #include "viscera/sample_organs/sample_organ.h"
 
 namespace viscera::python {
@@ -88,6 +90,28 @@ std::shared_ptr<medical_io::LabelMap> readLabelMap(const path& file, const py::o
   return resultOfLong(listener, [&](Progress& progress) {
     return std::make_shared<medical_io::LabelMap>(medical_io::readLabelMap(file, progress));
   });
+}
+
+Surface repairSurface(const py::object& points, const py::object& triangles,
+                      const std::vector<std::string>& repairs, const py::object& listener) {
+  TriangleMesh mesh{*pointsFrom(points, "points"), *trianglesFrom(triangles, "triangles"), {}};
+  geometry::requireValid(mesh, "the surface");
+  std::vector<medical_io::SurfaceRepair> steps;
+  for (const std::string& id : repairs)
+    steps.push_back(medical_io::surfaceRepair(id));
+  Surface repaired;
+  repaired.mesh = resultOfLong(listener, [&](Progress& progress) {
+    for (const medical_io::SurfaceRepair& step : steps) {
+      TriangleMesh next = step.apply(mesh, progress, {});
+      const auto lost =
+          step.remakes ? medical_io::doubtAbout(medical_io::surfaceChange(mesh, next)) : std::nullopt;
+      if (lost)
+        repaired.warnings.push_back(lost->english());
+      mesh = std::move(next);
+    }
+    return std::make_shared<const TriangleMesh>(std::move(mesh));
+  });
+  return repaired;
 }
 
 /// The layers as arrays k x j x i of numbers of segments.
@@ -174,6 +198,24 @@ void addSurface(py::module_& module) {
              "VTP, GLB.");
 }
 
+void addRepairs(py::module_& module) {
+  module.def("repair_surface", &repairSurface, py::arg("points"), py::arg("triangles"), py::arg("repairs"),
+             py::arg("progress") = py::none(),
+             "Repairs a surface, in the order of `repairs`: ids as \"fill-holes\", \"remove-fragments=5mm\", "
+             "\"remesh=1.5\", \"scale=0.1\". `warnings` of the result says when remeshing lost a detail.");
+  module.def(
+      "surface_repairs",
+      [] {
+        std::vector<std::string> ids;
+        for (const medical_io::SurfaceRepair& repair : medical_io::surfaceRepairs())
+          ids.push_back(repair.id);
+        return ids;
+      },
+      "The repairs that there are.");
+  module.def("life_size_factor", &medical_io::lifeSizeFactor, py::arg("name"), py::arg("volume_ml"),
+             "The factor that gives an organ of that name its usual volume, or None.");
+}
+
 void addHandles(py::module_& module) {
   py::class_<medical_io::HandleFile>(module, "Handles", "A rig of handles from a file.")
       .def_property_readonly(
@@ -230,6 +272,7 @@ PYBIND11_MODULE(_files, module) {
   py::module_::import("viscera._core"); // defines the errors
   module.doc() = "Surfaces, handles, label maps and sample organs.";
   viscera::python::addSurface(module);
+  viscera::python::addRepairs(module);
   viscera::python::addHandles(module);
   viscera::python::addLabelMaps(module);
   module.def(

@@ -37,6 +37,28 @@ def write_surface(
     extension("_files").write_surface(os.fspath(path), points, triangles, space, name)
 
 
+def repair_surface(
+    points: ArrayLike, triangles: ArrayLike, repairs: Sequence[str], progress: Progress | None = None
+) -> Surface:
+    """Repairs a surface (n x 3 mm, m x 3) by these steps, in their order; names are those of `surface_repairs()`.
+
+    `remove-fragments=SIZE` drops pieces below 2%, 5mm or 0.3ml, `remesh=MM` makes the surface anew with details of
+    MM, `scale=FACTOR` multiplies all coordinates. `warnings` of the result says when remeshing has lost a detail.
+    Raises UsageError for a repair that does not exist, DataError where it is not possible.
+    """
+    return extension("_files").repair_surface(points, triangles, list(repairs), progress)
+
+
+def surface_repairs() -> list[str]:
+    """The names of the repairs that `repair_surface` knows."""
+    return extension("_files").surface_repairs()
+
+
+def life_size_factor(name: str, volume_ml: float) -> float | None:
+    """The `scale` that gives an organ of that name the usual volume of its kind, or None where it is not known."""
+    return extension("_files").life_size_factor(name, volume_ml)
+
+
 def read_handles(path: PathLike) -> Handles:
     """Reads handles from 3D Slicer's .mrk.json or .fcsv: `positions` (h x 3, mm, LPS), `labels`, `groups`."""
     return extension("_files").read_handles(os.fspath(path))

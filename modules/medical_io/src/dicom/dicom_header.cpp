@@ -231,7 +231,7 @@ private:
     frame.frame = number;
     const auto position = items.numbers(DCM_PlanePositionSequence, DCM_ImagePositionPatient);
     const auto directions = items.numbers(DCM_PlaneOrientationSequence, DCM_ImageOrientationPatient);
-    const auto spacing = items.numbers(DCM_PixelMeasuresSequence, DCM_PixelSpacing);
+    const auto spacing = pixelSpacing(items);
     if (position.size() != 3 || directions.size() != 6) {
       header_.notAScan = withKind("does not say where in the patient it lies");
       return;
@@ -266,6 +266,22 @@ private:
     else
       readTimes(items, frame);
     header_.frames.push_back(std::move(frame));
+  }
+
+  /// Between rows and between columns; of a file that has lost it, from what else tells it.
+  std::vector<double> pixelSpacing(const FrameItems& items) {
+    auto spacing = items.numbers(DCM_PixelMeasuresSequence, DCM_PixelSpacing);
+    if (spacing.size() == 2)
+      return spacing;
+    spacing = items.numbers(DCM_PixelMeasuresSequence, DCM_ImagerPixelSpacing);
+    if (spacing.size() != 2)
+      if (const auto diameter = items.number(DCM_CTReconstructionSequence, DCM_ReconstructionDiameter))
+        spacing.assign(2, *diameter / std::max(header_.columns, header_.rows));
+    if (spacing.size() == 2)
+      header_.assumed = phrase("It does not say how large its pixels are; %1 mm were taken from its "
+                               "field of view, so check a length that you know",
+                               inDigits(spacing[1], 3));
+    return spacing;
   }
 
   void readFrameWindow(const FrameItems& items) {

@@ -57,6 +57,7 @@ struct DicomHeader {
   std::optional<ValueWindow> window;
   std::optional<double> temporalResolutionMs;
   std::vector<DicomFrame> frames; ///< `file` is not set.
+  Text assumed;                   ///< What it does not say, and what is taken instead; mostly empty.
   Text notAScan;                  ///< Why it has no frames that could be slices: "is a colour image".
 };
 

@@ -10,6 +10,7 @@
 
 #include "dicom/dicom_folder.h"
 #include "dicom/dicom_pixels.h"
+#include "dicom/mixed_slices.h"
 #include "dicom/slice_stack.h"
 #include "file_bytes.h"
 #include "image_formats/raw_image.h"
@@ -46,6 +47,39 @@ void forAll(std::size_t count, Progress& progress, double from, double to, const
 std::string seriesId(const Folder& folder, const SliceGroup& group) {
   const DicomHeader& file = folder.list.files[folder.list.frames[group.frames[0]].file];
   return file.seriesUid + (group.ofSeries > 0 ? "#" + std::to_string(group.ofSeries + 1) : "");
+}
+
+/// What follows the series: nothing for the part that is read when none is named.
+std::string partId(const SliceStack& stack, std::size_t number) {
+  return stack.part.resampled ? "@all" : number == 0 ? "" : "@" + std::to_string(number + 1);
+}
+
+/// "1.2.3@all": the series, which may be empty, and the part of it.
+struct SeriesAndPart {
+  std::string series, part;
+};
+
+SeriesAndPart divided(const std::string& id) {
+  const std::size_t at = std::min(id.rfind('@'), id.size());
+  return {id.substr(0, at), id.substr(at)};
+}
+
+/// The part that is asked for.
+SliceStack chosenStack(const FrameList& list, const SlicePhase& phase, const std::string& part,
+                       const std::filesystem::path& place) {
+  std::vector<SliceStack> stacks = stackSlices(list, phase);
+  std::string known;
+  for (std::size_t number = 0; number < stacks.size(); ++number) {
+    const std::string id = partId(stacks[number], number);
+    if (id == part)
+      return std::move(stacks[number]);
+    known += id.empty() ? "" : (known.empty() ? "" : ", ") + id;
+  }
+  if (part == "@all" && stacks.size() == 1 && stacks[0].frames.size() == stacks[0].slices)
+    return std::move(stacks[0]); // It is even, and so needs no grid of its own.
+  throw UsageError(misuse("Its slices have no part %1", part), place.string(),
+                   known.empty() ? misuse("all of them are read without one")
+                                 : misuse("there are: %1", known));
 }
 
 std::uint64_t voxelsOf(const Folder& folder, const SliceGroup& group) {
@@ -271,12 +305,21 @@ void describe(Scan& scan, const Folder& folder, const SliceGroup& group) {
   scan.transferSyntax = file.transferSyntax;
   scan.window = file.window;
   scan.space = "LPS";
+  if (!file.assumed.empty())
+    scan.findings.push_back({ScanFinding::Kind::other, file.assumed});
   if (file.modality == "CT" && (file.rescaleType.empty() || file.rescaleType == "HU"))
     scan.unit = "HU";
 }
 
 void append(std::vector<ScanFinding>& list, const std::vector<ScanFinding>& more) {
   list.insert(list.end(), more.begin(), more.end());
+}
+
+/// That slices are missing in what is read comes before any other doubt.
+void sayPartFirst(std::vector<ScanFinding>& findings) {
+  std::stable_partition(findings.begin(), findings.end(), [](const ScanFinding& finding) {
+    return finding.kind == ScanFinding::Kind::partRead || finding.kind == ScanFinding::Kind::resampled;
+  });
 }
 
 } // namespace
@@ -287,21 +330,26 @@ std::vector<ScanSeries> listDicomScans(const std::filesystem::path& fileOrFolder
   for (const SliceGroup& group : folder.groups) {
     std::vector<ScanFinding> findings;
     const std::vector<SlicePhase> phases = phasesOf(folder.list, group, findings);
-    const SliceStack stack = stackSlices(folder.list, phases[0]);
     const DicomHeader& first = folder.list.files[folder.list.frames[group.frames[0]].file];
-    ScanSeries& series = list.emplace_back();
-    series.id = seriesId(folder, group);
-    series.description = first.description;
-    series.modality = first.modality;
-    series.size = {first.columns, first.rows, static_cast<int>(stack.frames.size())};
-    series.spacing = stack.indexToLps.linear().colwise().norm();
-    series.indexToLps = stack.indexToLps;
-    series.phases = static_cast<int>(phases.size());
-    series.frameOfReference = first.frameOfReference;
     std::set<std::filesystem::path> files;
     for (const std::size_t f : group.frames)
       files.insert(folder.list.files[folder.list.frames[f].file].file);
-    series.files.assign(files.begin(), files.end());
+    const std::vector<SliceStack> stacks = stackSlices(folder.list, phases[0]);
+    for (std::size_t number = 0; number < stacks.size(); ++number) {
+      const SliceStack& stack = stacks[number];
+      ScanSeries& series = list.emplace_back();
+      series.id = seriesId(folder, group) + partId(stack, number);
+      series.description = first.description;
+      series.modality = first.modality;
+      series.size = {first.columns, first.rows, static_cast<int>(stack.depth())};
+      series.spacing = stack.indexToLps.linear().colwise().norm();
+      series.indexToLps = stack.indexToLps;
+      series.phases = static_cast<int>(phases.size());
+      series.slices = {static_cast<int>(stack.part.first) + 1, static_cast<int>(stack.part.last) + 1,
+                       static_cast<int>(stack.slices), stack.part.resampled};
+      series.frameOfReference = first.frameOfReference;
+      series.files.assign(files.begin(), files.end());
+    }
   }
   progress.report(1);
   return list;
@@ -310,20 +358,23 @@ std::vector<ScanSeries> listDicomScans(const std::filesystem::path& fileOrFolder
 Scan readDicomScan(const std::filesystem::path& fileOrFolder, const ScanOptions& options,
                    Progress& progress) {
   const Folder folder = openFolder(fileOrFolder, progress, kHeaders);
-  const SliceGroup& group = chosenGroup(folder, fileOrFolder, options.series);
+  const SeriesAndPart chosen = divided(options.series);
+  const SliceGroup& group = chosenGroup(folder, fileOrFolder, chosen.series);
   Scan scan;
   append(scan.findings, group.findings);
   const std::vector<SlicePhase> phases = phasesOf(folder.list, group, scan.findings);
   if (options.phase < 0 || static_cast<std::size_t>(options.phase) >= phases.size())
     throw UsageError(phrase("It has no phase %1; it has %2", options.phase, phases.size()),
                      fileOrFolder.string(), "the first one is 0");
-  const SliceStack stack = stackSlices(folder.list, phases[static_cast<std::size_t>(options.phase)]);
+  const SliceStack stack =
+      chosenStack(folder.list, phases[static_cast<std::size_t>(options.phase)], chosen.part, fileOrFolder);
   append(scan.findings, stack.findings);
+  sayPartFirst(scan.findings);
   append(scan.findings, folder.damaged);
   describe(scan, folder, group);
   const DicomHeader& first = folder.list.files[folder.list.frames[stack.frames[0]].file];
   scan.size = {first.columns, first.rows,
-               axisSize(FileBytes{fileOrFolder, {}}, std::int64_t(stack.frames.size()), "k")};
+               axisSize(FileBytes{fileOrFolder, {}}, std::int64_t(stack.depth()), "k")};
   scan.indexToLps = stack.indexToLps;
   RawImage grid;
   grid.size = scan.size;
@@ -342,6 +393,9 @@ Scan readDicomScan(const std::filesystem::path& fileOrFolder, const ScanOptions&
   }
   try {
     scan.samples = samplesOf(folder.list, stack, form, progress);
+    if (!stack.mixes.empty())
+      scan.samples = mixedSlices(scan.samples, std::size_t(first.columns) * std::size_t(first.rows),
+                                 stack.mixes, scan.padding);
   } catch (const std::bad_alloc&) {
     throw DataError("it does not fit into memory", fileOrFolder.string(), "crop the image to the organs");
   }

@@ -86,7 +86,7 @@ bool liesOn(const SegmentationGrid& grid, const ScanSeries& series, int& step) {
 }
 
 std::string seriesUidOf(const ScanSeries& series) {
-  return series.id.substr(0, series.id.find('#'));
+  return series.id.substr(0, series.id.find_first_of("#@"));
 }
 
 bool hasReferencedImage(const SegmentationSource& segmentation, const ScanSeries& series) {

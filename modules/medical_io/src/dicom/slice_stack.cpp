@@ -8,6 +8,7 @@
 #include <numbers>
 #include <set>
 #include <sstream>
+#include <utility>
 
 #include "viscera/core/phrase.h"
 
@@ -27,6 +28,8 @@ constexpr double kLeastTiltDegrees = 0.05, kLeastShift = 0.1;
 /// How far a gap is off a multiple of the distance to be missing slices.
 constexpr double kWholeNumber = 0.05;
 constexpr std::size_t kMostNamed = 3; ///< Gaps that are named one by one.
+/// A grid of resampled slices has at most so many for each one that was measured.
+constexpr std::size_t kMostResampled = 4;
 constexpr double kMsPerSecond = 1000;
 
 Text shortNumber(double value) {
@@ -199,23 +202,33 @@ bool sameStep(const Vec3& a, const Vec3& b) {
   return (a - b).norm() <= std::max(kEven * length, std::min(kRoundedMm, kMostOfRounding * length));
 }
 
-/// Slices [first, last] whose steps are equal.
-struct EvenRun {
-  std::size_t first = 0, last = 0;
-};
-
-EvenRun longestEvenRun(const FrameList& list, const std::vector<std::size_t>& slices) {
-  EvenRun best;
+/// All parts whose steps are equal, from the lowest; neighbours share a slice.
+std::vector<SlicePart> evenRuns(const FrameList& list, const std::vector<std::size_t>& slices) {
+  std::vector<SlicePart> runs;
   for (std::size_t first = 0; first + 1 < slices.size();) {
     const Vec3 step = stepOf(list, slices, first);
     std::size_t last = first + 1;
     while (last + 1 < slices.size() && sameStep(stepOf(list, slices, last), step))
       ++last;
-    if (last - first > best.last - best.first)
-      best = {first, last};
+    runs.push_back({first, last});
     first = last;
   }
-  return best;
+  if (runs.empty())
+    runs.push_back({0, 0});
+  return runs;
+}
+
+/// The longest even part, the lowest of several, and then the others that have two equal steps.
+std::vector<SlicePart> evenParts(const FrameList& list, const std::vector<std::size_t>& slices) {
+  std::vector<SlicePart> parts = evenRuns(list, slices);
+  const auto longest = std::max_element(parts.begin(), parts.end(), [](const auto& a, const auto& b) {
+    return a.last - a.first < b.last - b.first;
+  });
+  std::rotate(parts.begin(), longest, longest + 1);
+  parts.erase(std::remove_if(parts.begin() + 1, parts.end(),
+                             [](const SlicePart& part) { return part.last - part.first < 2; }),
+              parts.end());
+  return parts;
 }
 
 ScanFinding describeGap(const DicomFrame& below, double gap, double usual, std::size_t number) {
@@ -233,12 +246,12 @@ ScanFinding describeGap(const DicomFrame& below, double gap, double usual, std::
                  number + 1, here, apart, instead, shortNumber(100 * std::abs(times - 1)))};
 }
 
-/// Names the gaps that end the even part.
-void reportGaps(const FrameList& list, const std::vector<std::size_t>& slices, const EvenRun& run,
+/// Names the gaps that end an even part.
+void reportGaps(const FrameList& list, const std::vector<std::size_t>& slices, const SlicePart& part,
                 std::vector<ScanFinding>& findings) {
-  if (run.last - run.first + 1 == slices.size())
+  if (part.last - part.first + 1 == slices.size())
     return;
-  const Vec3 step = stepOf(list, slices, run.first);
+  const Vec3 step = stepOf(list, slices, part.first);
   std::vector<ScanFinding> found;
   for (std::size_t gap = 0; gap + 1 < slices.size(); ++gap) {
     const Vec3 here = stepOf(list, slices, gap);
@@ -256,9 +269,22 @@ void reportGaps(const FrameList& list, const std::vector<std::size_t>& slices, c
   Text& last = found.back().sentence;
   if (more > 0)
     last = phrase("%1 and %2 more", last, more);
-  last = phrase("%1; slices %2 to %3 of %4, which are even, were read", last, run.first + 1, run.last + 1,
-                slices.size());
   findings.insert(findings.end(), found.begin(), found.end());
+}
+
+/// Says how many of the slices the scan has, where these are not all of them as they are.
+void reportPart(const SliceStack& stack, std::vector<ScanFinding>& findings) {
+  if (stack.part.resampled)
+    findings.push_back({ScanFinding::Kind::resampled,
+                        phrase("All %1 slices were resampled to a distance of %2 mm; values between two "
+                               "slices are mixed from both",
+                               stack.slices, shortNumber(stack.indexToLps.linear().col(2).norm()))});
+  else if (stack.frames.size() < stack.slices)
+    findings.push_back(
+        {ScanFinding::Kind::partRead,
+         phrase("%1 of %2 slices were read, slices %3 to %4, which are even; the others, or "
+                "all of them resampled, can be chosen as a series",
+                stack.frames.size(), stack.slices, stack.part.first + 1, stack.part.last + 1)});
 }
 
 /// One slice for each position: the first one there by its number.
@@ -305,6 +331,70 @@ void reportTilt(const DicomFrame& frame, const Vec3& step, std::size_t steps,
   findings.push_back({ScanFinding::Kind::tilt, phrase("The slices are tilted by %1 degrees against the way "
                                                       "they are stacked (a tilted gantry); the shear is kept",
                                                       shortNumber(degrees))});
+}
+
+/// p(i, j, k) = p_0 + i d_c row + j d_r column + k step: the step between slices is as it is, not along the
+/// normal, so that a tilted gantry's shear is kept.
+Eigen::Affine3d stackGrid(const DicomFrame& frame, const Vec3& origin, const Vec3& step) {
+  Eigen::Affine3d grid;
+  grid.linear() << frame.row * frame.betweenColumns, frame.column * frame.betweenRows, step;
+  grid.translation() = origin;
+  grid.makeAffine();
+  return grid;
+}
+
+SliceStack evenStack(const FrameList& list, const std::vector<std::size_t>& slices, const SlicePart& part) {
+  SliceStack stack;
+  stack.part = part;
+  stack.slices = slices.size();
+  reportGaps(list, slices, part, stack.findings);
+  stack.frames.assign(slices.begin() + std::ptrdiff_t(part.first),
+                      slices.begin() + std::ptrdiff_t(part.last) + 1);
+  const DicomFrame &first = list.frames[stack.frames.front()], &last = list.frames[stack.frames.back()];
+  const std::size_t steps = stack.frames.size() - 1;
+  Vec3 step = first.normal() * (first.thickness > 0 ? first.thickness : 1);
+  if (steps > 0) {
+    step = (last.position - first.position) / double(steps);
+    reportTilt(first, step, steps, stack.findings);
+  } else if (!(first.thickness > 0)) {
+    stack.findings.push_back({ScanFinding::Kind::other, "It does not say how thick its slice is; 1 mm is "
+                                                        "assumed, so volumes in it are not measured"});
+  }
+  stack.indexToLps = stackGrid(first, first.position, step);
+  return stack;
+}
+
+/// All slices on the grid of the longest even part, continued to both ends: slices of that part stay as they
+/// are, and others are mixed from their neighbours. None when slices do not lie on one line.
+std::optional<SliceStack> resampledStack(const FrameList& list, const std::vector<std::size_t>& slices,
+                                         const SlicePart& longest) {
+  const auto at = [&](std::size_t slice) -> const DicomFrame& { return list.frames[slices[slice]]; };
+  const Vec3 normal = at(0).normal(), origin = at(0).position;
+  const auto height = [&](std::size_t slice) { return normal.dot(at(slice).position - origin); };
+  const std::size_t last = slices.size() - 1;
+  const Vec3 slope = (at(last).position - origin) / height(last); // Of height 1 mm.
+  for (std::size_t s = 0; s <= last; ++s)
+    if ((at(s).position - origin - height(s) * slope).norm() >
+        kLeastShift * std::min(at(0).betweenRows, at(0).betweenColumns))
+      return std::nullopt;
+  const double begin = height(longest.first);
+  double step = (height(longest.last) - begin) / double(longest.last - longest.first);
+  step = std::max(step, height(last) / double(kMostResampled * slices.size()));
+  const double below = std::round(begin / step), above = std::round((height(last) - begin) / step);
+  SliceStack stack;
+  stack.part = {0, last, true};
+  stack.slices = slices.size();
+  stack.frames = slices;
+  std::size_t under = 0;
+  for (double k = -below; k <= above; ++k) {
+    const double here = std::clamp(begin + k * step, 0.0, height(last));
+    while (under + 2 <= last && height(under + 1) <= here)
+      ++under;
+    const double part = (here - height(under)) / (height(under + 1) - height(under));
+    stack.mixes.push_back({under, std::clamp(part, 0.0, 1.0)});
+  }
+  stack.indexToLps = stackGrid(at(0), origin + (begin - below * step) * slope, step * slope);
+  return stack;
 }
 
 } // namespace
@@ -361,29 +451,26 @@ std::vector<SlicePhase> phasesOf(const FrameList& list, const SliceGroup& group,
   return phases;
 }
 
-SliceStack stackSlices(const FrameList& list, const SlicePhase& phase) {
-  SliceStack stack;
-  std::vector<std::size_t> slices = orderedSlices(list, phase, stack.findings);
+std::vector<SliceStack> stackSlices(const FrameList& list, const SlicePhase& phase) {
+  std::vector<ScanFinding> common;
+  const std::vector<std::size_t> slices = orderedSlices(list, phase, common);
   if (!namesInOrder(slices))
-    stack.findings.push_back({ScanFinding::Kind::order, "The files' names are not in the order of the "
-                                                        "slices; they were put in order by position"});
-  const EvenRun run = longestEvenRun(list, slices);
-  reportGaps(list, slices, run, stack.findings);
-  stack.frames.assign(slices.begin() + std::ptrdiff_t(run.first),
-                      slices.begin() + std::ptrdiff_t(run.last) + 1);
-  const DicomFrame &first = list.frames[stack.frames.front()], &last = list.frames[stack.frames.back()];
-  const std::size_t steps = stack.frames.size() - 1;
-  Vec3 step = first.normal() * (first.thickness > 0 ? first.thickness : 1);
-  if (steps > 0) {
-    step = (last.position - first.position) / double(steps);
-    reportTilt(first, step, steps, stack.findings);
+    common.push_back({ScanFinding::Kind::order, "The files' names are not in the order of the slices; they "
+                                                "were put in order by position"});
+  std::vector<SliceStack> stacks;
+  const std::vector<SlicePart> parts = evenParts(list, slices);
+  for (const SlicePart& part : parts)
+    stacks.push_back(evenStack(list, slices, part));
+  if (stacks.front().frames.size() < slices.size())
+    if (auto all = resampledStack(list, slices, parts.front()))
+      stacks.push_back(std::move(*all));
+  for (SliceStack& stack : stacks) {
+    std::vector<ScanFinding> own = std::exchange(stack.findings, {});
+    reportPart(stack, stack.findings);
+    stack.findings.insert(stack.findings.end(), common.begin(), common.end());
+    stack.findings.insert(stack.findings.end(), own.begin(), own.end());
   }
-  // p(i, j, k) = p_0 + i d_c row + j d_r column + k step: the step between slices is as it is, not along the
-  // normal, so that a tilted gantry's shear is kept.
-  stack.indexToLps.linear() << first.row * first.betweenColumns, first.column * first.betweenRows, step;
-  stack.indexToLps.translation() = first.position;
-  stack.indexToLps.makeAffine();
-  return stack;
+  return stacks;
 }
 
 } // namespace viscera::medical_io

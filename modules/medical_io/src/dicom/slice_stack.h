@@ -15,11 +15,29 @@ struct SliceGroup {
   std::vector<ScanFinding> findings; ///< Of slices in the series that are in no group with it.
 };
 
+/// Which of a phase's slices, in the order of their places, a scan has.
+struct SlicePart {
+  std::size_t first = 0, last = 0; ///< Both included.
+  bool resampled = false;          ///< All of them, on an even grid that is made from them.
+};
+
+/// A slice that is made of two neighbours: of `below`, an index into the stack's frames, and of the next one,
+/// which has the weight `above`.
+struct SliceMix {
+  std::size_t below = 0;
+  double above = 0;
+};
+
 /// A scan of evenly spaced slices.
 struct SliceStack {
   std::vector<std::size_t> frames; ///< Along k, by indices into all frames.
+  std::vector<SliceMix> mixes;     ///< The slices of the grid where these are not the frames; else empty.
+  SlicePart part;
+  std::size_t slices = 0; ///< As many as the phase has.
   Eigen::Affine3d indexToLps = Eigen::Affine3d::Identity();
-  std::vector<ScanFinding> findings;
+  std::vector<ScanFinding> findings; ///< First of all whether slices were left out or mixed.
+
+  std::size_t depth() const { return mixes.empty() ? frames.size() : mixes.size(); }
 };
 
 /// One phase's slices, before they are ordered.
@@ -43,7 +61,9 @@ std::vector<SliceGroup> groupFrames(const FrameList& list);
 std::vector<SlicePhase> phasesOf(const FrameList& list, const SliceGroup& group,
                                  std::vector<ScanFinding>& findings);
 
-/// Orders a phase's slices along their normal and takes the longest part of them that is even to 1 %.
-SliceStack stackSlices(const FrameList& list, const SlicePhase& phase);
+/// Orders a phase's slices along their normal: the longest part of them that is even to 1 %, and where that is
+/// not all of them, every other even part of three slices or more, and last all of them resampled to one grid,
+/// where they lie on a line.
+std::vector<SliceStack> stackSlices(const FrameList& list, const SlicePhase& phase);
 
 } // namespace viscera::medical_io

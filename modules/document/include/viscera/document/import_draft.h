@@ -25,9 +25,12 @@ struct DraftOrgan {
   std::shared_ptr<const geometry::TriangleMesh> mesh; ///< As repaired so far.
   std::vector<std::string> repairs;                   ///< Ids of what was done, in order.
   std::optional<medical_io::SurfaceChange> change;    ///< By the last repair, where it made the surface anew.
-  std::optional<DataError> refusal;                   ///< Why the last repair was not possible.
-  medical_io::SurfaceAssessment assessment;           ///< Of `mesh`.
-  bool included = true;                               ///< Whether it will become an organ.
+  std::optional<medical_io::SurfaceChange> remade;    ///< By the last remeshing, whatever was done after it.
+  std::shared_ptr<const geometry::TriangleMesh> beforeRemesh; ///< Null when the last repair was another one.
+  double resolutionMm = 0;                                    ///< Of the last remeshing.
+  std::optional<DataError> refusal;                           ///< Why the last repair was not possible.
+  medical_io::SurfaceAssessment assessment;                   ///< Of `mesh`.
+  bool included = true;                                       ///< Whether it will become an organ.
   /// The doubt about its side that the other organs have answered, so that `assessment` has it no more.
   std::optional<medical_io::Finding> answered = {};
 };
@@ -51,8 +54,9 @@ struct ImportDraft {
 /// second an organ.
 ImportDraft draftOf(OpenedFiles files, Progress& progress);
 
-/// The draft with one repair (an id of `medical_io::surfaceRepairs`) done to the organs at these places, and
-/// assessed anew. An organ that cannot be repaired that way stays as it is, with the reason as its `refusal`.
+/// The draft with one repair (an id of `medical_io::surfaceRepair`) done to the organs at these places, and
+/// assessed anew. Remeshing after remeshing begins with the surface before, so that a finer one has its
+/// details. An organ that cannot be repaired that way stays as it is, with the reason as its `refusal`.
 /// Throws `Cancelled`.
 ImportDraft repaired(ImportDraft draft, const std::vector<std::size_t>& organs, const std::string& repair,
                      Progress& progress);

@@ -19,8 +19,8 @@ namespace viscera::medical_io {
 enum class FindingSeverity { good, note, doubt, fault };
 
 /// The subject of a finding, such as axes, size or holes. `arrangement` is the position of organs relative to
-/// each other.
-enum class FindingSubject { axes, size, holes, edges, facing, pieces, crossings, arrangement };
+/// each other, `detail` what a repair has lost.
+enum class FindingSubject { axes, size, holes, edges, facing, pieces, crossings, arrangement, detail };
 
 /// A finding about a surface that is to become an organ: something doubtful or wrong, with possible repairs.
 struct Finding {

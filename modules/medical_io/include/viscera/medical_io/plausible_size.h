@@ -33,4 +33,9 @@ std::vector<LengthUnit> unitsThatFit(std::string_view name, double diagonalMm, d
 /// "the size of 0.24 mm is implausible for an organ", if the size is implausible; else none.
 std::optional<Text> doubtAboutSize(std::string_view name, double diagonalMm);
 
+/// The factor by which an organ of that name and volume becomes as large as people's organs are in the
+/// middle; also for one whose volume depends on what it holds. None without a known volume, and for no
+/// volume.
+std::optional<double> lifeSizeFactor(std::string_view name, double volumeMl);
+
 } // namespace viscera::medical_io

@@ -24,7 +24,18 @@ struct ValueWindow {
 
 /// Something doubtful in the files of a scan, and where.
 struct ScanFinding {
-  enum class Kind { missingSlice, doubledSlice, unevenSpacing, tilt, order, mixedSizes, damaged, other };
+  enum class Kind {
+    missingSlice,
+    doubledSlice,
+    unevenSpacing,
+    tilt,
+    order,
+    mixedSizes,
+    damaged,
+    other,
+    partRead, ///< Slices of the series are left out; first in the list, as is the next.
+    resampled ///< All slices, on an even grid that was made from them.
+  };
   Kind kind = Kind::other;
   Text sentence; ///< What, where, and what was done about it.
 };
@@ -81,7 +92,16 @@ struct Scan {
   ValueWindow firstWindow() const;
 };
 
-/// One of several series (or phases, or echoes) in a folder, for the user to choose from.
+/// Which slices of a series are read, counted from 1 on in the order of their places.
+struct SliceRange {
+  int first = 1;          ///< The first that is read.
+  int last = 1;           ///< The last one.
+  int all = 1;            ///< As many as there are.
+  bool resampled = false; ///< All of them, on an even grid that is made from them.
+};
+
+/// One of several series (or phases, echoes, or even parts of uneven slices) in a folder, for the user to
+/// choose from.
 struct ScanSeries {
   std::string id;                                           ///< Value for `ScanOptions::series`.
   std::string description;                                  ///< "Abdomen 5.0 B30f".
@@ -90,11 +110,14 @@ struct ScanSeries {
   Vec3 spacing = Vec3::Zero();                              ///< mm.
   Eigen::Affine3d indexToLps = Eigen::Affine3d::Identity(); ///< As `Scan::indexToLps`.
   int phases = 1;                                           ///< The number of volumes over time.
+  SliceRange slices;                                        ///< Of a DICOM series; else of one slice.
   std::string frameOfReference; ///< DICOM: UID of the coordinate system that images of one patient share.
   std::vector<std::filesystem::path> files;
 };
 
-/// The series and the phase to read; by default the largest series and its first phase.
+/// The series and the phase to read; by default the largest series and its first phase. Of slices that are
+/// not even the longest even part is read; "@2" behind the series, or alone for the largest one, is the next
+/// even part, and "@all" all slices resampled to one even grid.
 struct ScanOptions {
   std::string series;
   int phase = 0;
@@ -106,9 +129,9 @@ struct ScanOptions {
 std::vector<ScanSeries> listScans(const std::filesystem::path& fileOrFolder, Progress& progress);
 
 /// Reads NIfTI, NRRD, MetaImage or a DICOM series (a folder, or any file of it; classic or enhanced). Nothing
-/// is resampled; doubts are listed in `findings`. Throws `NoInputError`, `DataError` (what, which file, what
-/// to try), `UsageError` for a series or phase that is not there, `Cancelled`. Takes memory for what is in
-/// the files, not for what a header promises. O(voxels).
+/// is resampled unless `options` ask for it; doubts are listed in `findings`. Throws `NoInputError`,
+/// `DataError` (what, which file, what to try), `UsageError` for a series or phase that is not there,
+/// `Cancelled`. Takes memory for what is in the files, not for what a header promises. O(voxels).
 Scan readScan(const std::filesystem::path& fileOrFolder, const ScanOptions& options, Progress& progress);
 
 /// Whether the place may hold a scan, by names and first bytes; only reading checks whether the files are
