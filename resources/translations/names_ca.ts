@@ -6337,6 +6337,18 @@
 <context>
     <name>viscera::app</name>
     <message>
+        <source>Cancel</source>
+        <translation>Cancel·la</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>Llengua</translation>
+    </message>
+    <message>
+        <source>Sequences</source>
+        <translation>Seqüències</translation>
+    </message>
+    <message>
         <source>Undo</source>
         <translation>Desfés</translation>
     </message>

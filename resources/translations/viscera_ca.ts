@@ -1995,10 +1995,6 @@ Moveu el lliscador de dalt per col·locar-ne, o feu clic a l’òrgan en el mode
         <translation>%1: %2 de %3 òrgans</translation>
     </message>
     <message>
-        <source>Cancel</source>
-        <translation>Cancel·la</translation>
-    </message>
-    <message>
         <source>Find an organ</source>
         <translation>Cerca un òrgan</translation>
     </message>
@@ -2204,10 +2200,6 @@ Moveu el lliscador de dalt per col·locar-ne, o feu clic a l’òrgan en el mode
     <message>
         <source>Format</source>
         <translation>Format</translation>
-    </message>
-    <message>
-        <source>Language</source>
-        <translation>Llengua</translation>
     </message>
     <message>
         <source>Save as...</source>
@@ -4134,10 +4126,6 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
 <context>
     <name>viscera::app::SequenceList</name>
     <message>
-        <source>Sequences</source>
-        <translation>Seqüències</translation>
-    </message>
-    <message>
         <source>%1: can be fitted to %2</source>
         <translation>%1: es pot ajustar a %2</translation>
     </message>
@@ -5553,14 +5541,6 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
         <translation>El factor amb què l’òrgan obté el volum habitual dels seus</translation>
     </message>
     <message>
-        <source>Apply</source>
-        <translation>Aplica</translation>
-    </message>
-    <message>
-        <source>Cancel</source>
-        <translation>Cancel·la</translation>
-    </message>
-    <message>
         <source>About %1 triangles. Details smaller than %2 mm are lost.</source>
         <translation>Uns %1 triangles. Es perden els detalls de menys de %2 mm.</translation>
     </message>
@@ -5598,20 +5578,12 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
         <translation>Les longituds són sempre en mm i els volums en ml; els nombres porten el signe decimal de la llengua.</translation>
     </message>
     <message>
-        <source>Close</source>
-        <translation>Tanca</translation>
-    </message>
-    <message>
         <source>Look</source>
         <translation>Aspecte</translation>
     </message>
     <message>
         <source>As the system</source>
         <translation>Com el sistema</translation>
-    </message>
-    <message>
-        <source>Language</source>
-        <translation>Llengua</translation>
     </message>
     <message>
         <source>The next start uses the language.</source>
@@ -5638,10 +5610,6 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
         <translation>Òrgans i sessions</translation>
     </message>
     <message>
-        <source>Sequences</source>
-        <translation>Seqüències</translation>
-    </message>
-    <message>
         <source>Pictures</source>
         <translation>Imatges</translation>
     </message>
@@ -5656,14 +5624,6 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
 </context>
 <context>
     <name>viscera::app::TaskCard</name>
-    <message>
-        <source>Close (Esc)</source>
-        <translation>Tanca (Esc)</translation>
-    </message>
-    <message>
-        <source>Close</source>
-        <translation>Tanca</translation>
-    </message>
     <message>
         <source>Drag the bright dot: the organ follows.</source>
         <translation>Arrossegueu el punt clar: l’òrgan el segueix.</translation>

@@ -1995,10 +1995,6 @@ Bewegen Sie den Regler oben, um welche zu setzen, oder klicken Sie im Modus Grif
         <translation>%1: %2 von %3 Organen</translation>
     </message>
     <message>
-        <source>Cancel</source>
-        <translation>Abbrechen</translation>
-    </message>
-    <message>
         <source>Find an organ</source>
         <translation>Organ suchen</translation>
     </message>
@@ -2204,10 +2200,6 @@ Bewegen Sie den Regler oben, um welche zu setzen, oder klicken Sie im Modus Grif
     <message>
         <source>Format</source>
         <translation>Format</translation>
-    </message>
-    <message>
-        <source>Language</source>
-        <translation>Sprache</translation>
     </message>
     <message>
         <source>Save as...</source>
@@ -4134,10 +4126,6 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
 <context>
     <name>viscera::app::SequenceList</name>
     <message>
-        <source>Sequences</source>
-        <translation>Sequenzen</translation>
-    </message>
-    <message>
         <source>%1: can be fitted to %2</source>
         <translation>%1: lässt sich an %2 anpassen</translation>
     </message>
@@ -5553,14 +5541,6 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
         <translation>Der Faktor, durch den das Organ das übliche Volumen seiner Art bekommt</translation>
     </message>
     <message>
-        <source>Apply</source>
-        <translation>Anwenden</translation>
-    </message>
-    <message>
-        <source>Cancel</source>
-        <translation>Abbrechen</translation>
-    </message>
-    <message>
         <source>About %1 triangles. Details smaller than %2 mm are lost.</source>
         <translation>Etwa %1 Dreiecke. Einzelheiten unter %2 mm gehen verloren.</translation>
     </message>
@@ -5598,20 +5578,12 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
         <translation>Längen sind überall in mm, Volumen in ml; Zahlen haben das Dezimalzeichen der Sprache.</translation>
     </message>
     <message>
-        <source>Close</source>
-        <translation>Schließen</translation>
-    </message>
-    <message>
         <source>Look</source>
         <translation>Aussehen</translation>
     </message>
     <message>
         <source>As the system</source>
         <translation>Wie das System</translation>
-    </message>
-    <message>
-        <source>Language</source>
-        <translation>Sprache</translation>
     </message>
     <message>
         <source>The next start uses the language.</source>
@@ -5638,10 +5610,6 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
         <translation>Organe und Sitzungen</translation>
     </message>
     <message>
-        <source>Sequences</source>
-        <translation>Sequenzen</translation>
-    </message>
-    <message>
         <source>Pictures</source>
         <translation>Bilder</translation>
     </message>
@@ -5656,14 +5624,6 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
 </context>
 <context>
     <name>viscera::app::TaskCard</name>
-    <message>
-        <source>Close (Esc)</source>
-        <translation>Schließen (Esc)</translation>
-    </message>
-    <message>
-        <source>Close</source>
-        <translation>Schließen</translation>
-    </message>
     <message>
         <source>Drag the bright dot: the organ follows.</source>
         <translation>Ziehen Sie den hellen Punkt: Das Organ folgt.</translation>

@@ -1995,10 +1995,6 @@ Mueva el control de arriba para colocar algunos o haga clic en el órgano en el 
         <translation>%1: %2 de %3 órganos</translation>
     </message>
     <message>
-        <source>Cancel</source>
-        <translation>Cancelar</translation>
-    </message>
-    <message>
         <source>Find an organ</source>
         <translation>Buscar un órgano</translation>
     </message>
@@ -2204,10 +2200,6 @@ Mueva el control de arriba para colocar algunos o haga clic en el órgano en el 
     <message>
         <source>Format</source>
         <translation>Formato</translation>
-    </message>
-    <message>
-        <source>Language</source>
-        <translation>Idioma</translation>
     </message>
     <message>
         <source>Save as...</source>
@@ -4134,10 +4126,6 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
 <context>
     <name>viscera::app::SequenceList</name>
     <message>
-        <source>Sequences</source>
-        <translation>Secuencias</translation>
-    </message>
-    <message>
         <source>%1: can be fitted to %2</source>
         <translation>%1: puede ajustarse a %2</translation>
     </message>
@@ -5553,14 +5541,6 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
         <translation>El factor con el que el órgano obtiene el volumen habitual de los suyos</translation>
     </message>
     <message>
-        <source>Apply</source>
-        <translation>Aplicar</translation>
-    </message>
-    <message>
-        <source>Cancel</source>
-        <translation>Cancelar</translation>
-    </message>
-    <message>
         <source>About %1 triangles. Details smaller than %2 mm are lost.</source>
         <translation>Unos %1 triángulos. Se pierden los detalles de menos de %2 mm.</translation>
     </message>
@@ -5598,20 +5578,12 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
         <translation>Las longitudes están siempre en mm y los volúmenes en ml; los números llevan el signo decimal del idioma.</translation>
     </message>
     <message>
-        <source>Close</source>
-        <translation>Cerrar</translation>
-    </message>
-    <message>
         <source>Look</source>
         <translation>Aspecto</translation>
     </message>
     <message>
         <source>As the system</source>
         <translation>Como el sistema</translation>
-    </message>
-    <message>
-        <source>Language</source>
-        <translation>Idioma</translation>
     </message>
     <message>
         <source>The next start uses the language.</source>
@@ -5638,10 +5610,6 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
         <translation>Órganos y sesiones</translation>
     </message>
     <message>
-        <source>Sequences</source>
-        <translation>Secuencias</translation>
-    </message>
-    <message>
         <source>Pictures</source>
         <translation>Imágenes</translation>
     </message>
@@ -5656,14 +5624,6 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
 </context>
 <context>
     <name>viscera::app::TaskCard</name>
-    <message>
-        <source>Close (Esc)</source>
-        <translation>Cerrar (Esc)</translation>
-    </message>
-    <message>
-        <source>Close</source>
-        <translation>Cerrar</translation>
-    </message>
     <message>
         <source>Drag the bright dot: the organ follows.</source>
         <translation>Arrastre el punto claro: el órgano lo sigue.</translation>

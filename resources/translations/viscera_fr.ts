@@ -1995,10 +1995,6 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez sur l’organe en mode
         <translation>%1&#xa0;: %2 organes sur %3</translation>
     </message>
     <message>
-        <source>Cancel</source>
-        <translation>Annuler</translation>
-    </message>
-    <message>
         <source>Find an organ</source>
         <translation>Chercher un organe</translation>
     </message>
@@ -2204,10 +2200,6 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez sur l’organe en mode
     <message>
         <source>Format</source>
         <translation>Format</translation>
-    </message>
-    <message>
-        <source>Language</source>
-        <translation>Langue</translation>
     </message>
     <message>
         <source>Save as...</source>
@@ -4134,10 +4126,6 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
 <context>
     <name>viscera::app::SequenceList</name>
     <message>
-        <source>Sequences</source>
-        <translation>Séquences</translation>
-    </message>
-    <message>
         <source>%1: can be fitted to %2</source>
         <translation>%1&#xa0;: peut être ajustée à %2</translation>
     </message>
@@ -5553,14 +5541,6 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
         <translation>Le facteur qui donne à l’organe le volume habituel de son espèce</translation>
     </message>
     <message>
-        <source>Apply</source>
-        <translation>Appliquer</translation>
-    </message>
-    <message>
-        <source>Cancel</source>
-        <translation>Annuler</translation>
-    </message>
-    <message>
         <source>About %1 triangles. Details smaller than %2 mm are lost.</source>
         <translation>Environ %1 triangles. Les détails de moins de %2 mm sont perdus.</translation>
     </message>
@@ -5598,20 +5578,12 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
         <translation>Les longueurs sont partout en mm, les volumes en ml ; les nombres ont le séparateur décimal de la langue.</translation>
     </message>
     <message>
-        <source>Close</source>
-        <translation>Fermer</translation>
-    </message>
-    <message>
         <source>Look</source>
         <translation>Apparence</translation>
     </message>
     <message>
         <source>As the system</source>
         <translation>Comme le système</translation>
-    </message>
-    <message>
-        <source>Language</source>
-        <translation>Langue</translation>
     </message>
     <message>
         <source>The next start uses the language.</source>
@@ -5638,10 +5610,6 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
         <translation>Organes et sessions</translation>
     </message>
     <message>
-        <source>Sequences</source>
-        <translation>Séquences</translation>
-    </message>
-    <message>
         <source>Pictures</source>
         <translation>Images</translation>
     </message>
@@ -5656,14 +5624,6 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
 </context>
 <context>
     <name>viscera::app::TaskCard</name>
-    <message>
-        <source>Close (Esc)</source>
-        <translation>Fermer (Échap)</translation>
-    </message>
-    <message>
-        <source>Close</source>
-        <translation>Fermer</translation>
-    </message>
     <message>
         <source>Drag the bright dot: the organ follows.</source>
         <translation>Tirez le point clair : l’organe suit.</translation>
