@@ -22,8 +22,9 @@ Command addMeasurement(Measurement wanted);
 /// `UsageError` for one organ twice.
 Command addGap(OrganId from, OrganId to);
 
-/// Moves one of its points, but not those of a gap. Successive moves of one point are one undo step. Moving a sphere's middle moves
-/// the whole sphere, and a rectangle stays in one slice: both corners move to the slice of the moved one.
+/// Moves one of its points, but not those of a gap. Successive moves of one point are one undo step. Moving a
+/// sphere's middle moves the whole sphere, and a rectangle stays in one slice: both corners move to the slice
+/// of the moved one.
 Command moveMeasuredPoint(MeasurementId measurement, std::size_t index, MeasuredPoint point);
 
 Command renameMeasurement(MeasurementId measurement, std::string name);
