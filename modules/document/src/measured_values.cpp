@@ -61,9 +61,8 @@ const geometry::SurfaceBoxes& MeasuringMemory::follow(const Organ& organ, const 
   return *follower.boxes;
 }
 
-std::optional<MeasuringMemory::Gap> MeasuringMemory::gapOf(const Measurement& measurement,
-                                                           const DocumentState& state,
-                                                           const PointsOf& pointsOf) {
+std::optional<MeasuringMemory::Gap>
+MeasuringMemory::gapOf(const Measurement& measurement, const DocumentState& state, const PointsOf& pointsOf) {
   const auto from = state.organ(measurement.points.at(0).organ);
   const auto to = state.organ(measurement.points.at(1).organ);
   if (!from || !to)
@@ -73,7 +72,8 @@ std::optional<MeasuringMemory::Gap> MeasuringMemory::gapOf(const Measurement& me
     kept.last = geometry::gapBetween(follow(*from, from->mesh->points), follow(*to, to->mesh->points));
     kept = {from->mesh, to->mesh, kept.last.mm, kept.last};
   }
-  kept.last = geometry::gapBetween(follow(*from, pointsOf(from->id)), follow(*to, pointsOf(to->id)), kept.last);
+  kept.last =
+      geometry::gapBetween(follow(*from, pointsOf(from->id)), follow(*to, pointsOf(to->id)), kept.last);
   return Gap{kept.restMm, kept.last};
 }
 

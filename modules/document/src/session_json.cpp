@@ -234,10 +234,10 @@ AnyId SessionReader::newId(const ordered_json& object, const std::string& place)
 }
 
 Organ SessionReader::readOrganRecord(const ordered_json& item, const std::string& place) {
-  takeObject(
-      item,
-      {"id", "name", "parent", "look", "volumeLocked", "mobility", "source", "sha256", "surface", "warnings", "remarks"},
-      place);
+  takeObject(item,
+             {"id", "name", "parent", "look", "volumeLocked", "mobility", "source", "sha256", "surface",
+              "warnings", "remarks"},
+             place);
   Organ organ;
   organ.id = newId<OrganId>(item, place);
   organ.name = textOf(item, "name", place);

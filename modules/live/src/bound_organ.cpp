@@ -98,8 +98,7 @@ BindingResult bindToTarget(const document::Organ& organ, const BindingTarget& ta
                            Progress& progress) {
   BindingResult result;
   try {
-    auto binding =
-        bindMovable(organ, *target.system, target.handles, {target.parameters, threads}, progress);
+    auto binding = bindMovable(organ, *target.system, target.handles, {target.parameters, threads}, progress);
     progress.throwIfCancelled();
     result.deformer = std::make_unique<deformation::Deformer>(organ.mesh, std::move(binding),
                                                               target.handles.positions, threads);

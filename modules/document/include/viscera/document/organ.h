@@ -83,8 +83,8 @@ bool isPure(const Vec3& color);
 /// with the surface becomes a warning each; a closed one that is inside out is turned around. A painted one
 /// has the mean of its colours for its own; one that is painted in a single colour is seen as every organ in
 /// a colour of its own, and not by its vertices. An organ that its name tells has the colour of
-/// `anatomy::colorNamed` where the surface has no colour, or a single one that `isPure`; a bone is rigid. Throws `DataError`
-/// for an invalid mesh or one without triangles.
+/// `anatomy::colorNamed` where the surface has no colour, or a single one that `isPure`; a bone is rigid.
+/// Throws `DataError` for an invalid mesh or one without triangles.
 Organ makeOrgan(std::string name, geometry::TriangleMesh mesh);
 /// The same for a mesh that is shared; it is copied only when it has to be turned around.
 Organ makeOrgan(std::string name, std::shared_ptr<const geometry::TriangleMesh> mesh);

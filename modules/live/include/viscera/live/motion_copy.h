@@ -19,8 +19,8 @@ struct MotionCause {
   std::shared_ptr<const document::Rig> rig;
   std::shared_ptr<const document::SystemChoice> system;
   /// For each organ its identity, its surface, whether its volume is locked, and how it follows the handles.
-  std::vector<std::tuple<document::OrganId, std::shared_ptr<const geometry::TriangleMesh>, bool,
-                         document::Mobility>>
+  std::vector<
+      std::tuple<document::OrganId, std::shared_ptr<const geometry::TriangleMesh>, bool, document::Mobility>>
       organs;
   std::shared_ptr<const Points> pose; ///< Gives locked organs their volumes; null where none is locked.
   bool operator==(const MotionCause&) const = default;

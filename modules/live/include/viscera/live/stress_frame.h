@@ -87,8 +87,7 @@ struct StressFrame {
 
 /// What the quantity of map `a` exceeds that of map `b` by at every point of their mesh, in its unit; not a
 /// number where one of them is folded. None unless both are of the same points. O(n).
-std::optional<Values> differenceOf(const StressFrame& a, const StressFrame& b,
-                                   StressQuantity quantity);
+std::optional<Values> differenceOf(const StressFrame& a, const StressFrame& b, StressQuantity quantity);
 
 /// A copy of an organ's stress computation with poses of its own, for recording a movie on another thread.
 /// For one thread.
