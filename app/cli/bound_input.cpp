@@ -41,12 +41,13 @@ WitnessedOrgan interiorOf(const BoundInput& input, const live::WitnessOptions& w
   if (cells) {
     deformation::requireUsable(*cells, input.organ.file.string());
     interior.sample.mesh = std::move(cells);
+    if (!cavities.empty())
+      interior.sample.mesh = std::make_shared<const deformation::WitnessMesh>(
+          deformation::withoutCavities(*interior.sample.mesh, cavities, witnesses.threads));
   } else {
-    interior.sample = live::sampleWitnesses(*input.organ.mesh, witnesses, progress);
+    interior.sample = live::withoutCavities(live::sampleWitnesses(*input.organ.mesh, witnesses, progress),
+                                            cavities, witnesses);
   }
-  if (!cavities.empty())
-    interior.sample.mesh = std::make_shared<const deformation::WitnessMesh>(
-        deformation::withoutCavities(*interior.sample.mesh, cavities, witnesses.threads));
   interior.gradients = deformation::bindWitnesses(*input.system, input.rig.handles, interior.mesh().points,
                                                   input.options, progress);
   warnings.insert(warnings.end(), interior.sample.remarks.begin(), interior.sample.remarks.end());

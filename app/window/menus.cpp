@@ -200,7 +200,8 @@ void Menus::makeLanguageMenu(QMenu& menu) {
 void Menus::makeOrganMenus() {
   QMenu* organ = bar_.addMenu(tr("&Organ"));
   organ->addMenu(samples_);
-  fill(organ, {"", "volume.lock", "volume.restore", ""});
+  fill(organ, {"", "volume.lock", "volume.restore", "", "organ.bends", "organ.rigid", "organ.fixed", "",
+               "measure.gap"});
   fill(organ, parts_.modes.find("explore").actions());
   fill(organ, {"", "organ.showOnly", "organ.hide", "organ.showAll", "organ.find", "", "organ.rename"});
   organ->addMenu(new CoordinateMenu(parts_.workspace, parts_.actions, organ));

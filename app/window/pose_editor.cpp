@@ -12,6 +12,8 @@ namespace viscera::app {
 namespace {
 /// A drag at rest binds anew more often than this.
 constexpr int kPrepareMilliseconds = 150;
+/// mm; a handle that is nearer to where it was sent counts as being there.
+constexpr double kAsAsked = 0.05;
 } // namespace
 
 PoseEditor::PoseEditor(Workspace& workspace, const ViewModel& model, QObject* parent)
@@ -41,7 +43,7 @@ bool PoseEditor::begin(const QString& name, const std::vector<document::HandleId
                        const std::optional<Vec3>& plane) {
   cancel();
   const bool begun = workspace_.guarded([&] {
-    motion_.emplace(keeper_.begin(handles, mirrored ? mirrorPlane() : std::nullopt, plane));
+    motion_.emplace(keeper_.begin(handles, mirrored ? mirrorPlane() : std::nullopt, plane, others()));
     step_.emplace(workspace_.undo(), name.toStdString());
   });
   if (!begun)
@@ -57,7 +59,7 @@ void PoseEditor::follow(const std::function<void(live::LockedMotion&)>& wish) {
   try {
     wish(*motion_);
     workspace_.undo().perform(document::setPose(motion_->sharedPose()));
-    setObstacle(inWords(motion_->obstacle()));
+    setObstacle(motion_->obstacle().empty() ? shortfall(*motion_) : inWords(motion_->obstacle()));
   } catch (const Error& error) {
     if (obstacle_.isEmpty())
       workspace_.report(error);
@@ -69,11 +71,72 @@ void PoseEditor::follow(const std::function<void(live::LockedMotion&)>& wish) {
 void PoseEditor::end(void (document::UndoStack::Step::*close)()) {
   if (!motion_)
     return;
-  motion_.reset();
+  const auto motion = std::exchange(motion_, std::nullopt);
   auto step = std::exchange(step_, std::nullopt);
   workspace_.guarded([&] { (*step.*close)(); });
   setObstacle({});
   Q_EMIT gestureChanged();
+  if (close == &document::UndoStack::Step::finish)
+    tellDifference(*motion);
+}
+
+live::Others PoseEditor::others() const {
+  return model_.state().exactly ? live::Others::compensate : live::Others::asMarked;
+}
+
+/// How much of a translation the locked volume has left; empty where it is all.
+QString PoseEditor::shortfall(const live::LockedMotion& motion) const {
+  if (!motion.asked() || motion.selection().empty() || (motion.given() - *motion.asked()).norm() < kAsAsked)
+    return {};
+  return tr("the locked volume leaves %1 of %2 mm")
+      .arg(formatNumber(motion.given().norm(), 2), formatNumber(motion.asked()->norm(), 2));
+}
+
+/// Says after a move what the locked volume has left of it, and offers the whole of it.
+void PoseEditor::tellDifference(const live::LockedMotion& motion) {
+  if (!told_.isEmpty())
+    workspace_.retract(std::exchange(told_, {}));
+  const QString left = shortfall(motion);
+  if (left.isEmpty())
+    return;
+  std::vector<document::HandleId> handles;
+  for (const int row : motion.selection())
+    handles.push_back(workspace_.document().rig().handles[static_cast<std::size_t>(row)].id);
+  const Vec3 there = motion.start().row(motion.selection().front()).transpose() + *motion.asked();
+  told_ = tr("Only partly possible: %1").arg(left);
+  Message message{Message::Severity::info, told_, {}, 12};
+  message.offers.push_back({tr("Move exactly, others compensate"), [this, handles, there] {
+                              const document::Document& document = workspace_.document();
+                              if (const int row = document.rig().indexOf(handles.front()); row >= 0)
+                                moveExactly(handles, there - document.pose().row(row).transpose());
+                            }});
+  workspace_.say(message);
+}
+
+document::Command PoseEditor::moveCommand(const live::LockedMotion& motion,
+                                          const std::vector<document::HandleId>& handles) const {
+  document::Command command = document::setPose(motion.sharedPose());
+  const document::Handle& first =
+      workspace_.document().rig().handles[static_cast<std::size_t>(motion.selection().front())];
+  command.name = handles.size() == 1
+                     ? tr("Move handle %1").arg(inWords(first.label)).toStdString()
+                     : tr("Move %n handles", nullptr, static_cast<int>(handles.size())).toStdString();
+  return command;
+}
+
+bool PoseEditor::moveExactly(const std::vector<document::HandleId>& handles, const Vec3& by) {
+  finish();
+  return workspace_.guarded([&] {
+    live::LockedMotion motion = keeper_.begin(handles, mirrorPlane(), std::nullopt, live::Others::compensate);
+    motion.translate(by);
+    if (motion.selection().empty())
+      return;
+    if (!motion.obstacle().empty())
+      throw DataError(
+          phrase("the handles cannot move by exactly %1 mm: %2", inFixed(by.norm(), 2), motion.obstacle()),
+          {}, "move less far, or let more handles compensate");
+    workspace_.undo().perform(moveCommand(motion, handles));
+  });
 }
 
 void PoseEditor::setObstacle(const QString& obstacle) {
@@ -84,22 +147,13 @@ void PoseEditor::setObstacle(const QString& obstacle) {
 std::optional<Vec3> PoseEditor::moveBy(const std::vector<document::HandleId>& handles, const Vec3& by) {
   std::optional<Vec3> moved;
   workspace_.guarded([&] {
-    live::LockedMotion motion = keeper_.begin(handles, mirrorPlane());
+    live::LockedMotion motion = keeper_.begin(handles, mirrorPlane(), std::nullopt, others());
     motion.translate(by);
     if (motion.selection().empty())
       return;
-    document::Command command = document::setPose(motion.sharedPose());
-    command.name = handles.size() == 1
-                       ? tr("Move handle %1")
-                             .arg(inWords(workspace_.document()
-                                              .rig()
-                                              .handles[static_cast<std::size_t>(motion.selection().front())]
-                                              .label))
-                             .toStdString()
-                       : tr("Move %n handles", nullptr, static_cast<int>(handles.size())).toStdString();
-    workspace_.undo().perform(command);
-    const int first = motion.selection().front();
-    moved = (motion.pose().row(first) - motion.start().row(first)).transpose();
+    workspace_.undo().perform(moveCommand(motion, handles));
+    moved = motion.given();
+    tellDifference(motion);
   });
   return moved;
 }

@@ -42,8 +42,12 @@ public:
   void cancel() { end(&document::UndoStack::Step::cancel); }
 
   /// Moves handles by a vector, mm, mirrored if a mirror is on. Returns the motion of the first one, or empty
-  /// if that was not possible.
+  /// if that was not possible. Where a locked volume leaves less than was asked, a message offers
+  /// `moveExactly`.
   std::optional<Vec3> moveBy(const std::vector<document::HandleId>& handles, const Vec3& by);
+  /// The same by exactly this vector: other handles compensate for locked volumes. Where they cannot, nothing
+  /// moves and a message gives the reason; returns false.
+  bool moveExactly(const std::vector<document::HandleId>& handles, const Vec3& by);
   /// Moves handles back to rest; with locked volumes, other handles compensate.
   void reset(const std::vector<document::HandleId>& handles);
   /// Gives an organ another volume; false when it cannot be reached. Like the functions below, it ends the
@@ -71,12 +75,18 @@ private:
   void follow(const std::function<void(live::LockedMotion&)>& wish);
   void setObstacle(const QString& obstacle);
   void end(void (document::UndoStack::Step::*close)());
+  live::Others others() const;
+  QString shortfall(const live::LockedMotion& motion) const;
+  void tellDifference(const live::LockedMotion& motion);
+  document::Command moveCommand(const live::LockedMotion& motion,
+                                const std::vector<document::HandleId>& handles) const;
 
   Workspace& workspace_;
   const ViewModel& model_;
   live::VolumeKeeper keeper_;
   QTimer prepareSoon_; ///< Ends when handles at rest and locks have not changed for a while.
   std::optional<live::LockedMotion> motion_;
+  QString told_; ///< The last message about a move that a locked volume cut short.
   std::optional<document::UndoStack::Step> step_; ///< The undo step of the present gesture.
   QString obstacle_;
   std::vector<Subscription> subscriptions_;

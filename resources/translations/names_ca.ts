@@ -6802,5 +6802,69 @@
         <source>remeshing lost a detail: the old surface lies up to %1 mm from the new one</source>
         <translation>el remallat ha perdut un detall: la superfície antiga és fins a %1 mm de la nova</translation>
     </message>
+    <message>
+        <source>the handles cannot move by exactly %1 mm: %2</source>
+        <translation>els tiradors no es poden moure exactament %1 mm: %2</translation>
+    </message>
+    <message>
+        <source>move less far, or let more handles compensate</source>
+        <translation>moveu menys, o deixeu que compensin més tiradors</translation>
+    </message>
+    <message>
+        <source>This organ does not bend, so its tissue has no stress; let it bend as soft tissue</source>
+        <translation>Aquest òrgan no es doblega, així que el seu teixit no té tensió; deixeu que es doblegui com a teixit tou</translation>
+    </message>
+    <message>
+        <source>Move as a rigid body</source>
+        <translation>Mou com a cos rígid</translation>
+    </message>
+    <message>
+        <source>Keep in place</source>
+        <translation>Mantén al seu lloc</translation>
+    </message>
+    <message>
+        <source>Bend as soft tissue</source>
+        <translation>Doblega com a teixit tou</translation>
+    </message>
+    <message>
+        <source>Measure the distance of organs</source>
+        <translation>Mesura la distància d’òrgans</translation>
+    </message>
+    <message>
+        <source>The shortest distance is between two organs</source>
+        <translation>La distància més curta és entre dos òrgans</translation>
+    </message>
+    <message>
+        <source>select two organs</source>
+        <translation>seleccioneu dos òrgans</translation>
+    </message>
+    <message>
+        <source>shortest distance</source>
+        <translation>distància més curta</translation>
+    </message>
+    <message>
+        <source>There are %1 witness points of %2: the others would lie in cavities, which hold no tissue.</source>
+        <translation>Hi ha %1 punts testimoni de %2: els altres serien en cavitats, que no contenen teixit.</translation>
+    </message>
+    <message>
+        <source>The largest angle by which a direction is turned when the tissue is stretched; not a pressure.</source>
+        <translation>L’angle més gran que gira una direcció quan s’estira el teixit; no és una pressió.</translation>
+    </message>
+    <message>
+        <source>The volume of tissue now, as a part of that at rest; 1 is unchanged.</source>
+        <translation>El volum del teixit ara, respecte al de repòs; 1 és sense canvi.</translation>
+    </message>
+    <message>
+        <source>The length of tissue now, as a part of that at rest, in the direction that grows most.</source>
+        <translation>La longitud del teixit ara, respecte a la de repòs, en la direcció que més creix.</translation>
+    </message>
+    <message>
+        <source>The length of tissue now, as a part of that at rest, in the direction that shrinks most.</source>
+        <translation>La longitud del teixit ara, respecte a la de repòs, en la direcció que més s’encongeix.</translation>
+    </message>
+    <message>
+        <source>1 where the tissue is turned inside out.</source>
+        <translation>1 on el teixit està capgirat.</translation>
+    </message>
 </context>
 </TS>

@@ -6802,5 +6802,69 @@
         <source>remeshing lost a detail: the old surface lies up to %1 mm from the new one</source>
         <translation>die neue Vernetzung hat eine Einzelheit verloren: Die alte Oberfläche liegt bis zu %1 mm von der neuen entfernt</translation>
     </message>
+    <message>
+        <source>the handles cannot move by exactly %1 mm: %2</source>
+        <translation>die Griffe können sich nicht um genau %1 mm bewegen: %2</translation>
+    </message>
+    <message>
+        <source>move less far, or let more handles compensate</source>
+        <translation>bewegen Sie weniger weit, oder lassen Sie mehr Griffe ausgleichen</translation>
+    </message>
+    <message>
+        <source>This organ does not bend, so its tissue has no stress; let it bend as soft tissue</source>
+        <translation>Dieses Organ biegt sich nicht, also hat sein Gewebe keinen Stress; lassen Sie es sich als weiches Gewebe biegen</translation>
+    </message>
+    <message>
+        <source>Move as a rigid body</source>
+        <translation>Als starren Körper bewegen</translation>
+    </message>
+    <message>
+        <source>Keep in place</source>
+        <translation>An Ort und Stelle halten</translation>
+    </message>
+    <message>
+        <source>Bend as soft tissue</source>
+        <translation>Als weiches Gewebe biegen</translation>
+    </message>
+    <message>
+        <source>Measure the distance of organs</source>
+        <translation>Abstand von Organen messen</translation>
+    </message>
+    <message>
+        <source>The shortest distance is between two organs</source>
+        <translation>Der kürzeste Abstand liegt zwischen zwei Organen</translation>
+    </message>
+    <message>
+        <source>select two organs</source>
+        <translation>wählen Sie zwei Organe</translation>
+    </message>
+    <message>
+        <source>shortest distance</source>
+        <translation>kürzester Abstand</translation>
+    </message>
+    <message>
+        <source>There are %1 witness points of %2: the others would lie in cavities, which hold no tissue.</source>
+        <translation>Es gibt %1 von %2 Messpunkten: Die anderen lägen in Hohlräumen, die kein Gewebe enthalten.</translation>
+    </message>
+    <message>
+        <source>The largest angle by which a direction is turned when the tissue is stretched; not a pressure.</source>
+        <translation>Der größte Winkel, um den eine Richtung beim Dehnen des Gewebes gedreht wird; kein Druck.</translation>
+    </message>
+    <message>
+        <source>The volume of tissue now, as a part of that at rest; 1 is unchanged.</source>
+        <translation>Das Volumen des Gewebes jetzt, als Teil dessen in Ruhe; 1 ist unverändert.</translation>
+    </message>
+    <message>
+        <source>The length of tissue now, as a part of that at rest, in the direction that grows most.</source>
+        <translation>Die Länge des Gewebes jetzt, als Teil derer in Ruhe, in der Richtung, die am meisten wächst.</translation>
+    </message>
+    <message>
+        <source>The length of tissue now, as a part of that at rest, in the direction that shrinks most.</source>
+        <translation>Die Länge des Gewebes jetzt, als Teil derer in Ruhe, in der Richtung, die am meisten schrumpft.</translation>
+    </message>
+    <message>
+        <source>1 where the tissue is turned inside out.</source>
+        <translation>1, wo das Gewebe umgestülpt ist.</translation>
+    </message>
 </context>
 </TS>

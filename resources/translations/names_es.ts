@@ -6802,5 +6802,69 @@
         <source>remeshing lost a detail: the old surface lies up to %1 mm from the new one</source>
         <translation>el remallado perdió un detalle: la superficie antigua está hasta a %1 mm de la nueva</translation>
     </message>
+    <message>
+        <source>the handles cannot move by exactly %1 mm: %2</source>
+        <translation>los tiradores no pueden moverse exactamente %1 mm: %2</translation>
+    </message>
+    <message>
+        <source>move less far, or let more handles compensate</source>
+        <translation>mueva menos, o deje que compensen más tiradores</translation>
+    </message>
+    <message>
+        <source>This organ does not bend, so its tissue has no stress; let it bend as soft tissue</source>
+        <translation>Este órgano no se dobla, así que su tejido no tiene estrés; deje que se doble como tejido blando</translation>
+    </message>
+    <message>
+        <source>Move as a rigid body</source>
+        <translation>Mover como cuerpo rígido</translation>
+    </message>
+    <message>
+        <source>Keep in place</source>
+        <translation>Mantener en su sitio</translation>
+    </message>
+    <message>
+        <source>Bend as soft tissue</source>
+        <translation>Doblar como tejido blando</translation>
+    </message>
+    <message>
+        <source>Measure the distance of organs</source>
+        <translation>Medir la distancia de órganos</translation>
+    </message>
+    <message>
+        <source>The shortest distance is between two organs</source>
+        <translation>La distancia más corta es entre dos órganos</translation>
+    </message>
+    <message>
+        <source>select two organs</source>
+        <translation>seleccione dos órganos</translation>
+    </message>
+    <message>
+        <source>shortest distance</source>
+        <translation>distancia más corta</translation>
+    </message>
+    <message>
+        <source>There are %1 witness points of %2: the others would lie in cavities, which hold no tissue.</source>
+        <translation>Hay %1 puntos testigo de %2: los demás quedarían en cavidades, que no contienen tejido.</translation>
+    </message>
+    <message>
+        <source>The largest angle by which a direction is turned when the tissue is stretched; not a pressure.</source>
+        <translation>El mayor ángulo que gira una dirección al estirarse el tejido; no es una presión.</translation>
+    </message>
+    <message>
+        <source>The volume of tissue now, as a part of that at rest; 1 is unchanged.</source>
+        <translation>El volumen del tejido ahora, respecto al de reposo; 1 es sin cambio.</translation>
+    </message>
+    <message>
+        <source>The length of tissue now, as a part of that at rest, in the direction that grows most.</source>
+        <translation>La longitud del tejido ahora, respecto a la de reposo, en la dirección que más crece.</translation>
+    </message>
+    <message>
+        <source>The length of tissue now, as a part of that at rest, in the direction that shrinks most.</source>
+        <translation>La longitud del tejido ahora, respecto a la de reposo, en la dirección que más encoge.</translation>
+    </message>
+    <message>
+        <source>1 where the tissue is turned inside out.</source>
+        <translation>1 donde el tejido está vuelto del revés.</translation>
+    </message>
 </context>
 </TS>

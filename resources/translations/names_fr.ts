@@ -6802,5 +6802,69 @@
         <source>remeshing lost a detail: the old surface lies up to %1 mm from the new one</source>
         <translation>le remaillage a perdu un détail: l’ancienne surface est jusqu’à %1 mm de la nouvelle</translation>
     </message>
+    <message>
+        <source>the handles cannot move by exactly %1 mm: %2</source>
+        <translation>les poignées ne peuvent pas bouger d’exactement %1 mm&#xa0;: %2</translation>
+    </message>
+    <message>
+        <source>move less far, or let more handles compensate</source>
+        <translation>bougez moins loin, ou laissez compenser plus de poignées</translation>
+    </message>
+    <message>
+        <source>This organ does not bend, so its tissue has no stress; let it bend as soft tissue</source>
+        <translation>Cet organe ne se plie pas, son tissu n’a donc pas de contrainte&#xa0;; laissez-le se plier comme un tissu mou</translation>
+    </message>
+    <message>
+        <source>Move as a rigid body</source>
+        <translation>Bouger en corps rigide</translation>
+    </message>
+    <message>
+        <source>Keep in place</source>
+        <translation>Garder en place</translation>
+    </message>
+    <message>
+        <source>Bend as soft tissue</source>
+        <translation>Plier comme un tissu mou</translation>
+    </message>
+    <message>
+        <source>Measure the distance of organs</source>
+        <translation>Mesurer la distance d’organes</translation>
+    </message>
+    <message>
+        <source>The shortest distance is between two organs</source>
+        <translation>La distance la plus courte est entre deux organes</translation>
+    </message>
+    <message>
+        <source>select two organs</source>
+        <translation>sélectionnez deux organes</translation>
+    </message>
+    <message>
+        <source>shortest distance</source>
+        <translation>distance la plus courte</translation>
+    </message>
+    <message>
+        <source>There are %1 witness points of %2: the others would lie in cavities, which hold no tissue.</source>
+        <translation>Il y a %1 points témoins sur %2&#xa0;: les autres seraient dans des cavités, qui ne contiennent pas de tissu.</translation>
+    </message>
+    <message>
+        <source>The largest angle by which a direction is turned when the tissue is stretched; not a pressure.</source>
+        <translation>Le plus grand angle dont une direction tourne quand le tissu est étiré&#xa0;; pas une pression.</translation>
+    </message>
+    <message>
+        <source>The volume of tissue now, as a part of that at rest; 1 is unchanged.</source>
+        <translation>Le volume du tissu maintenant, rapporté à celui au repos&#xa0;; 1&#xa0;: inchangé.</translation>
+    </message>
+    <message>
+        <source>The length of tissue now, as a part of that at rest, in the direction that grows most.</source>
+        <translation>La longueur du tissu maintenant, rapportée à celle au repos, dans la direction qui grandit le plus.</translation>
+    </message>
+    <message>
+        <source>The length of tissue now, as a part of that at rest, in the direction that shrinks most.</source>
+        <translation>La longueur du tissu maintenant, rapportée à celle au repos, dans la direction qui rétrécit le plus.</translation>
+    </message>
+    <message>
+        <source>1 where the tissue is turned inside out.</source>
+        <translation>1 là où le tissu est retourné.</translation>
+    </message>
 </context>
 </TS>

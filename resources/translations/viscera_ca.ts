@@ -616,16 +616,24 @@ N: noms, H: tiradors, X: paret, R: restableix, T: clar o fosc, Inici: principi</
         <translation>Els errors de tots dos sistemes de coordenades</translation>
     </message>
     <message>
-        <source>Colour each vertex by its distance to the same vertex in view 1</source>
-        <translation>Acoloreix cada vèrtex segons la distància al mateix vèrtex de la vista 1</translation>
-    </message>
-    <message>
         <source>The second view of the session is not shown: %1 is not installed here.</source>
         <translation>La segona vista de la sessió no es mostra: %1 no és instal·lat aquí.</translation>
     </message>
     <message>
         <source>The same organ, kept in the present pose</source>
         <translation>El mateix òrgan, fixat en la postura actual</translation>
+    </message>
+    <message>
+        <source>Colour each vertex by its distance to the same vertex in view 1; while stress is shown, by what view 1 has more than view 2</source>
+        <translation>Acoloreix cada vèrtex segons la distància al mateix vèrtex de la vista 1; amb la tensió a la vista, segons el que la vista 1 té de més que la vista 2</translation>
+    </message>
+    <message>
+        <source>Present pose</source>
+        <translation>Posa actual</translation>
+    </message>
+    <message>
+        <source>Kept pose</source>
+        <translation>Posa guardada</translation>
     </message>
 </context>
 <context>
@@ -764,6 +772,14 @@ N: noms, H: tiradors, X: paret, R: restableix, T: clar o fosc, Inici: principi</
         <source>Switch between off, sagittal, coronal and axial</source>
         <translation>Alterna entre desactivat, sagital, coronal i axial</translation>
     </message>
+    <message>
+        <source>Move e&amp;xactly, others compensate</source>
+        <translation>Mou e&amp;xactament, els altres compensen</translation>
+    </message>
+    <message>
+        <source>Under a locked volume, moved handles go exactly where they are sent, and the others compensate; else a moved handle stays where the volume lets it</source>
+        <translation>Amb un volum bloquejat, els tiradors van exactament on s’envien i els altres compensen; si no, un tirador queda on el volum el deixa</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::DeformPage</name>
@@ -841,6 +857,10 @@ N: noms, H: tiradors, X: paret, R: restableix, T: clar o fosc, Inici: principi</
     <message>
         <source>Distance to view 1</source>
         <translation>Distància a la vista 1</translation>
+    </message>
+    <message>
+        <source>%1: view 1 less view 2</source>
+        <translation>%1: vista 1 menys vista 2</translation>
     </message>
 </context>
 <context>
@@ -2937,6 +2957,46 @@ Moveu el lliscador de dalt per col·locar-ne, o feu clic a l’òrgan en el mode
         <source>Change colour</source>
         <translation>Canvia el color</translation>
     </message>
+    <message>
+        <source>&amp;Shortest distance of two organs</source>
+        <translation>Di&amp;stància més curta de dos òrgans</translation>
+    </message>
+    <message>
+        <source>Two organs</source>
+        <translation>Dos òrgans</translation>
+    </message>
+    <message>
+        <source>Choose two organs in the list: the distance follows them, wherever they are nearest</source>
+        <translation>Trieu dos òrgans a la llista: la distància els segueix, on sigui que estiguin més a prop</translation>
+    </message>
+    <message>
+        <source>Choose two organs in the list first, the second one with Ctrl.</source>
+        <translation>Trieu primer dos òrgans a la llista, el segon amb Ctrl.</translation>
+    </message>
+    <message>
+        <source>&amp;Bends as soft tissue</source>
+        <translation>Es do&amp;blega com a teixit tou</translation>
+    </message>
+    <message>
+        <source>Every place of the organ follows the handles</source>
+        <translation>Cada lloc de l’òrgan segueix els tiradors</translation>
+    </message>
+    <message>
+        <source>Moves as a r&amp;igid body</source>
+        <translation>Es mou com a cos ríg&amp;id</translation>
+    </message>
+    <message>
+        <source>The organ keeps its shape and moves as the tissue around it does on the whole; so do bones</source>
+        <translation>L’òrgan manté la seva forma i es mou com el teixit que l’envolta en conjunt; així també els ossos</translation>
+    </message>
+    <message>
+        <source>Stays in &amp;place</source>
+        <translation>&amp;Roman al seu lloc</translation>
+    </message>
+    <message>
+        <source>No handle moves the organ</source>
+        <translation>Cap tirador no mou l’òrgan</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::OrganPanel</name>
@@ -3528,6 +3588,18 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
         <source>These organs are open, so they have no volumes that could be locked: %1.</source>
         <translation>Aquests òrgans són oberts i no tenen cap volum que es pugui bloquejar: %1.</translation>
     </message>
+    <message>
+        <source>the locked volume leaves %1 of %2 mm</source>
+        <translation>el volum bloquejat deixa %1 de %2 mm</translation>
+    </message>
+    <message>
+        <source>Only partly possible: %1</source>
+        <translation>Només és possible en part: %1</translation>
+    </message>
+    <message>
+        <source>Move exactly, others compensate</source>
+        <translation>Mou exactament, els altres compensen</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::PositionBox</name>
@@ -3579,10 +3651,6 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
         <translation>Punt de superfície %1</translation>
     </message>
     <message>
-        <source>At rest %1, %2, %3 mm</source>
-        <translation>En repòs %1, %2, %3 mm</translation>
-    </message>
-    <message>
         <source>L</source>
         <translation>L</translation>
     </message>
@@ -3617,6 +3685,10 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
     <message>
         <source>Witness point %1</source>
         <translation>Punt testimoni %1</translation>
+    </message>
+    <message>
+        <source>At rest %1 mm</source>
+        <translation>En repòs %1 mm</translation>
     </message>
 </context>
 <context>
@@ -4440,6 +4512,10 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
         <source>The stress over one cycle of the sequence is drawn here as soon as it is computed.</source>
         <translation>La tensió durant un cicle de la seqüència es dibuixa aquí tan bon punt s’ha calculat.</translation>
     </message>
+    <message>
+        <source>chosen point</source>
+        <translation>punt triat</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::StressExport</name>
@@ -4906,6 +4982,10 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
     <message>
         <source>Nothing is deformed: drag a handle, or play a sequence (Space).</source>
         <translation>Res no està deformat: arrossegueu un tirador o reproduïu una seqüència (Espai).</translation>
+    </message>
+    <message>
+        <source>Volume ratios from %1 to %2: living tissue, mostly water, hardly changes its volume. The coordinates do not know that; a smaller motion, more handles or a locked volume help.</source>
+        <translation>Raons de volum de %1 a %2: el teixit viu, gairebé tot aigua, amb prou feines canvia de volum. Les coordenades no ho saben; ajuden un moviment més petit, més tiradors o un volum bloquejat.</translation>
     </message>
 </context>
 <context>
@@ -5631,6 +5711,33 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
     <message>
         <source>Done. Ctrl+Z takes it back. F1 opens the guide at what you are doing.</source>
         <translation>Fet. Ctrl+Z ho desfà. F1 obre la guia al que esteu fent.</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::ResectionBox</name>
+    <message>
+        <source>Volumes on both sides of the cut</source>
+        <translation>Volums a banda i banda del tall</translation>
+    </message>
+    <message>
+        <source>Organ</source>
+        <translation>Òrgan</translation>
+    </message>
+    <message>
+        <source>Stays</source>
+        <translation>Queda</translation>
+    </message>
+    <message>
+        <source>Cut away</source>
+        <translation>Tallat</translation>
+    </message>
+    <message>
+        <source>The volumes of the visible, closed organs on both sides of the plane, in this pose</source>
+        <translation>Els volums dels òrgans visibles i tancats a banda i banda del pla, en aquesta posa</translation>
+    </message>
+    <message>
+        <source>Cut face %1 cm²</source>
+        <translation>Cara del tall %1 cm²</translation>
     </message>
 </context>
 </TS>

@@ -616,16 +616,24 @@ N: Namen, H: Griffe, X: Wand, R: zurück, T: hell oder dunkel, Pos1: Anfang</tra
         <translation>Die Fehler beider Koordinatensysteme</translation>
     </message>
     <message>
-        <source>Colour each vertex by its distance to the same vertex in view 1</source>
-        <translation>Jeden Eckpunkt nach seinem Abstand vom selben Eckpunkt in Ansicht 1 färben</translation>
-    </message>
-    <message>
         <source>The second view of the session is not shown: %1 is not installed here.</source>
         <translation>Die zweite Ansicht der Sitzung wird nicht gezeigt: %1 ist hier nicht installiert.</translation>
     </message>
     <message>
         <source>The same organ, kept in the present pose</source>
         <translation>Dasselbe Organ, in der jetzigen Pose festgehalten</translation>
+    </message>
+    <message>
+        <source>Colour each vertex by its distance to the same vertex in view 1; while stress is shown, by what view 1 has more than view 2</source>
+        <translation>Jeden Eckpunkt nach seinem Abstand vom selben Eckpunkt in Ansicht 1 färben; bei gezeigtem Stress danach, was Ansicht 1 mehr hat als Ansicht 2</translation>
+    </message>
+    <message>
+        <source>Present pose</source>
+        <translation>Jetzige Pose</translation>
+    </message>
+    <message>
+        <source>Kept pose</source>
+        <translation>Behaltene Pose</translation>
     </message>
 </context>
 <context>
@@ -764,6 +772,14 @@ N: Namen, H: Griffe, X: Wand, R: zurück, T: hell oder dunkel, Pos1: Anfang</tra
         <source>Switch between off, sagittal, coronal and axial</source>
         <translation>Zwischen aus, sagittal, koronal und axial wechseln</translation>
     </message>
+    <message>
+        <source>Move e&amp;xactly, others compensate</source>
+        <translation>&amp;Genau bewegen, andere gleichen aus</translation>
+    </message>
+    <message>
+        <source>Under a locked volume, moved handles go exactly where they are sent, and the others compensate; else a moved handle stays where the volume lets it</source>
+        <translation>Bei gesperrtem Volumen gehen bewegte Griffe genau dorthin, wohin sie sollen, und die anderen gleichen aus; sonst bleibt ein bewegter Griff, wo das Volumen ihn lässt</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::DeformPage</name>
@@ -841,6 +857,10 @@ N: Namen, H: Griffe, X: Wand, R: zurück, T: hell oder dunkel, Pos1: Anfang</tra
     <message>
         <source>Distance to view 1</source>
         <translation>Abstand zu Ansicht 1</translation>
+    </message>
+    <message>
+        <source>%1: view 1 less view 2</source>
+        <translation>%1: Ansicht 1 minus Ansicht 2</translation>
     </message>
 </context>
 <context>
@@ -2937,6 +2957,46 @@ Bewegen Sie den Regler oben, um welche zu setzen, oder klicken Sie im Modus Grif
         <source>Change colour</source>
         <translation>Farbe ändern</translation>
     </message>
+    <message>
+        <source>&amp;Shortest distance of two organs</source>
+        <translation>&amp;Kürzester Abstand zweier Organe</translation>
+    </message>
+    <message>
+        <source>Two organs</source>
+        <translation>Zwei Organe</translation>
+    </message>
+    <message>
+        <source>Choose two organs in the list: the distance follows them, wherever they are nearest</source>
+        <translation>Wählen Sie zwei Organe in der Liste: Der Abstand folgt ihnen, wo immer sie sich am nächsten sind</translation>
+    </message>
+    <message>
+        <source>Choose two organs in the list first, the second one with Ctrl.</source>
+        <translation>Wählen Sie zuerst zwei Organe in der Liste, das zweite mit Strg.</translation>
+    </message>
+    <message>
+        <source>&amp;Bends as soft tissue</source>
+        <translation>&amp;Biegt sich als weiches Gewebe</translation>
+    </message>
+    <message>
+        <source>Every place of the organ follows the handles</source>
+        <translation>Jede Stelle des Organs folgt den Griffen</translation>
+    </message>
+    <message>
+        <source>Moves as a r&amp;igid body</source>
+        <translation>Bewegt sich als starrer &amp;Körper</translation>
+    </message>
+    <message>
+        <source>The organ keeps its shape and moves as the tissue around it does on the whole; so do bones</source>
+        <translation>Das Organ behält seine Form und bewegt sich wie das Gewebe um es im Ganzen; so auch Knochen</translation>
+    </message>
+    <message>
+        <source>Stays in &amp;place</source>
+        <translation>Bleibt an Ort und &amp;Stelle</translation>
+    </message>
+    <message>
+        <source>No handle moves the organ</source>
+        <translation>Kein Griff bewegt das Organ</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::OrganPanel</name>
@@ -3528,6 +3588,18 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
         <source>These organs are open, so they have no volumes that could be locked: %1.</source>
         <translation>Diese Organe sind offen und haben keine Volumina, die sich sperren ließen: %1.</translation>
     </message>
+    <message>
+        <source>the locked volume leaves %1 of %2 mm</source>
+        <translation>das gesperrte Volumen lässt %1 von %2 mm zu</translation>
+    </message>
+    <message>
+        <source>Only partly possible: %1</source>
+        <translation>Nur teilweise möglich: %1</translation>
+    </message>
+    <message>
+        <source>Move exactly, others compensate</source>
+        <translation>Genau bewegen, andere gleichen aus</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::PositionBox</name>
@@ -3579,10 +3651,6 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
         <translation>Oberflächenpunkt %1</translation>
     </message>
     <message>
-        <source>At rest %1, %2, %3 mm</source>
-        <translation>In Ruhe %1, %2, %3 mm</translation>
-    </message>
-    <message>
         <source>L</source>
         <translation>L</translation>
     </message>
@@ -3617,6 +3685,10 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
     <message>
         <source>Witness point %1</source>
         <translation>Messpunkt %1</translation>
+    </message>
+    <message>
+        <source>At rest %1 mm</source>
+        <translation>In Ruhe %1 mm</translation>
     </message>
 </context>
 <context>
@@ -4440,6 +4512,10 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
         <source>The stress over one cycle of the sequence is drawn here as soon as it is computed.</source>
         <translation>Der Stress über einen Zyklus der Sequenz wird hier gezeichnet, sobald er berechnet ist.</translation>
     </message>
+    <message>
+        <source>chosen point</source>
+        <translation>gewählter Punkt</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::StressExport</name>
@@ -4906,6 +4982,10 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
     <message>
         <source>Nothing is deformed: drag a handle, or play a sequence (Space).</source>
         <translation>Nichts ist verformt: Ziehen Sie an einem Griff, oder spielen Sie eine Sequenz ab (Leertaste).</translation>
+    </message>
+    <message>
+        <source>Volume ratios from %1 to %2: living tissue, mostly water, hardly changes its volume. The coordinates do not know that; a smaller motion, more handles or a locked volume help.</source>
+        <translation>Volumenverhältnisse von %1 bis %2: Lebendes Gewebe, meist Wasser, ändert sein Volumen kaum. Die Koordinaten wissen das nicht; eine kleinere Bewegung, mehr Griffe oder ein gesperrtes Volumen helfen.</translation>
     </message>
 </context>
 <context>
@@ -5631,6 +5711,33 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
     <message>
         <source>Done. Ctrl+Z takes it back. F1 opens the guide at what you are doing.</source>
         <translation>Geschafft. Strg+Z nimmt es zurück. F1 öffnet das Handbuch bei dem, was Sie tun.</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::ResectionBox</name>
+    <message>
+        <source>Volumes on both sides of the cut</source>
+        <translation>Volumen auf beiden Seiten des Schnitts</translation>
+    </message>
+    <message>
+        <source>Organ</source>
+        <translation>Organ</translation>
+    </message>
+    <message>
+        <source>Stays</source>
+        <translation>Bleibt</translation>
+    </message>
+    <message>
+        <source>Cut away</source>
+        <translation>Weggeschnitten</translation>
+    </message>
+    <message>
+        <source>The volumes of the visible, closed organs on both sides of the plane, in this pose</source>
+        <translation>Die Volumen der sichtbaren, geschlossenen Organe auf beiden Seiten der Ebene, in dieser Pose</translation>
+    </message>
+    <message>
+        <source>Cut face %1 cm²</source>
+        <translation>Schnittfläche %1 cm²</translation>
     </message>
 </context>
 </TS>

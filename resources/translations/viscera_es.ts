@@ -616,16 +616,24 @@ N: nombres, H: tiradores, X: pared, R: restablecer, T: claro u oscuro, Inicio: p
         <translation>Los errores de ambos sistemas de coordenadas</translation>
     </message>
     <message>
-        <source>Colour each vertex by its distance to the same vertex in view 1</source>
-        <translation>Colorear cada vértice según su distancia al mismo vértice de la vista 1</translation>
-    </message>
-    <message>
         <source>The second view of the session is not shown: %1 is not installed here.</source>
         <translation>La segunda vista de la sesión no se muestra: %1 no está instalado aquí.</translation>
     </message>
     <message>
         <source>The same organ, kept in the present pose</source>
         <translation>El mismo órgano, conservado en la pose actual</translation>
+    </message>
+    <message>
+        <source>Colour each vertex by its distance to the same vertex in view 1; while stress is shown, by what view 1 has more than view 2</source>
+        <translation>Colorear cada vértice según su distancia al mismo vértice de la vista 1; con el estrés a la vista, según lo que la vista 1 tiene de más que la vista 2</translation>
+    </message>
+    <message>
+        <source>Present pose</source>
+        <translation>Pose actual</translation>
+    </message>
+    <message>
+        <source>Kept pose</source>
+        <translation>Pose guardada</translation>
     </message>
 </context>
 <context>
@@ -764,6 +772,14 @@ N: nombres, H: tiradores, X: pared, R: restablecer, T: claro u oscuro, Inicio: p
         <source>Switch between off, sagittal, coronal and axial</source>
         <translation>Alternar entre ninguno, sagital, coronal y axial</translation>
     </message>
+    <message>
+        <source>Move e&amp;xactly, others compensate</source>
+        <translation>Mover e&amp;xactamente, los demás compensan</translation>
+    </message>
+    <message>
+        <source>Under a locked volume, moved handles go exactly where they are sent, and the others compensate; else a moved handle stays where the volume lets it</source>
+        <translation>Con un volumen bloqueado, los tiradores van exactamente adonde se envían y los demás compensan; si no, un tirador queda donde el volumen lo deja</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::DeformPage</name>
@@ -841,6 +857,10 @@ N: nombres, H: tiradores, X: pared, R: restablecer, T: claro u oscuro, Inicio: p
     <message>
         <source>Distance to view 1</source>
         <translation>Distancia a la vista 1</translation>
+    </message>
+    <message>
+        <source>%1: view 1 less view 2</source>
+        <translation>%1: vista 1 menos vista 2</translation>
     </message>
 </context>
 <context>
@@ -2937,6 +2957,46 @@ Mueva el control de arriba para colocar algunos o haga clic en el órgano en el 
         <source>Change colour</source>
         <translation>Cambiar el color</translation>
     </message>
+    <message>
+        <source>&amp;Shortest distance of two organs</source>
+        <translation>Di&amp;stancia más corta de dos órganos</translation>
+    </message>
+    <message>
+        <source>Two organs</source>
+        <translation>Dos órganos</translation>
+    </message>
+    <message>
+        <source>Choose two organs in the list: the distance follows them, wherever they are nearest</source>
+        <translation>Elija dos órganos en la lista: la distancia los sigue, dondequiera que estén más cerca</translation>
+    </message>
+    <message>
+        <source>Choose two organs in the list first, the second one with Ctrl.</source>
+        <translation>Elija primero dos órganos en la lista, el segundo con Ctrl.</translation>
+    </message>
+    <message>
+        <source>&amp;Bends as soft tissue</source>
+        <translation>Se do&amp;bla como tejido blando</translation>
+    </message>
+    <message>
+        <source>Every place of the organ follows the handles</source>
+        <translation>Cada lugar del órgano sigue a los tiradores</translation>
+    </message>
+    <message>
+        <source>Moves as a r&amp;igid body</source>
+        <translation>Se mueve como cuerpo ríg&amp;ido</translation>
+    </message>
+    <message>
+        <source>The organ keeps its shape and moves as the tissue around it does on the whole; so do bones</source>
+        <translation>El órgano conserva su forma y se mueve como el tejido que lo rodea en conjunto; así también los huesos</translation>
+    </message>
+    <message>
+        <source>Stays in &amp;place</source>
+        <translation>&amp;Permanece en su sitio</translation>
+    </message>
+    <message>
+        <source>No handle moves the organ</source>
+        <translation>Ningún tirador mueve el órgano</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::OrganPanel</name>
@@ -3528,6 +3588,18 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
         <source>These organs are open, so they have no volumes that could be locked: %1.</source>
         <translation>Estos órganos están abiertos y no tienen ningún volumen que se pueda bloquear: %1.</translation>
     </message>
+    <message>
+        <source>the locked volume leaves %1 of %2 mm</source>
+        <translation>el volumen bloqueado deja %1 de %2 mm</translation>
+    </message>
+    <message>
+        <source>Only partly possible: %1</source>
+        <translation>Solo es posible en parte: %1</translation>
+    </message>
+    <message>
+        <source>Move exactly, others compensate</source>
+        <translation>Mover exactamente, los demás compensan</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::PositionBox</name>
@@ -3579,10 +3651,6 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
         <translation>Punto de superficie %1</translation>
     </message>
     <message>
-        <source>At rest %1, %2, %3 mm</source>
-        <translation>En reposo %1, %2, %3 mm</translation>
-    </message>
-    <message>
         <source>L</source>
         <translation>L</translation>
     </message>
@@ -3617,6 +3685,10 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
     <message>
         <source>Witness point %1</source>
         <translation>Punto testigo %1</translation>
+    </message>
+    <message>
+        <source>At rest %1 mm</source>
+        <translation>En reposo %1 mm</translation>
     </message>
 </context>
 <context>
@@ -4440,6 +4512,10 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
         <source>The stress over one cycle of the sequence is drawn here as soon as it is computed.</source>
         <translation>El estrés durante un ciclo de la secuencia se dibuja aquí en cuanto está calculado.</translation>
     </message>
+    <message>
+        <source>chosen point</source>
+        <translation>punto elegido</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::StressExport</name>
@@ -4906,6 +4982,10 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
     <message>
         <source>Nothing is deformed: drag a handle, or play a sequence (Space).</source>
         <translation>Nada está deformado: arrastre un tirador o reproduzca una secuencia (Espacio).</translation>
+    </message>
+    <message>
+        <source>Volume ratios from %1 to %2: living tissue, mostly water, hardly changes its volume. The coordinates do not know that; a smaller motion, more handles or a locked volume help.</source>
+        <translation>Razones de volumen de %1 a %2: el tejido vivo, casi todo agua, apenas cambia de volumen. Las coordenadas no lo saben; ayudan un movimiento menor, más tiradores o un volumen bloqueado.</translation>
     </message>
 </context>
 <context>
@@ -5631,6 +5711,33 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
     <message>
         <source>Done. Ctrl+Z takes it back. F1 opens the guide at what you are doing.</source>
         <translation>Hecho. Ctrl+Z lo deshace. F1 abre la guía en lo que está haciendo.</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::ResectionBox</name>
+    <message>
+        <source>Volumes on both sides of the cut</source>
+        <translation>Volúmenes a ambos lados del corte</translation>
+    </message>
+    <message>
+        <source>Organ</source>
+        <translation>Órgano</translation>
+    </message>
+    <message>
+        <source>Stays</source>
+        <translation>Queda</translation>
+    </message>
+    <message>
+        <source>Cut away</source>
+        <translation>Cortado</translation>
+    </message>
+    <message>
+        <source>The volumes of the visible, closed organs on both sides of the plane, in this pose</source>
+        <translation>Los volúmenes de los órganos visibles y cerrados a ambos lados del plano, en esta pose</translation>
+    </message>
+    <message>
+        <source>Cut face %1 cm²</source>
+        <translation>Cara del corte %1 cm²</translation>
     </message>
 </context>
 </TS>

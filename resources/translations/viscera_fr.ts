@@ -616,16 +616,24 @@ N&#xa0;: noms, H&#xa0;: poignées, X&#xa0;: paroi, R&#xa0;: rétablir, T&#xa0;: 
         <translation>Les erreurs des deux systèmes de coordonnées</translation>
     </message>
     <message>
-        <source>Colour each vertex by its distance to the same vertex in view 1</source>
-        <translation>Colorer chaque sommet selon sa distance au même sommet de la vue 1</translation>
-    </message>
-    <message>
         <source>The second view of the session is not shown: %1 is not installed here.</source>
         <translation>La seconde vue de la session n’est pas affichée&#xa0;: %1 n’est pas installé ici.</translation>
     </message>
     <message>
         <source>The same organ, kept in the present pose</source>
         <translation>Le même organe, gardé dans la pose actuelle</translation>
+    </message>
+    <message>
+        <source>Colour each vertex by its distance to the same vertex in view 1; while stress is shown, by what view 1 has more than view 2</source>
+        <translation>Colorer chaque sommet selon sa distance au même sommet de la vue 1&#xa0;; quand la contrainte est affichée, selon ce que la vue 1 a de plus que la vue 2</translation>
+    </message>
+    <message>
+        <source>Present pose</source>
+        <translation>Pose actuelle</translation>
+    </message>
+    <message>
+        <source>Kept pose</source>
+        <translation>Pose gardée</translation>
     </message>
 </context>
 <context>
@@ -764,6 +772,14 @@ N&#xa0;: noms, H&#xa0;: poignées, X&#xa0;: paroi, R&#xa0;: rétablir, T&#xa0;: 
         <source>Switch between off, sagittal, coronal and axial</source>
         <translation>Passer entre aucun, sagittal, coronal et axial</translation>
     </message>
+    <message>
+        <source>Move e&amp;xactly, others compensate</source>
+        <translation>Bouger e&amp;xactement, les autres compensent</translation>
+    </message>
+    <message>
+        <source>Under a locked volume, moved handles go exactly where they are sent, and the others compensate; else a moved handle stays where the volume lets it</source>
+        <translation>Sous un volume verrouillé, les poignées vont exactement où on les envoie et les autres compensent&#xa0;; sinon une poignée reste là où le volume le permet</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::DeformPage</name>
@@ -841,6 +857,10 @@ N&#xa0;: noms, H&#xa0;: poignées, X&#xa0;: paroi, R&#xa0;: rétablir, T&#xa0;: 
     <message>
         <source>Distance to view 1</source>
         <translation>Distance à la vue 1</translation>
+    </message>
+    <message>
+        <source>%1: view 1 less view 2</source>
+        <translation>%1&#xa0;: vue 1 moins vue 2</translation>
     </message>
 </context>
 <context>
@@ -2937,6 +2957,46 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez sur l’organe en mode
         <source>Change colour</source>
         <translation>Changer la couleur</translation>
     </message>
+    <message>
+        <source>&amp;Shortest distance of two organs</source>
+        <translation>Di&amp;stance la plus courte de deux organes</translation>
+    </message>
+    <message>
+        <source>Two organs</source>
+        <translation>Deux organes</translation>
+    </message>
+    <message>
+        <source>Choose two organs in the list: the distance follows them, wherever they are nearest</source>
+        <translation>Choisissez deux organes dans la liste&#xa0;: la distance les suit, où qu’ils soient le plus proches</translation>
+    </message>
+    <message>
+        <source>Choose two organs in the list first, the second one with Ctrl.</source>
+        <translation>Choisissez d’abord deux organes dans la liste, le second avec Ctrl.</translation>
+    </message>
+    <message>
+        <source>&amp;Bends as soft tissue</source>
+        <translation>Se &amp;plie comme un tissu mou</translation>
+    </message>
+    <message>
+        <source>Every place of the organ follows the handles</source>
+        <translation>Chaque endroit de l’organe suit les poignées</translation>
+    </message>
+    <message>
+        <source>Moves as a r&amp;igid body</source>
+        <translation>Bouge en corps r&amp;igide</translation>
+    </message>
+    <message>
+        <source>The organ keeps its shape and moves as the tissue around it does on the whole; so do bones</source>
+        <translation>L’organe garde sa forme et bouge comme le tissu autour de lui dans l’ensemble&#xa0;; de même les os</translation>
+    </message>
+    <message>
+        <source>Stays in &amp;place</source>
+        <translation>Reste en pl&amp;ace</translation>
+    </message>
+    <message>
+        <source>No handle moves the organ</source>
+        <translation>Aucune poignée ne bouge l’organe</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::OrganPanel</name>
@@ -3528,6 +3588,18 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
         <source>These organs are open, so they have no volumes that could be locked: %1.</source>
         <translation>Ces organes sont ouverts et n’ont pas de volume à verrouiller&#xa0;: %1.</translation>
     </message>
+    <message>
+        <source>the locked volume leaves %1 of %2 mm</source>
+        <translation>le volume verrouillé laisse %1 sur %2 mm</translation>
+    </message>
+    <message>
+        <source>Only partly possible: %1</source>
+        <translation>Possible en partie seulement&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>Move exactly, others compensate</source>
+        <translation>Bouger exactement, les autres compensent</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::PositionBox</name>
@@ -3579,10 +3651,6 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
         <translation>Point de surface %1</translation>
     </message>
     <message>
-        <source>At rest %1, %2, %3 mm</source>
-        <translation>Au repos %1, %2, %3 mm</translation>
-    </message>
-    <message>
         <source>L</source>
         <translation>L</translation>
     </message>
@@ -3617,6 +3685,10 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     <message>
         <source>Witness point %1</source>
         <translation>Point témoin %1</translation>
+    </message>
+    <message>
+        <source>At rest %1 mm</source>
+        <translation>Au repos %1 mm</translation>
     </message>
 </context>
 <context>
@@ -4440,6 +4512,10 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
         <source>The stress over one cycle of the sequence is drawn here as soon as it is computed.</source>
         <translation>La contrainte sur un cycle de la séquence est tracée ici dès qu’elle est calculée.</translation>
     </message>
+    <message>
+        <source>chosen point</source>
+        <translation>point choisi</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::StressExport</name>
@@ -4906,6 +4982,10 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     <message>
         <source>Nothing is deformed: drag a handle, or play a sequence (Space).</source>
         <translation>Rien n’est déformé : tirez une poignée, ou lancez une séquence (Espace).</translation>
+    </message>
+    <message>
+        <source>Volume ratios from %1 to %2: living tissue, mostly water, hardly changes its volume. The coordinates do not know that; a smaller motion, more handles or a locked volume help.</source>
+        <translation>Rapports de volume de %1 à %2&#xa0;: un tissu vivant, surtout de l’eau, change à peine de volume. Les coordonnées ne le savent pas&#xa0;; un mouvement plus petit, plus de poignées ou un volume verrouillé aident.</translation>
     </message>
 </context>
 <context>
@@ -5631,6 +5711,33 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     <message>
         <source>Done. Ctrl+Z takes it back. F1 opens the guide at what you are doing.</source>
         <translation>C’est fait. Ctrl+Z l’annule. F1 ouvre le guide là où vous en êtes.</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::ResectionBox</name>
+    <message>
+        <source>Volumes on both sides of the cut</source>
+        <translation>Volumes des deux côtés de la coupe</translation>
+    </message>
+    <message>
+        <source>Organ</source>
+        <translation>Organe</translation>
+    </message>
+    <message>
+        <source>Stays</source>
+        <translation>Reste</translation>
+    </message>
+    <message>
+        <source>Cut away</source>
+        <translation>Coupé</translation>
+    </message>
+    <message>
+        <source>The volumes of the visible, closed organs on both sides of the plane, in this pose</source>
+        <translation>Les volumes des organes visibles et fermés des deux côtés du plan, dans cette pose</translation>
+    </message>
+    <message>
+        <source>Cut face %1 cm²</source>
+        <translation>Face de coupe %1 cm²</translation>
     </message>
 </context>
 </TS>

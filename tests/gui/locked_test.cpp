@@ -8,6 +8,9 @@
 #include <QTest>
 #include <QTreeWidget>
 
+#include <vtkCamera.h>
+#include <vtkRenderer.h>
+
 #include "shapes.h"
 #include "viscera/document/rig_commands.h"
 #include "viscera/medical_io/surface_file.h"
@@ -49,6 +52,13 @@ protected:
     auto* button = window().findChild<QPushButton*>(QLatin1String(name));
     ASSERT_TRUE(button && button->isEnabled()) << name;
     button->click();
+    settle();
+  }
+
+  void pressOffer() {
+    auto* offer = window().viewArea().messages()->findChild<QPushButton*>(QStringLiteral("offer"));
+    ASSERT_TRUE(offer);
+    QTest::mouseClick(offer, Qt::LeftButton);
     settle();
   }
 
@@ -94,7 +104,7 @@ TEST_F(LockedDeform, ADragKeepsTheVolumeShownAndDrawsThePlaneMeanwhile) {
   QTest::mouseRelease(&view(), Qt::LeftButton, Qt::NoModifier, to);
   settle();
   EXPECT_FALSE(view().view().constraint().visible());
-  EXPECT_GT((document().pose() - before).rowwise().norm()[handle_], 2);
+  EXPECT_GT((document().pose() - before).rowwise().norm()[handle_], 0.01);
   EXPECT_LE(std::abs(relativeChange()), kAllowedError);
   EXPECT_EQ(list()->topLevelItem(0)->text(kVolumeColumn), volumeBefore);
   EXPECT_TRUE(status().contains(QStringLiteral("+0.0 %"))) << status().toStdString();
@@ -102,6 +112,66 @@ TEST_F(LockedDeform, ADragKeepsTheVolumeShownAndDrawsThePlaneMeanwhile) {
   key(Qt::Key_Z, Qt::ControlModifier);
   EXPECT_EQ(document().pose(), before);
   EXPECT_TRUE(organ().volumeLocked) << "the drag alone is taken back";
+}
+
+// A mouse of 15 mm became 27.8 mm of handle, 19 of them towards the viewer.
+TEST_F(LockedDeform, ADragStaysInTheViewsPlaneAndNeverGoesFartherThanTheMouse) {
+  key(Qt::Key_K);
+  Vec3 sight;
+  view().view().renderer()->GetActiveCamera()->GetDirectionOfProjection(sight.data());
+  double farthest = 0;
+  for (const QPoint by : {QPoint(70, -30), QPoint(-20, 60), QPoint(-50, -10), QPoint(15, 55)}) {
+    const Vec3 before = document().pose().row(handle_).transpose();
+    const QPoint from = onScreen(handleInView(handle_));
+    drag(from, from + by);
+    const Vec3 moved = document().pose().row(handle_).transpose() - before;
+    EXPECT_LE(std::abs(moved.dot(sight)), 1e-9);
+    const QPoint seen = onScreen(handleInView(handle_)) - from;
+    EXPECT_LE(std::hypot(seen.x(), seen.y()), std::hypot(by.x(), by.y()) + 2);
+    EXPECT_LE(std::abs(relativeChange()), kAllowedError);
+    farthest = std::max(farthest, moved.norm());
+    key(Qt::Key_Z, Qt::ControlModifier);
+  }
+  EXPECT_GT(farthest, 2) << "it moves along a line of the view";
+}
+
+TEST_F(LockedDeform, AMoveThatTheLockCutsShortSaysSoAndOffersTheWholeOfIt) {
+  key(Qt::Key_K);
+  selectRows({handle_});
+  const auto fields =
+      window().findChild<QWidget*>(QStringLiteral("displacementBox"))->findChildren<QDoubleSpinBox*>();
+  fields[0]->setValue(9);
+  fields[1]->setValue(-9);
+  fields[2]->setValue(6);
+  pressButton("applyDisplacement");
+  const Eigen::RowVector3d asked(9, -9, 6);
+  ASSERT_GT((displacement().row(handle_) - asked).norm(), 0.5);
+  EXPECT_TRUE(message().contains(QStringLiteral("of 14.07 mm"))) << message().toStdString();
+  pressOffer();
+  EXPECT_LE((displacement().row(handle_) - asked).norm(), 1e-12);
+  EXPECT_LE(std::abs(relativeChange()), kAllowedError);
+  EXPECT_GT((displacement().rowwise().norm().array() > 1e-6).count(), 1) << "others compensate";
+  EXPECT_TRUE(message().isEmpty()) << message().toStdString();
+}
+
+TEST_F(LockedDeform, MovedExactlyAHandleFollowsTheCursorInTheViewsPlane) {
+  key(Qt::Key_K);
+  window().actions()["handles.exactly"]->trigger();
+  settle();
+  Vec3 sight;
+  view().view().renderer()->GetActiveCamera()->GetDirectionOfProjection(sight.data());
+  const QPoint from = onScreen(handleInView(handle_)), to = from + QPoint(30, -20);
+  drag(from, to);
+  EXPECT_LE((onScreen(handleInView(handle_)) - to).manhattanLength(), 3);
+  EXPECT_LE(std::abs(displacement().row(handle_).dot(sight.transpose())), 1e-9);
+  EXPECT_LE(std::abs(relativeChange()), kAllowedError);
+  EXPECT_TRUE(message().isEmpty()) << message().toStdString();
+  const Points before = document().pose();
+  EXPECT_FALSE(window().poses().moveExactly({document().rig().handles[std::size_t(handle_)].id},
+                                            {4000, 0, 0}));
+  settle();
+  EXPECT_EQ(document().pose(), before);
+  EXPECT_TRUE(message().contains(QStringLiteral("exactly"))) << message().toStdString();
 }
 
 TEST_F(LockedDeform, TheLockKeyDuringADragEndsItAndKeepsTheVolumeOfThatMoment) {

@@ -108,6 +108,48 @@ class Numbers(unittest.TestCase):
             self.assertEqual(len(place(fewest)), fewest)
             self.assertRaises(viscera.DataError, place, fewest - 1)
 
+    def test_a_rigid_body_keeps_its_shape_and_lies_where_kabsch_puts_it(self):
+        rigid = self.binding.rigid(self.triangles)
+        posed, soft = rigid.pose(self.pose), self.binding.pose(self.pose)
+        for row in (0, 77, 500):
+            np.testing.assert_allclose(
+                np.linalg.norm(posed - posed[row], axis=1), np.linalg.norm(self.points - self.points[row], axis=1), atol=1e-9
+            )
+        a, b, c = (self.points[self.triangles[:, i]] for i in range(3))
+        areas = np.linalg.norm(np.cross(b - a, c - a), axis=1)
+        shares = np.zeros(len(self.points))
+        for corner in range(3):
+            np.add.at(shares, self.triangles[:, corner], areas)
+        shares /= shares.sum()
+        rest, middle = self.points - shares @ self.points, shares @ soft
+        u, _, vt = np.linalg.svd((soft - middle).T @ (rest * shares[:, None]))
+        u[:, 2] *= np.linalg.det(u @ vt)
+        np.testing.assert_allclose(posed, rest @ (u @ vt).T + middle, atol=1e-8)
+        self.assertGreater(np.abs(soft - posed).max(), 0.1)
+
+    def test_the_gap_of_surfaces_and_the_sides_of_a_plane(self):
+        other = self.points + [300, 0, 0]
+        gap = viscera.surface_gap(self.points, self.triangles, other, self.triangles)
+        self.assertAlmostEqual(np.linalg.norm(gap["to"] - gap["from"]), gap["mm"], places=9)
+        between = np.linalg.norm(self.points[:, None] - other[None, ::7], axis=2).min()
+        self.assertLessEqual(gap["mm"], between + 1e-9)
+        self.assertGreater(gap["mm"], between - 5)
+        middle = self.points.mean(axis=0)
+        sides = viscera.sides_of_plane(self.points, self.triangles, middle, [0, 0, 5])
+        whole = volume_of(self.points, self.triangles)
+        self.assertAlmostEqual(sides["front_mm3"] + sides["back_mm3"], whole, delta=1e-9 * whole)
+        turned = viscera.sides_of_plane(self.points, self.triangles, middle, [0, 0, -1])
+        self.assertAlmostEqual(turned["front_mm3"], sides["back_mm3"], delta=1e-9 * whole)
+        with self.assertRaises(viscera.UsageError):
+            viscera.sides_of_plane(self.points, self.triangles, middle, [0, 0, 0])
+
+    def test_a_lock_leaves_the_handles_of_the_pose_exactly_where_they_are(self):
+        pose = self.handles.copy()
+        pose[4] += [15, 0, 0]
+        restored = viscera.lock_volume(self.binding, self.triangles, pose)
+        np.testing.assert_array_equal(restored.handles[4], pose[4])
+        self.assertGreater(restored.largest_shift, 0)
+
     def test_lock_keeps_the_volume_exactly(self):
         pose = self.handles.copy()
         pose[10] += [6, -4, 3]

@@ -21,6 +21,7 @@ std::unique_ptr<Command> trackCommand();
 std::unique_ptr<Command> lessonCommand();
 std::unique_ptr<Command> segmentCommand();
 std::unique_ptr<Command> probeCommand();
+std::unique_ptr<Command> measureCommand();
 std::unique_ptr<Command> warpCommand();
 std::unique_ptr<Command> renderCommand();
 std::unique_ptr<Command> propertiesCommand();

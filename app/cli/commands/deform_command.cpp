@@ -14,12 +14,13 @@
 #include "cli/listing.h"
 #include "cli/number_bounds.h"
 #include "viscera/core/error.h"
-#include "viscera/deformation/bind_organ.h"
 #include "viscera/deformation/deformer.h"
 #include "viscera/deformation/inverse_displacements.h"
 #include "viscera/deformation/least_stress.h"
 #include "viscera/deformation/restoration_model.h"
 #include "viscera/deformation/volume_lock.h"
+#include "viscera/document/organ.h"
+#include "viscera/live/movable_binding.h"
 #include "viscera/medical_io/displacement_file.h"
 #include "viscera/medical_io/surface_file.h"
 
@@ -112,6 +113,9 @@ public:
         ->excludes(lock);
     options.add_option("--compensate", compensate_, "Move only these handles to reach the volume")
         ->type_name("LABEL");
+    options.add_flag(
+        "--exact", exact_,
+        "Refuse when a handle that the pose moves would have to be elsewhere to keep the volume");
     options
         .add_option("--restore", restore_,
                     "How the compensating handles share the motion: least-displacement, or least-stress of "
@@ -122,6 +126,13 @@ public:
     options.add_option("--witnesses", witnesses_, "Witness points for least-stress, 200 to 200000")
         ->type_name("N")
         ->capture_default_str();
+    options
+        .add_option(
+            "--mobility", mobility_,
+            "How the organ follows the handles: bends, rigid (as a whole) or fixed; without it a bone is "
+            "rigid and all else bends")
+        ->check(CLI::IsMember({"bends", "rigid", "fixed"}))
+        ->type_name("HOW");
     options.add_option("-o,--output", output_, "Surface file for the posed organ")->type_name("FILE");
     options
         .add_option("--displacement", displacement_,
@@ -144,12 +155,12 @@ public:
   Outcome run(CommandContext& context) override {
     const auto begin = std::chrono::steady_clock::now();
     Outcome outcome;
-    const BoundInput input = input_.read(context, outcome.warnings);
+    BoundInput input = input_.read(context, outcome.warnings);
+    takeMobility(input.organ, outcome.warnings);
     const auto& [system, options, rig, pose, organ] = input;
-    deformation::Deformer deformer(
-        organ.mesh,
-        deformation::bindOrgan(*system, rig.handles, organ.mesh->points, options, context.progress),
-        rig.handles.positions, context.threads);
+    deformation::Deformer deformer(organ.mesh,
+                                   live::bindMovable(organ, *system, rig.handles, options, context.progress),
+                                   rig.handles.positions, context.threads);
     deformer.setPose(pose);
     keepVolume(deformer, input, outcome.warnings, context.progress);
 
@@ -160,11 +171,17 @@ public:
     const int moved = movedHandles(rig.handles.positions, deformer.pose());
     const std::vector<HandleMove> moves = movesOf(rig, pose, deformer.pose());
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-    outcome.json = {{"organ", organ.name},      {"system", system->id()},
-                    {"closed", organ.closed()}, {"volumeRestMl", restMl},
-                    {"volumeMl", nowMl},        {"relativeVolumeError", error},
-                    {"movedHandles", moved},    {"maxDisplacementMm", deformer.maxDisplacementMm()},
-                    {"seconds", seconds},       {"handles", movesJson(moves)}};
+    outcome.json = {{"organ", organ.name},
+                    {"system", system->id()},
+                    {"mobility", document::nameOf(organ.mobility)},
+                    {"closed", organ.closed()},
+                    {"volumeRestMl", restMl},
+                    {"volumeMl", nowMl},
+                    {"relativeVolumeError", error},
+                    {"movedHandles", moved},
+                    {"maxDisplacementMm", deformer.maxDisplacementMm()},
+                    {"seconds", seconds},
+                    {"handles", movesJson(moves)}};
     Listing listing;
     if (organ.closed())
       listing.add("volume at rest", fixed(restMl, 3) + " ml")
@@ -186,6 +203,15 @@ public:
   }
 
 private:
+  /// Takes the mobility that is asked for; says so when a bone is rigid by its name.
+  void takeMobility(document::Organ& organ, std::vector<Text>& warnings) const {
+    if (const auto asked = document::mobilityFromName(mobility_))
+      organ.mobility = *asked;
+    else if (organ.mobility == document::Mobility::rigid)
+      warnings.push_back(organ.name +
+                         " is a bone, which moves as a rigid body; --mobility bends lets it bend");
+  }
+
   /// Moves compensating handles so that the organ has the volume given by an option, if any.
   void keepVolume(deformation::Deformer& deformer, const BoundInput& input, std::vector<Text>& warnings,
                   Progress& progress) const {
@@ -194,6 +220,8 @@ private:
         throw UsageError("It goes with --lock-volume or --target-ml", "--compensate");
       if (restore_ != kLeastDisplacement)
         throw UsageError("It goes with --lock-volume or --target-ml", "--restore");
+      if (exact_)
+        throw UsageError("It goes with --lock-volume or --target-ml", "--exact");
       return;
     }
     const auto restoration = model(input, warnings, progress);
@@ -203,8 +231,15 @@ private:
     std::vector<int> compensating;
     for (const std::string& label : compensate_)
       compensating.push_back(input.rig.indexOf(label));
+    const std::vector<int> resting =
+        deformation::restingHandles(input.rig.handles.positions, deformer.pose());
+    for (const int handle : compensating)
+      if (exact_ && std::find(resting.begin(), resting.end(), handle) == resting.end())
+        throw UsageError("The pose moves this handle, so that it cannot compensate exactly",
+                         "--compensate " + input.rig.labels[static_cast<std::size_t>(handle)],
+                         "name handles that the pose leaves at rest");
     if (compensating.empty())
-      compensating = deformation::restingHandles(input.rig.handles.positions, deformer.pose());
+      compensating = resting;
     deformation::restoreVolume(deformer, targetMl(deformer) * kMm3PerMl, compensating, *restoration);
   }
 
@@ -272,6 +307,8 @@ private:
   std::optional<double> targetMl_;
   std::vector<std::string> compensate_;
   std::string restore_ = "least-displacement";
+  std::string mobility_;
+  bool exact_ = false;
   int witnesses_ = 2000;
 };
 

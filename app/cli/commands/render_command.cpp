@@ -26,6 +26,7 @@
 #include "viscera/deformation/witness_gradients.h"
 #include "viscera/document/open_files.h"
 #include "viscera/document/session_file.h"
+#include "viscera/live/movable_binding.h"
 #include "viscera/scene/picture.h"
 
 namespace viscera::app::cli {
@@ -116,7 +117,7 @@ void showPose(StillOrgans& organs, const Contents& contents, const coordinates::
               const coordinates::BindOptions& options, Progress& progress) {
   for (std::size_t i = 0; i < contents.organs.size(); ++i) {
     auto points = std::make_shared<Points>();
-    deformation::bindOrgan(system, contents.rig->handles, contents.organs[i].mesh->points, options, progress)
+    live::bindMovable(contents.organs[i], system, contents.rig->handles, options, progress)
         ->deform(*contents.pose, *points, options.threads);
     organs.setPoints(i, std::move(points));
   }

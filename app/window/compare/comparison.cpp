@@ -201,7 +201,7 @@ void Comparison::showOtherCoordinates() {
   second_->system =
       std::make_unique<ComparedSystem>(first_.workspace, second_->workspace, first_.area.messages());
   second_->differences =
-      std::make_unique<DifferenceMap>(first_.workspace, second_->workspace, *second_->picture);
+      std::make_unique<DifferenceMap>(first_.workspace, second_->workspace, first_.view, *second_->picture);
   secondHeader_->addControl(second_->system->makeChooser());
   secondHeader_->addControl(makeDifferenceButton());
   secondHeader_->addControl(makeErrorsButton());
@@ -218,8 +218,11 @@ void Comparison::showOtherCoordinates() {
 }
 
 QToolButton* Comparison::makeDifferenceButton() {
-  auto* button = makeIconButton(
-      "influence", tr("Colour each vertex by its distance to the same vertex in view 1"), nullptr);
+  auto* button = makeIconButton("influence",
+                                tr("Colour each vertex by its distance to the same vertex in view 1; while "
+                                   "stress is shown, by what view "
+                                   "1 has more than view 2"),
+                                nullptr);
   button->setObjectName(QStringLiteral("differences"));
   button->setCheckable(true);
   connect(button, &QToolButton::toggled, second_->differences.get(), &DifferenceMap::setOn);
@@ -243,9 +246,9 @@ DifferenceMap* Comparison::differences() const {
   return on() ? second_->differences.get() : nullptr;
 }
 
-/// Removes the parts that only the comparison of coordinates has.
+/// Removes the parts that only the comparison of coordinates or poses has.
 void Comparison::dropSystem() {
-  if (!second_->system)
+  if (!second_->differences)
     return;
   second_->differences.reset();
   second_->system.reset();
@@ -288,6 +291,9 @@ void Comparison::showPose(const Points& pose) {
     state.pose = std::make_shared<const Points>(pose);
   second_->playback.forgetAll();
   second_->workspace.undo().reset(state);
+  second_->differences =
+      std::make_unique<DifferenceMap>(first_.workspace, second_->workspace, first_.view, *second_->picture);
+  secondHeader_->addControl(makeDifferenceButton());
   second_->cameras = std::make_unique<CameraLink>(*first_.area.view(), *second_->view);
   syncHeaders();
 }
@@ -526,14 +532,19 @@ void Comparison::syncHeaders() {
   const auto systemName = [](const Workspace& workspace) {
     return inWords(workspace.registry().find(workspace.document().system().id)->name());
   };
-  QString title = second_->system ? systemName(first_.workspace) : titleOf(first_.workspace, first_.playback);
+  const bool kept = what_ == presentation::Compared::What::pose;
+  QString title = second_->system ? systemName(first_.workspace)
+                  : kept          ? tr("Present pose")
+                                  : titleOf(first_.workspace, first_.playback);
   if (first_.playback.sequence() && !second_->system)
     title += tr("  %1 / min").arg(formatNumber(first.ratePerMinute(), 0));
   firstHeader_->setTitle(title);
   firstHeader_->setPhases(phasesOf(first_.playback));
   firstHeader_->setState(first_.playback.showing() ? inWords(first.phase()) : QString(), volumesOf(0));
   Playback& second = second_->playback;
-  secondHeader_->setTitle(second_->system ? QString() : titleOf(second_->workspace, second));
+  secondHeader_->setTitle(second_->system ? QString()
+                          : kept          ? tr("Kept pose")
+                                          : titleOf(second_->workspace, second));
   secondHeader_->setPhases(phasesOf(second));
   secondHeader_->setState(second.showing() ? inWords(second.player().phase()) : QString(), volumesOf(1));
   rate_->setVisible(second.sequence() != nullptr && !second_->system);

@@ -81,7 +81,7 @@ public:
   const Picture& picture() const;
   /// The other coordinates of the second view, or null.
   ComparedSystem* comparedSystem() const;
-  /// The colours of the distances between both views, while other coordinates are compared, else null.
+  /// The colours of the differences of both views, while other coordinates or poses are compared, else null.
   DifferenceMap* differences() const;
 
 Q_SIGNALS:

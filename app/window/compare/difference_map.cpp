@@ -4,6 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+
+#include "viscera/presentation/stress_values.h"
+#include "window/language.h"
 
 namespace viscera::app {
 namespace {
@@ -22,10 +26,14 @@ constexpr double kLeast = 1e-3;
 
 } // namespace
 
-DifferenceMap::DifferenceMap(Workspace& first, Workspace& second, Picture& picture, QObject* parent)
-    : QObject(parent), first_(first), second_(second), picture_(picture) {
-  for (Workspace* workspace : {&first, &second})
+DifferenceMap::DifferenceMap(Workspace& first, Workspace& second, const ViewModel& view, Picture& picture,
+                             QObject* parent)
+    : QObject(parent), first_(first), second_(second), view_(view), picture_(picture) {
+  for (Workspace* workspace : {&first, &second}) {
     subscriptions_.push_back(workspace->live().onEvent([this](const live::LiveEvent&) { followSoon(); }));
+    subscriptions_.push_back(workspace->stress().onEvent([this](const live::StressEvent&) { followSoon(); }));
+  }
+  connect(&view, &ViewModel::changed, this, &DifferenceMap::followSoon);
 }
 
 DifferenceMap::~DifferenceMap() {
@@ -57,6 +65,38 @@ void DifferenceMap::followSoon() {
 }
 
 void DifferenceMap::follow() {
+  const bool stress = view_.state().shown.stress;
+  const auto quantity = stress ? std::optional(view_.state().stress.quantity) : std::nullopt;
+  if (std::exchange(quantity_, quantity) != quantity)
+    reach_ = 0;
+  picture_.setMap(stress ? stressDifference() : distances());
+}
+
+/// None until both views have the stress of the same witness points.
+std::optional<presentation::SurfaceMap> DifferenceMap::stressDifference() {
+  const live::StressFrame now = first_.stress().frame(), kept = second_.stress().frame();
+  const live::StressQuantityDescription& quantity = live::describe(*quantity_);
+  const auto difference = live::differenceOf(now, kept, *quantity_);
+  if (!difference || now.organ != kept.organ || !kept.onSurface)
+    return std::nullopt;
+  auto onSurface = std::make_shared<Values>();
+  (*kept.onSurface)(*difference, *onSurface);
+  greatest_ = 0;
+  for (const double value : *onSurface)
+    if (std::isfinite(value))
+      greatest_ = std::max(greatest_, std::abs(value));
+  presentation::SurfaceMap map;
+  map.colors = presentation::stressColors("diverging");
+  map.title = tr("%1: view 1 less view 2").arg(inWords(quantity.name)).toStdString();
+  map.unit = quantity.unit.empty() ? std::string() : inWords(quantity.unit).toStdString();
+  map.mark = inWords("folded").toStdString();
+  map.values[kept.organ] = std::move(onSurface);
+  reach_ = std::max(reach_, roundedUp(std::max(greatest_, kLeast)));
+  map.range = {-reach_, reach_};
+  return map;
+}
+
+presentation::SurfaceMap DifferenceMap::distances() {
   presentation::SurfaceMap map;
   map.colors = scene::viridis();
   map.title = tr("Distance to view 1").toStdString();
@@ -75,7 +115,7 @@ void DifferenceMap::follow() {
   }
   reach_ = std::max(reach_, roundedUp(std::max(greatest_, kLeast)));
   map.range = {0, reach_};
-  picture_.setMap(std::move(map));
+  return map;
 }
 
 } // namespace viscera::app

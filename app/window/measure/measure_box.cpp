@@ -39,19 +39,20 @@ MeasureBox::MeasureBox(Workspace& workspace, MeasureTool& tool, const Actions& a
   grid->addWidget(makeActionButton(actions["measure.angle"], this), 0, 1);
   grid->addWidget(makeActionButton(actions["measure.rectangle"], this), 1, 0);
   grid->addWidget(makeActionButton(actions["measure.sphere"], this), 1, 1);
-  grid->addWidget(hint_, 2, 0, 1, 2);
+  grid->addWidget(makeActionButton(actions["measure.gap"], this), 2, 0, 1, 2);
+  grid->addWidget(hint_, 3, 0, 1, 2);
   makeList();
-  grid->addWidget(list_, 3, 0, 1, 2);
+  grid->addWidget(list_, 4, 0, 1, 2);
   remove_->setObjectName(QStringLiteral("measureRemove"));
   remove_->setToolTip(tr("Remove the chosen measurement (Delete in the list)"));
   connect(remove_, &QPushButton::clicked, this, &MeasureBox::removeChosen);
-  grid->addWidget(remove_, 4, 0);
+  grid->addWidget(remove_, 5, 0);
   forAll_ = {makeActionButton(actions["measure.removeAll"], this),
              makeActionButton(actions["export.measurements"], this)};
   forAll_[0]->setText(tr("Remove all"));
   forAll_[1]->setText(tr("Export CSV..."));
-  grid->addWidget(forAll_[0], 4, 1);
-  grid->addWidget(forAll_[1], 5, 0, 1, 2);
+  grid->addWidget(forAll_[0], 5, 1);
+  grid->addWidget(forAll_[1], 6, 0, 1, 2);
   grid->setColumnStretch(0, 1);
   grid->setColumnStretch(1, 1);
   values_.setSingleShot(true);

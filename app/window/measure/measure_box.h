@@ -39,7 +39,7 @@ private:
   QPushButton* remove_;
   std::vector<QPushButton*> forAll_; ///< Enabled while there is any measurement.
   QTimer values_;                    ///< Updates the values when the frame with the new positions is drawn.
-  document::RegionMemory memory_;
+  document::MeasuringMemory memory_;
   bool updating_ = false;
   std::vector<Subscription> subscriptions_;
 };

@@ -155,6 +155,10 @@ bool MeasureTool::hold(const scene::MeasurementGlyphs::Mark& mark) {
   const auto& measurements = workspace_.document().measurements();
   if (held_ || mark.item >= measurements.size() || mark.point >= measurements[mark.item].points.size())
     return false;
+  if (measurements[mark.item].kind == Kind::gap) { // Its ends are where the organs are nearest.
+    choose(measurements[mark.item].id);
+    return false;
+  }
   const document::MeasurementId id = measurements[mark.item].id;
   held_.emplace(Held{id, mark.point, {workspace_.undo(), "Move measured point"}});
   chosen_ = id;

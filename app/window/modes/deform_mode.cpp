@@ -81,6 +81,14 @@ void DeformMode::makeCompensate(Actions& actions) {
                     actions.sync();
                   });
   compensate->setCheckable(true);
+  parts_.view.addToggle(
+      actions, "handles.exactly",
+      {tr("Move e&xactly, others compensate"),
+       nullptr,
+       {},
+       tr("Under a locked volume, moved handles go exactly where they are sent, and the others compensate; "
+          "else a moved handle stays where the volume lets it")},
+      &presentation::ViewState::exactly);
   actions.onSync([this, compensate] {
     const auto& selected = workspace_.selection().handles();
     const document::Rig& rig = workspace_.document().rig();

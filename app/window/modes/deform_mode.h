@@ -13,7 +13,9 @@ class DeformMode final : public Mode {
 public:
   DeformMode(const ModeParts& parts, Actions& actions);
 
-  std::vector<const char*> actions() const override { return {"handles.gizmo", "handles.compensate"}; }
+  std::vector<const char*> actions() const override {
+    return {"handles.gizmo", "handles.exactly", "handles.compensate"};
+  }
   QWidget* makePage(const Actions& actions) override;
   presentation::Shown shown() const override {
     return {.handles = true, .movable = true, .compensating = true, .tools = true};

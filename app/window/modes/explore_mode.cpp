@@ -1,15 +1,18 @@
 #include "window/modes/explore_mode.h"
 
 #include <QAction>
+#include <QVBoxLayout>
 
 #include "viscera/document/measurement_commands.h"
 #include "window/measure/measure_box.h"
+#include "window/measure/resection_box.h"
 #include "window/panels/cut_box.h"
 #include "window/panels/explore_page.h"
 #include "window/quiz/quiz_box.h"
 #include "window/slices/slice_panes.h"
 #include "window/view/view_area.h"
 #include "window/view/view_model.h"
+#include "window/widgets/ready_made.h"
 
 namespace viscera::app {
 
@@ -121,9 +124,18 @@ QAction* ExploreMode::makeMeasure(Actions& actions, Kind kind, const char* id,
   return action;
 }
 
+/// The plane's controls, and what it leaves of the organs.
+QWidget* ExploreMode::makeCut(const Actions& actions) {
+  auto* box = new QWidget;
+  auto* column = makeLayout<QVBoxLayout>(box, 6);
+  column->addWidget(new CutBox(parts_.view, *parts_.area.view(), actions, box));
+  column->addWidget(new ResectionBox(workspace_, parts_.view, box));
+  return box;
+}
+
 QWidget* ExploreMode::makePage(const Actions& actions) {
-  return new ExplorePage(workspace_, actions, new CutBox(parts_.view, *parts_.area.view(), actions),
-                         new MeasureBox(workspace_, tool_, actions), new QuizBox(quiz_, actions));
+  return new ExplorePage(workspace_, actions, makeCut(actions), new MeasureBox(workspace_, tool_, actions),
+                         new QuizBox(quiz_, actions));
 }
 
 QString ExploreMode::hint() const {
@@ -141,6 +153,7 @@ QString ExploreMode::hint() const {
   case Kind::rectangle:
     return tr("Drag on a slice from corner to corner; Esc ends");
   case Kind::sphere:
+  case Kind::gap: // Measured without a click.
     break;
   }
   return tr("Drag on a slice from the middle of a sphere to its border; Esc ends");

@@ -43,6 +43,7 @@ private:
                        const Actions::Description& description);
 
   void addQuiz(Actions& actions);
+  QWidget* makeCut(const Actions& actions);
 
   MeasureTool tool_;
   SlicePanes& slices_;

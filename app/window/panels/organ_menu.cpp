@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "viscera/document/measurement_commands.h"
+#include "viscera/document/organ_commands.h"
 #include "window/actions.h"
 #include "window/organ_looks.h"
 #include "window/panels/color_palette.h"
@@ -28,7 +30,57 @@ void OrganMenu::addTo(Actions& actions) {
   lock->setCheckable(true);
   actions.enableWhile({"volume.lock"}, [this] { return workspace_.currentOrgan() != nullptr; });
   actions.onSync([this, lock] { lock->setChecked(allLocked()); });
+  addMobility(actions);
+  actions
+      .add("measure.gap",
+           {tr("&Shortest distance of two organs"),
+            "distance",
+            {},
+            tr("Choose two organs in the list: the distance follows them, wherever they are nearest")},
+           [this] {
+             if (const auto organs = chosen_(); organs.size() == 2)
+               workspace_.perform(document::addGap(organs[0], organs[1]));
+             else
+               workspace_.note(tr("Choose two organs in the list first, the second one with Ctrl."));
+           })
+      ->setIconText(tr("Two organs"));
+  actions.enableWhile({"measure.gap"}, [this] { return workspace_.document().organs().size() > 1; });
   fill(actions);
+}
+
+/// How the chosen organs follow the handles: one of three.
+void OrganMenu::addMobility(Actions& actions) {
+  using document::Mobility;
+  struct Choice {
+    const char* id;
+    QString name;
+    QString tip;
+    Mobility mobility;
+  };
+  const Choice choices[] = {
+      {"organ.bends", tr("&Bends as soft tissue"), tr("Every place of the organ follows the handles"),
+       Mobility::bends},
+      {"organ.rigid", tr("Moves as a r&igid body"),
+       tr("The organ keeps its shape and moves as the tissue around it does on the whole; so do bones"),
+       Mobility::rigid},
+      {"organ.fixed", tr("Stays in &place"), tr("No handle moves the organ"), Mobility::fixed}};
+  for (const Choice& choice : choices) {
+    QAction* action = actions.add(choice.id, {choice.name, nullptr, {}, choice.tip},
+                                  [this, mobility = choice.mobility, &actions] {
+                                    workspace_.perform(document::setMobility(chosen_(), mobility));
+                                    actions.sync(); // The mark is that of the document.
+                                  });
+    action->setCheckable(true);
+    actions.enableWhile({choice.id}, [this] { return !chosen_().empty(); });
+    actions.onSync([this, action, mobility = choice.mobility] {
+      const auto organs = chosen_();
+      action->setChecked(!organs.empty() &&
+                         std::all_of(organs.begin(), organs.end(), [&](document::OrganId id) {
+                           const auto organ = workspace_.document().organ(id);
+                           return organ && organ->mobility == mobility;
+                         }));
+    });
+  }
 }
 
 void OrganMenu::fill(Actions& actions) {
@@ -46,6 +98,9 @@ void OrganMenu::fill(Actions& actions) {
     workspace_.undo().seal();
   });
   addAction(actions["volume.lock"]);
+  for (const char* id : {"organ.bends", "organ.rigid", "organ.fixed"})
+    addAction(actions[id]);
+  addAction(actions["measure.gap"]);
   addSeparator();
   addAction(actions["organ.remove"]);
   connect(this, &QMenu::aboutToShow, this, [this, color, own, &actions] {

@@ -23,8 +23,8 @@ public:
   /// All have to live longer; `chosen` returns the selected organs.
   OrganMenu(Workspace& workspace, PoseEditor& poses, Chosen chosen, QWidget* parent);
 
-  /// Adds "volume.lock", and fills the menu with that and with the actions of the list and the view, which
-  /// have to exist.
+  /// Adds "volume.lock", "organ.bends", "organ.rigid", "organ.fixed" and "measure.gap", and fills the menu
+  /// with that and with the actions of the list and the view, which have to exist.
   void addTo(Actions& actions);
   /// Opens the colour menu for organs beside the clicked place.
   void chooseColorOf(const std::vector<document::OrganId>& organs, const QPoint& globalPlace);
@@ -32,6 +32,7 @@ public:
 private:
   std::vector<document::OrganId> withHiddenColors() const;
   bool allLocked() const;
+  void addMobility(Actions& actions);
   void fill(Actions& actions);
 
   Workspace& workspace_;

@@ -13,6 +13,7 @@
 #include "viscera/document/stress_mark_commands.h"
 #include "viscera/presentation/presenter.h"
 #include "window/language.h"
+#include "window/stress/probe_card.h"
 #include "window/stress/profile_chart.h"
 #include "window/style/icon.h"
 #include "window/widgets/list_keys.h"
@@ -25,12 +26,6 @@ enum MarkColumn { kMarkNumber, kMarkPlace, kMarkValue, kMarkOrgan, kMarkColumns 
 constexpr int kMarkIdRole = Qt::UserRole;
 constexpr int kMarkRowsShown = 6;
 constexpr int kDecimals = 1; ///< Of places, mm.
-
-QString placeInWords(const Vec3& place) {
-  return QStringLiteral("%1; %2; %3")
-      .arg(formatNumber(place.x(), kDecimals), formatNumber(place.y(), kDecimals),
-           formatNumber(place.z(), kDecimals));
-}
 
 qlonglong idOf(const QTreeWidgetItem& item) {
   return item.data(kMarkNumber, kMarkIdRole).toLongLong();
@@ -136,16 +131,16 @@ void MarksBox::fill(QTreeWidgetItem& item, const document::StressProbe& probe) c
   const QString name = organ ? inWords(presentation::labelOf(*organ)) : QString();
   item.setText(kMarkNumber, QString::number(probe.number));
   item.setText(kMarkOrgan, name);
-  const QString rest = tr("%1: at rest %2 mm").arg(name, placeInWords(probe.rest));
+  const QString rest = tr("%1: at rest %2 mm").arg(name, ProbeCard::placeInWords(probe.rest));
   for (const int column : {kMarkNumber, kMarkPlace, kMarkValue, kMarkOrgan})
     item.setToolTip(column, rest);
   if (found == read.end()) {
-    item.setText(kMarkPlace, placeInWords(probe.rest));
+    item.setText(kMarkPlace, ProbeCard::placeInWords(probe.rest));
     return item.setText(kMarkValue, QStringLiteral("-"));
   }
   const live::StressReading& reading = found->reading;
   const double value = live::valueOf(reading, model_.look().quantity);
-  item.setText(kMarkPlace, placeInWords(reading.inTissue ? reading.now : probe.rest));
+  item.setText(kMarkPlace, ProbeCard::placeInWords(reading.inTissue ? reading.now : probe.rest));
   item.setText(kMarkValue, !reading.inTissue       ? tr("no tissue")
                            : !std::isfinite(value) ? tr("folded")
                                                    : model_.format(value));

@@ -38,6 +38,7 @@ ProbeCard::ProbeCard(StressModel& model, QAction* pin, QWidget* parent)
     value->setTextInteractionFlags(Qt::TextSelectableByMouse);
     grid->addWidget(name, row, 0);
     grid->addWidget(value, row++, 1);
+    names_.push_back(name);
     values_.push_back(value);
   }
   grid->addWidget(makeActionButton(pin, this), row, 0, 1, 2);
@@ -46,6 +47,16 @@ ProbeCard::ProbeCard(StressModel& model, QAction* pin, QWidget* parent)
   connect(&model, &StressModel::updated, this, &ProbeCard::sync);
   connect(&model, &StressModel::numbersChanged, this, &ProbeCard::sync);
   hide();
+}
+
+QString ProbeCard::placeInWords(const Vec3& place) {
+  // LPS has left, posterior and superior positive.
+  const auto axis = [](double mm, const QString& positive, const QString& negative) {
+    return QStringLiteral("%1 %2").arg(formatNumber(std::abs(mm), 1)).arg(mm >= 0 ? positive : negative);
+  };
+  return QStringLiteral("%1, %2, %3")
+      .arg(axis(place.x(), tr("L"), tr("R")), axis(place.y(), tr("P"), tr("A")),
+           axis(place.z(), tr("S"), tr("I")));
 }
 
 void ProbeCard::sync() {
@@ -57,17 +68,13 @@ void ProbeCard::sync() {
   if (!any)
     return;
   const Vec3 at = mesh->points.row(point);
-  // In the words of the anatomy: LPS has left, posterior and superior positive.
-  const auto axis = [](double mm, const QString& positive, const QString& negative) {
-    return QStringLiteral("%1 %2").arg(formatNumber(std::abs(mm), 0)).arg(mm >= 0 ? positive : negative);
-  };
   place_->setText(mesh->isWitness(point) ? tr("Witness point %1").arg(point)
                                          : tr("Surface point %1").arg(point));
-  position_->setText(tr("At rest %1, %2, %3 mm")
-                         .arg(axis(at.x(), tr("L"), tr("R")), axis(at.y(), tr("P"), tr("A")),
-                              axis(at.z(), tr("S"), tr("I"))));
+  position_->setText(tr("At rest %1 mm").arg(placeInWords(at)));
   for (std::size_t i = 0; i < values_.size(); ++i) {
     const live::StressQuantityDescription& quantity = live::stressQuantities()[i];
+    // Over a cycle each value is an extreme of its own instant, and says so.
+    names_[i]->setText(inWords(model_.peakShown() ? quantity.peakName : quantity.name));
     const double value = live::quantityAt(map, quantity.quantity, point);
     if (quantity.quantity == live::StressQuantity::folded)
       values_[i]->setText(value > 0 ? tr("yes") : tr("no"));

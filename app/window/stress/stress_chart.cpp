@@ -21,6 +21,7 @@ constexpr double kDegrees = 180 / std::numbers::pi;
 const Vec3 kMeanColor(0.31, 0.70, 0.75);
 const Vec3 kPercentileColor(0.90, 0.66, 0.25);
 const Vec3 kMaxColor(0.88, 0.36, 0.32);
+const Vec3 kProbeColor(0.66, 0.47, 0.85);
 } // namespace
 
 StressChart::StressChart(StressModel& model, QWidget* parent)
@@ -44,10 +45,9 @@ StressChart::StressChart(StressModel& model, QWidget* parent)
   chart_->setWindow(window);
   chart_->setAxes(tr("Time in the cycle").toStdString(), "s", tr("Rotational stress").toStdString(),
                   inWords("deg").toStdString());
-  chart_->setLines({{tr("maximum").toStdString(), kMaxColor},
-                    {tr("95th percentile").toStdString(), kPercentileColor},
-                    {tr("mean").toStdString(), kMeanColor}});
+  setLines();
   connect(&model, &StressModel::updated, this, &StressChart::refresh);
+  connect(&model, &StressModel::probeChanged, this, &StressChart::refresh);
   connect(&model, &StressModel::instantChanged, this, &StressChart::placeCursor);
 }
 
@@ -79,7 +79,10 @@ void StressChart::resizeEvent(QResizeEvent* event) {
 void StressChart::refresh() {
   if (!isVisible())
     return;
-  const bool another = std::exchange(drawn_, model_.cycle()) != model_.cycle();
+  const bool otherProbe = std::exchange(probe_, model_.probe()) != model_.probe();
+  const bool another = std::exchange(drawn_, model_.cycle()) != model_.cycle() || otherProbe;
+  if (otherProbe)
+    setLines();
   const Text& failure = model_.live().cycleMessage();
   hint_->setText(
       failure.empty()
@@ -92,6 +95,16 @@ void StressChart::refresh() {
   } else {
     placeCursor();
   }
+}
+
+/// The chosen point has a curve while there is one.
+void StressChart::setLines() {
+  std::vector<scene::ChartLine> lines = {{tr("maximum").toStdString(), kMaxColor},
+                                         {tr("95th percentile").toStdString(), kPercentileColor},
+                                         {tr("mean").toStdString(), kMeanColor}};
+  if (probe_ >= 0)
+    lines.push_back({tr("chosen point").toStdString(), kProbeColor});
+  chart_->setLines(lines);
 }
 
 void StressChart::draw() {
@@ -123,6 +136,13 @@ void StressChart::drawCycle() {
     mean.push_back(kDegrees * sample.statistics.mean);
   }
   chart_->setTimeRange({0, drawn_->periodSeconds});
+  const auto gradients = model_.live().gradients();
+  if (probe_ >= 0 && gradients && probe_ < gradients->witnesses() && !drawn_->poses.empty()) {
+    std::vector<double> curve =
+        live::curveAt(*gradients, probe_, *drawn_, live::StressQuantity::rotationalStress);
+    curve.push_back(curve.front()); // The cycle's end is its beginning.
+    chart_->setCurve(3, seconds, std::move(curve));
+  }
   chart_->setCurve(0, seconds, std::move(largest));
   chart_->setCurve(1, seconds, std::move(percentile));
   chart_->setCurve(2, seconds, std::move(mean));

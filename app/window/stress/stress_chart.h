@@ -16,9 +16,9 @@ namespace viscera::app {
 
 class ChartCursor;
 
-/// A chart of the rotational stress over one whole cycle of a sequence: mean, 95th percentile and largest as
-/// curves, with a cursor at the instant that is shown. The cursor follows every frame; the chart is drawn
-/// anew when the cycle changes.
+/// A chart of the rotational stress over one whole cycle of a sequence: mean, 95th percentile, largest and
+/// that of the chosen point as curves, with a cursor at the instant that is shown. The cursor follows every
+/// frame; the chart is drawn anew when the cycle changes.
 class StressChart final : public QWidget {
   Q_OBJECT
 
@@ -36,6 +36,7 @@ protected:
 
 private:
   void refresh();
+  void setLines();
   void draw();
   void placeCursor();
   void drawCycle();
@@ -47,6 +48,7 @@ private:
   ChartCursor* cursor_;
   QStackedLayout* stack_; ///< The hint, or the chart.
   std::shared_ptr<const live::CycleStress> drawn_;
+  int probe_ = -1; ///< The point of the mesh whose curve is drawn.
 };
 
 } // namespace viscera::app

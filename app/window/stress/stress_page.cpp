@@ -132,6 +132,8 @@ void StressPage::makeMap(const Actions& actions) {
   quantity_->setToolTip(
       tr("What the colours mean (M: next map). Rotational stress is the largest angle by which a direction "
          "is turned when the tissue is stretched; it is not a pressure."));
+  meaning_ = addRemark(QString());
+  meaning_->setObjectName(QStringLiteral("stressMeaning"));
   QStringList maps;
   for (const scene::ColorMap& map : scene::colorMaps())
     maps.push_back(inWords(map.title));
@@ -188,6 +190,8 @@ void StressPage::makeNumbers(const Actions& actions) {
   hint_->setObjectName(QStringLiteral("stressHint"));
   caution_ = addRemark(QString());
   caution_->setObjectName(QStringLiteral("stressCaution"));
+  squeezed_ = addRemark(QString());
+  squeezed_->setObjectName(QStringLiteral("stressSqueezed"));
   min_ = addFact(tr("Minimum"));
   mean_ = addFact(tr("Mean"));
   percentile_ = addFact(tr("95th percentile"));
@@ -339,6 +343,7 @@ void StressPage::makeWitnesses() {
 void StressPage::syncLook() {
   const StressLook& look = model_.look();
   quantity_->setCurrentIndex(static_cast<int>(look.quantity));
+  meaning_->setText(inWords(live::describe(look.quantity).meaning));
   const auto& maps = scene::colorMaps();
   const auto chosen = std::find_if(maps.begin(), maps.end(), [&](const scene::ColorMap& map) {
     return map.name == look.*presentation::colorsOf(look.quantity);
@@ -453,6 +458,15 @@ void StressPage::syncNumbers() {
   mean_->setText(any ? model_.format(summary.mean) : none);
   percentile_->setText(any ? model_.format(summary.percentile95) : none);
   max_->setText(any ? model_.format(summary.max) : none);
+  const bool odd = any && model_.shown().quantity() == live::StressQuantity::volumeRatio &&
+                   (summary.min < live::kLeastVolumeRatio || summary.max > live::kMostVolumeRatio);
+  squeezed_->setText(
+      odd ? tr("Volume ratios from %1 to %2: living tissue, mostly water, hardly changes its volume. "
+               "The coordinates do not know that; a smaller motion, more handles or a locked "
+               "volume help.")
+                .arg(model_.format(summary.min), model_.format(summary.max))
+          : QString());
+  squeezed_->setVisible(odd);
   const live::StressSample* peak = model_.peakInstant();
   setFactShown(peakTime_, peak);
   toPeak_->setVisible(peak);

@@ -63,6 +63,8 @@ private:
   QLabel* state_ = nullptr;
   QLabel* hint_ = nullptr;
   QLabel* caution_ = nullptr;
+  QLabel* meaning_ = nullptr;  ///< What the displayed quantity says.
+  QLabel* squeezed_ = nullptr; ///< That volumes change more than those of tissue.
   QLabel* min_ = nullptr;
   QLabel* mean_ = nullptr;
   QLabel* percentile_ = nullptr;

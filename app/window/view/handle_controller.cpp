@@ -1,6 +1,10 @@
 #include "window/view/handle_controller.h"
 
+#include <algorithm>
 #include <utility>
+
+#include <vtkCamera.h>
+#include <vtkRenderer.h>
 
 #include "viscera/document/rig_commands.h"
 #include "viscera/scene/vtkVisceraGizmoRepresentation.h"
@@ -114,12 +118,19 @@ void HandleController::onGrabbed(const scene::HandleEvent& event) {
   if (grabbed_.rest) {
     workspace_.guarded([&] { step_.emplace(workspace_.undo(), name.toStdString()); });
   } else {
-    // The cursor moves the handle in the plane that the locked volume leaves it, when there is one.
-    const bool begun = poses_.begin(name, idsOf(event.moving), true, event.plane);
-    const Vec3 normal = begun ? poses_.motion()->planeNormal() : Vec3(Vec3::Zero());
-    if (normal.norm() > 0)
-      view_.handles()->SetConstraintPlane(normal);
+    poses_.begin(name, idsOf(event.moving), true, event.plane ? event.plane : planeOfView());
   }
+}
+
+/// The plane in which the cursor moves a handle. A handle that a locked volume holds back stays in it: it
+/// never goes towards the viewer, of which the screen shows nothing.
+std::optional<Vec3> HandleController::planeOfView() const {
+  const auto organs = workspace_.document().organs();
+  if (std::none_of(organs.begin(), organs.end(), [](const auto& organ) { return organ->volumeLocked; }))
+    return std::nullopt;
+  Vec3 sight;
+  view_.renderer()->GetActiveCamera()->GetDirectionOfProjection(sight.data());
+  return sight;
 }
 
 void HandleController::onMoved(const scene::HandleEvent& event) {
@@ -149,7 +160,6 @@ void HandleController::moveAtRest(const std::vector<int>& rows) {
 }
 
 void HandleController::onReleased() {
-  view_.handles()->ClearConstraintPlane();
   if (auto step = std::exchange(step_, std::nullopt))
     workspace_.guarded([&] { step->finish(); });
   else
@@ -158,7 +168,6 @@ void HandleController::onReleased() {
 }
 
 void HandleController::onCancelled() {
-  view_.handles()->ClearConstraintPlane();
   if (auto step = std::exchange(step_, std::nullopt))
     workspace_.guarded([&] { step->cancel(); });
   else

@@ -39,6 +39,7 @@ private:
   void onReleased();
   void onCancelled();
   void onSelected(const scene::HandleEvent& event);
+  std::optional<Vec3> planeOfView() const;
   void moveAtRest(const std::vector<int>& rows);
   void onGizmoGrabbed(const scene::GizmoEvent& event);
   void onGizmoMoved(const scene::GizmoEvent& event);

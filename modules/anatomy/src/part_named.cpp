@@ -245,4 +245,9 @@ const std::string& systemNamed(std::string_view name) {
   return found == systems.end() ? systems.back() : *found;
 }
 
+bool isBoneNamed(std::string_view name) {
+  const std::optional<Part> part = partNamed(name);
+  return part && part->extent != Extent::lesion && organ(part->organ).rigid;
+}
+
 } // namespace viscera::anatomy

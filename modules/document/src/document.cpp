@@ -25,10 +25,11 @@ bool identical(const geometry::TriangleMesh& a, const geometry::TriangleMesh& b)
 }
 
 bool identical(const Organ& a, const Organ& b) {
-  return &a == &b || (a.id == b.id && a.name == b.name && a.look == b.look && a.parent == b.parent &&
-                      a.file == b.file && a.origin == b.origin && a.warnings == b.warnings &&
-                      a.boundaryEdges == b.boundaryEdges && a.restVolumeMm3 == b.restVolumeMm3 &&
-                      a.volumeLocked == b.volumeLocked && identical(*a.mesh, *b.mesh));
+  return &a == &b ||
+         (a.id == b.id && a.name == b.name && a.look == b.look && a.parent == b.parent && a.file == b.file &&
+          a.origin == b.origin && a.warnings == b.warnings && a.boundaryEdges == b.boundaryEdges &&
+          a.restVolumeMm3 == b.restVolumeMm3 && a.volumeLocked == b.volumeLocked &&
+          a.mobility == b.mobility && identical(*a.mesh, *b.mesh));
 }
 
 bool identical(const OrganList& a, const OrganList& b) {

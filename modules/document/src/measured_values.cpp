@@ -30,8 +30,8 @@ Vec3 placeNow(const MeasuredPoint& point, const DocumentState& state, const Poin
   return place;
 }
 
-std::optional<medical_io::RegionStatistics> RegionMemory::of(const Measurement& measurement,
-                                                             const DocumentState& state) {
+std::optional<medical_io::RegionStatistics> MeasuringMemory::of(const Measurement& measurement,
+                                                                const DocumentState& state) {
   const auto region = regionOf(measurement);
   if (!region || !state.scan)
     return std::nullopt;
@@ -47,6 +47,36 @@ std::optional<medical_io::RegionStatistics> RegionMemory::of(const Measurement& 
   return statistics;
 }
 
+/// The arranged surface of an organ, in the place of these points. Nothing is done where it is there already:
+/// comparing is faster than fitting boxes.
+const geometry::SurfaceBoxes& MeasuringMemory::follow(const Organ& organ, const Points& points) {
+  Follower& follower = followers_[organ.id];
+  if (follower.mesh != organ.mesh)
+    follower = {organ.mesh, organ.mesh->points,
+                std::make_unique<geometry::SurfaceBoxes>(organ.mesh->points, organ.mesh->triangles)};
+  if (follower.points != points) {
+    follower.points = points;
+    follower.boxes->follow(points);
+  }
+  return *follower.boxes;
+}
+
+std::optional<MeasuringMemory::Gap>
+MeasuringMemory::gapOf(const Measurement& measurement, const DocumentState& state, const PointsOf& pointsOf) {
+  const auto from = state.organ(measurement.points.at(0).organ);
+  const auto to = state.organ(measurement.points.at(1).organ);
+  if (!from || !to)
+    return std::nullopt;
+  KeptGap& kept = gaps_[measurement.id];
+  if (kept.from != from->mesh || kept.to != to->mesh) {
+    kept.last = geometry::gapBetween(follow(*from, from->mesh->points), follow(*to, to->mesh->points));
+    kept = {from->mesh, to->mesh, kept.last.mm, kept.last};
+  }
+  kept.last =
+      geometry::gapBetween(follow(*from, pointsOf(from->id)), follow(*to, pointsOf(to->id)), kept.last);
+  return Gap{kept.restMm, kept.last};
+}
+
 double measuredValue(const std::vector<Vec3>& places) {
   if (places.size() == 2)
     return (places[1] - places[0]).norm();
@@ -57,19 +87,26 @@ double measuredValue(const std::vector<Vec3>& places) {
 }
 
 MeasuredValues measure(const Measurement& measurement, const DocumentState& state, const PointsOf& pointsOf,
-                       RegionMemory* memory) {
+                       MeasuringMemory* memory) {
   MeasuredValues values;
   std::vector<Vec3> rest;
   for (const MeasuredPoint& point : measurement.points) {
     rest.push_back(point.rest);
     values.places.push_back(placeNow(point, state, pointsOf));
   }
+  MeasuringMemory none;
   if (isRegion(measurement.kind)) {
-    RegionMemory none;
     values.region = (memory ? *memory : none).of(measurement, state);
     values.rest = values.now = meanOf(values.region);
     return values;
   }
+  if (measurement.kind == MeasurementKind::gap)
+    if (const auto gap = (memory ? *memory : none).gapOf(measurement, state, pointsOf)) {
+      values.rest = gap->restMm;
+      values.now = gap->now.mm;
+      values.places = {gap->now.from, gap->now.to};
+      return values;
+    }
   values.rest = measuredValue(rest);
   values.now = measuredValue(values.places);
   return values;
@@ -89,7 +126,7 @@ std::optional<medical_io::Region> regionOf(const Measurement& measurement) {
 std::string unitOf(const Measurement& measurement, const DocumentState& state) {
   if (isRegion(measurement.kind))
     return state.scan ? state.scan->scan->unit : std::string();
-  return measurement.kind == MeasurementKind::distance ? "mm" : "deg";
+  return isLength(measurement.kind) ? "mm" : "deg";
 }
 
 } // namespace viscera::document

@@ -13,7 +13,7 @@
 namespace viscera::document {
 namespace {
 
-constexpr const char* kMeasurementNames[] = {"distance", "angle", "rectangle", "sphere"};
+constexpr const char* kMeasurementNames[] = {"distance", "angle", "rectangle", "sphere", "gap"};
 /// How far weights may be from a place in the triangle before they are taken for wrong.
 constexpr double kPlaceTolerance = 1e-6;
 
@@ -69,6 +69,10 @@ std::size_t pointCount(MeasurementKind kind) {
 
 bool isRegion(MeasurementKind kind) {
   return kind == MeasurementKind::rectangle || kind == MeasurementKind::sphere;
+}
+
+bool isLength(MeasurementKind kind) {
+  return kind == MeasurementKind::distance || kind == MeasurementKind::gap;
 }
 
 std::string nameOf(MeasurementKind kind) {

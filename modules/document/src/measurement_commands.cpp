@@ -36,6 +36,12 @@ std::string freeName(const MeasurementList& measurements, MeasurementKind kind) 
   return word + std::to_string(number);
 }
 
+/// The organs of a gap are two.
+void requireTwoOrgans(const std::vector<MeasuredPoint>& points) {
+  if (!points[0].organ || !points[1].organ || points[0].organ == points[1].organ)
+    throw UsageError("The shortest distance is between two organs", {}, "select two organs");
+}
+
 /// A region lies in the patient, on no organ, and a rectangle in one slice: that of its first point.
 void settle(Measurement& measurement) {
   if (!isRegion(measurement.kind))
@@ -62,6 +68,8 @@ Command addMeasurement(Measurement wanted) {
       [wanted = std::move(wanted)](MeasurementList& measurements, const DocumentState& state, IdSource& ids) {
         if (wanted.points.size() != pointCount(wanted.kind))
           throw UsageError(misuse("An angle needs three points, any other measurement two"));
+        if (wanted.kind == MeasurementKind::gap)
+          requireTwoOrgans(wanted.points);
         if (wanted.axis < 0 || wanted.axis > 2)
           throw UsageError(misuse("A rectangle lies in an axial, coronal or sagittal slice"));
         Measurement made = wanted;
@@ -77,6 +85,18 @@ Command addMeasurement(Measurement wanted) {
       });
 }
 
+Command addGap(OrganId from, OrganId to) {
+  return {"Measure the distance of organs", [from, to](const DocumentState& state, IdSource& ids) {
+            Measurement gap;
+            gap.kind = MeasurementKind::gap;
+            for (const OrganId id : {from, to})
+              gap.points.push_back(surfacePoint(*edit::requireOrgan(state, id), 0, Vec3::UnitX()));
+            gap.name = state.organ(from)->name + " - " + state.organ(to)->name;
+            requireTwoOrgans(gap.points);
+            return addMeasurement(std::move(gap)).apply(state, ids);
+          }};
+}
+
 Command moveMeasuredPoint(MeasurementId measurement, std::size_t index, MeasuredPoint point) {
   return edit::onPart(
       "Move measured point", &DocumentState::measurements,
@@ -84,6 +104,8 @@ Command moveMeasuredPoint(MeasurementId measurement, std::size_t index, Measured
         Measurement& changed = edit::require(measurements, measurement, kMeasurementKind);
         if (index >= changed.points.size())
           throw UsageError(misuse("There is no such point"), changed.name);
+        if (changed.kind == MeasurementKind::gap)
+          throw UsageError(misuse("The points of a gap are found, not chosen"), changed.name);
         const Vec3 by = point.rest - changed.points[index].rest;
         changed.points[index] = isRegion(changed.kind) ? point : sound(state, point);
         if (changed.kind == MeasurementKind::sphere && index == 0)

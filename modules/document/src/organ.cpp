@@ -1,12 +1,16 @@
 #include "viscera/document/organ.h"
 
+#include <iterator>
 #include <utility>
 
+#include "viscera/anatomy/organ_facts.h"
 #include "viscera/anatomy/part.h"
 #include "viscera/core/error.h"
 
 namespace viscera::document {
 namespace {
+
+constexpr const char* kMobilityNames[] = {"bends", "rigid", "fixed"};
 
 /// Whether every vertex has the colour of the first; not of a surface without colours.
 bool isPaintedAlike(const geometry::TriangleMesh& mesh) {
@@ -27,6 +31,21 @@ void requireTriangles(const geometry::TriangleMesh& mesh, const std::string& nam
 bool isPure(const Vec3& color) {
   constexpr double kRounding = 1e-9;
   return color.maxCoeff() - color.minCoeff() > kMostVivid + kRounding;
+}
+
+std::string nameOf(Mobility mobility) {
+  return kMobilityNames[static_cast<std::size_t>(mobility)];
+}
+
+Mobility usualMobility(const std::string& name) {
+  return anatomy::isBoneNamed(name) ? Mobility::rigid : Mobility::bends;
+}
+
+std::optional<Mobility> mobilityFromName(const std::string& name) {
+  for (std::size_t i = 0; i < std::size(kMobilityNames); ++i)
+    if (name == kMobilityNames[i])
+      return static_cast<Mobility>(i);
+  return std::nullopt;
 }
 
 Organ makeOrgan(std::string name, geometry::TriangleMesh mesh) {
@@ -62,6 +81,7 @@ Organ makeOrgan(std::string name, std::shared_ptr<const geometry::TriangleMesh> 
     organ.look.color = anatomy::colorNamed(organ.name).value_or(organ.look.color);
   organ.boundaryEdges = report.boundaryEdges;
   organ.restVolumeMm3 = report.closed() ? report.volumeMm3 : 0;
+  organ.mobility = usualMobility(organ.name);
   return organ;
 }
 

@@ -123,6 +123,7 @@ Organ withoutHoles(const Organ& open) {
   closed.id = open.id;
   closed.look = open.look;
   closed.parent = open.parent;
+  closed.mobility = open.mobility;
   closed.file = open.file;
   // Warnings about the file stay; those about the surface are replaced by the findings on the new one.
   const std::vector<std::string> outdated = // From a session, warnings are verbatim.
@@ -179,6 +180,16 @@ Command setVolumeLocked(OrganId organ, bool locked) {
           named(changed.name), "close its holes first");
     changed.volumeLocked = locked;
   });
+}
+
+Command setMobility(std::vector<OrganId> organs, Mobility mobility) {
+  const Text name = mobility == Mobility::rigid   ? "Move as a rigid body"
+                    : mobility == Mobility::fixed ? "Keep in place"
+                                                  : "Bend as soft tissue";
+  std::vector<Command> commands;
+  for (const OrganId organ : organs)
+    commands.push_back(onOrgan(name, organ, [mobility](Organ& changed) { changed.mobility = mobility; }));
+  return combined(name, std::move(commands));
 }
 
 Command closeHoles(OrganId organ) {

@@ -325,6 +325,7 @@ private:
     organ.name = record.name;
     organ.look = record.look;
     organ.parent = record.parent;
+    organ.mobility = record.mobility;
     organ.volumeLocked = record.volumeLocked && organ.closed();
     if (record.volumeLocked && !organ.closed())
       warn(record.name, "its volume is not locked any more: the surface is open now");

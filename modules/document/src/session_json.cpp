@@ -42,6 +42,8 @@ ordered_json organJson(const Organ& organ) {
                   {"visible", organ.look.visible},
                   {"tracked", organ.look.tracked}};
   item["volumeLocked"] = organ.volumeLocked;
+  if (organ.mobility != Mobility::bends) // Older versions read the others.
+    item["mobility"] = nameOf(organ.mobility);
   return item;
 }
 
@@ -232,10 +234,10 @@ AnyId SessionReader::newId(const ordered_json& object, const std::string& place)
 }
 
 Organ SessionReader::readOrganRecord(const ordered_json& item, const std::string& place) {
-  takeObject(
-      item,
-      {"id", "name", "parent", "look", "volumeLocked", "source", "sha256", "surface", "warnings", "remarks"},
-      place);
+  takeObject(item,
+             {"id", "name", "parent", "look", "volumeLocked", "mobility", "source", "sha256", "surface",
+              "warnings", "remarks"},
+             place);
   Organ organ;
   organ.id = newId<OrganId>(item, place);
   organ.name = textOf(item, "name", place);
@@ -252,6 +254,12 @@ Organ SessionReader::readOrganRecord(const ordered_json& item, const std::string
   organ.look.visible = flagOf(look, "visible", inLook);
   organ.look.tracked = flagOf(look, "tracked", inLook);
   organ.volumeLocked = flagOf(item, "volumeLocked", place);
+  if (item.contains("mobility")) {
+    const auto mobility = mobilityFromName(textOf(item, "mobility", place));
+    if (!mobility)
+      fail(diagnostic("is none of bends, rigid, fixed"), place + ".mobility");
+    organ.mobility = *mobility;
+  }
   return organ;
 }
 
@@ -377,7 +385,7 @@ void SessionReader::readMeasurementKind(const ordered_json& item, const std::str
                                         Measurement& measurement) const {
   if (item.contains("kind"))
     measurement.kind =
-        named(measurementKindFromName, item, "kind", place, "distance, angle, rectangle, sphere");
+        named(measurementKindFromName, item, "kind", place, "distance, angle, rectangle, sphere, gap");
   if (measurement.kind != MeasurementKind::rectangle)
     return;
   try {

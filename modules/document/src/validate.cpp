@@ -199,6 +199,10 @@ void validateMeasurements(const DocumentState& state) {
     require(measurement.points.size() == pointCount(measurement.kind),
             diagnostic("an angle has three points, any other measurement two"), where);
     require(measurement.axis >= 0 && measurement.axis < 3, diagnostic("there is no such slice"), where);
+    require(measurement.kind != MeasurementKind::gap ||
+                (measurement.points[0].organ && measurement.points[1].organ &&
+                 measurement.points[0].organ != measurement.points[1].organ),
+            diagnostic("a gap is between two organs"), where);
     for (const MeasuredPoint& point : measurement.points) {
       requirePlace(point.rest, diagnostic("one of its points"), where);
       if (!point.organ)

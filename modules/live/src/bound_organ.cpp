@@ -9,6 +9,7 @@
 #include "viscera/deformation/bind_organ.h"
 #include "viscera/document/validate.h"
 #include "viscera/geometry/convex_hull.h"
+#include "viscera/live/movable_binding.h"
 
 namespace viscera::live {
 namespace {
@@ -97,8 +98,7 @@ BindingResult bindToTarget(const document::Organ& organ, const BindingTarget& ta
                            Progress& progress) {
   BindingResult result;
   try {
-    auto binding = deformation::bindOrgan(*target.system, target.handles, organ.mesh->points,
-                                          {target.parameters, threads}, progress);
+    auto binding = bindMovable(organ, *target.system, target.handles, {target.parameters, threads}, progress);
     progress.throwIfCancelled();
     result.deformer = std::make_unique<deformation::Deformer>(organ.mesh, std::move(binding),
                                                               target.handles.positions, threads);

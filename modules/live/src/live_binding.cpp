@@ -74,11 +74,12 @@ void LiveBinding::Impl::onChange(const document::Change& change) {
   tellShown(!samePose(*before, *shownPose));
 }
 
-/// Organs of the document come and go; one whose surface is another one counts as new.
+/// Organs of the document come and go; one whose surface or mobility is another one counts as new.
 void LiveBinding::Impl::matchOrgans() {
   for (auto item = organs.begin(); item != organs.end();) {
     const auto present = document.organ(item->first);
-    if (present && present->mesh == item->second.organ->mesh) {
+    if (present && present->mesh == item->second.organ->mesh &&
+        present->mobility == item->second.organ->mobility) {
       item->second.organ = present;
       ++item;
     } else {

@@ -102,6 +102,7 @@ struct LiveStress::Impl {
   void refresh();
   void sampleLater();
   void sampled(JobResult<SampledOrgan> result);
+  bool staysStiff();
   void refreshBinding();
   void bindLater();
   void takeBound(BoundWitnesses result);
@@ -190,10 +191,7 @@ void LiveStress::Impl::sampleLater() {
   jobs.cancelSlot(kBindSlot);
   setState(StressState::sampling);
   const auto work = [mesh = item->mesh, hollow, wanted = options.witnesses](Progress& progress) {
-    WitnessSample sample = sampleWitnesses(*mesh, wanted, progress);
-    if (!hollow.empty())
-      sample.mesh = std::make_shared<const deformation::WitnessMesh>(
-          deformation::withoutCavities(*sample.mesh, hollow, wanted.threads));
+    WitnessSample sample = withoutCavities(sampleWitnesses(*mesh, wanted, progress), hollow, wanted);
     auto toSurface =
         std::make_shared<const deformation::WitnessInterpolation>(*sample.mesh, mesh->points, wanted.threads);
     return SampledOrgan{std::move(sample), std::move(toSurface)};
@@ -216,9 +214,26 @@ void LiveStress::Impl::sampled(JobResult<SampledOrgan> result) {
   refreshBinding();
 }
 
+/// Whether the organ does not bend, so that its tissue has no stress: says so, and forgets the binding.
+bool LiveStress::Impl::staysStiff() {
+  if (document.organ(organ)->mobility == document::Mobility::bends)
+    return false;
+  if (target || status.state != StressState::failed) {
+    ++ticket;
+    jobs.cancelSlot(kBindSlot);
+    dropCycle();
+    dropBinding();
+    target.reset();
+    boundToTarget = false;
+    setState(StressState::failed,
+             "This organ does not bend, so its tissue has no stress; let it bend as soft tissue");
+  }
+  return true;
+}
+
 /// Binds the mesh when the handles or the system are others than those it is bound to.
 void LiveStress::Impl::refreshBinding() {
-  if (!mesh)
+  if (!mesh || staysStiff())
     return;
   auto wanted = std::make_shared<const BindingTarget>(makeTarget(document.state(), registry));
   rigSeen = document.state().rig;

@@ -146,12 +146,13 @@ bool LockedMotion::compensate(const Points& wanted) {
 const Points& LockedMotion::translate(const Vec3& wanted) {
   const Vec3 by = inPlane(wanted);
   obstacle_ = {};
+  asked_ = by;
   if (translations_ == Way::free) {
     take(moved(by));
     return *pose_;
   }
   if (translations_ == Way::compensated)
-    return reach(moved(by));
+    return compensateUpTo(moved(by));
   const Vec3 from = wantedBy_;
   for (const double part : kParts)
     if (bend(from + part * (by - from)))
@@ -168,7 +169,20 @@ const Points& LockedMotion::scale(const Vec3& center, const Vec3& factors) {
   return reach(deformation::scaled(setup_.start, setup_.selection, center, factors));
 }
 
+Vec3 LockedMotion::given() const {
+  if (setup_.selection.empty())
+    return Vec3::Zero();
+  const int first = setup_.selection.front();
+  return (pose_->row(first) - setup_.start.row(first)).transpose();
+}
+
 const Points& LockedMotion::reach(const Points& wanted) {
+  asked_.reset();
+  return compensateUpTo(wanted);
+}
+
+/// Goes to `wanted`, or as far on the way there as the others can compensate.
+const Points& LockedMotion::compensateUpTo(const Points& wanted) {
   obstacle_ = {};
   if (!setup_.lock) {
     take(wanted);

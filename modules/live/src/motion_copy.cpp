@@ -8,7 +8,7 @@ MotionCause causeOf(const MotionRunner& runner) {
   const document::DocumentState& state = runner.state();
   MotionCause cause{runner.revision(), state.rig, state.system, {}, {}};
   for (const auto& organ : *state.organs) {
-    cause.organs.emplace_back(organ->id, organ->mesh, organ->volumeLocked);
+    cause.organs.emplace_back(organ->id, organ->mesh, organ->volumeLocked, organ->mobility);
     if (organ->volumeLocked)
       cause.pose = state.pose;
   }

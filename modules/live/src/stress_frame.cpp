@@ -1,6 +1,7 @@
 #include "viscera/live/stress_frame.h"
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 #include <span>
 #include <utility>
@@ -58,6 +59,7 @@ CycleStress stressOverCycle(const deformation::WitnessGradients& gradients, Eige
       continue;
     const std::span found = std::span(maps).first(poses.size());
     gradients.evaluate(poses, found, points, threads);
+    std::move(poses.begin(), poses.end(), std::back_inserter(result.poses));
     poses.clear();
     for (const deformation::StressMap& map : found) {
       const double fraction = static_cast<double>(result.samples.size()) / instants;
@@ -74,6 +76,35 @@ CycleStress stressOverCycle(const deformation::WitnessGradients& gradients, Eige
     result.peak->folded = static_cast<int>((result.peak->volumeRatio.array() <= 0).count());
   progress.report(1);
   return result;
+}
+
+std::vector<double> curveAt(const deformation::WitnessGradients& gradients, Eigen::Index point,
+                            const CycleStress& cycle, StressQuantity quantity) {
+  std::vector<double> curve;
+  for (const Points& pose : cycle.poses) {
+    deformation::LocalDistortion found;
+    if (!gradients.failed(point))
+      found = deformation::localDistortion(gradients.deformationGradient(point, pose));
+    deformation::StressMap map{Values::Constant(1, found.rotationalStress),
+                               Values::Constant(1, found.volumeRatio), Values::Constant(1, found.stretchMax),
+                               Values::Constant(1, found.stretchMin), found.folded() ? 1 : 0};
+    Values value;
+    quantityOf(map, quantity, value);
+    curve.push_back(value[0]);
+  }
+  return curve;
+}
+
+std::optional<Values> differenceOf(const StressFrame& a, const StressFrame& b, StressQuantity quantity) {
+  const bool ready = a.mesh && b.mesh && a.map && b.map &&
+                     a.map->volumeRatio.size() == a.mesh->points.rows() &&
+                     b.map->volumeRatio.size() == b.mesh->points.rows();
+  if (!ready || a.mesh->points.rows() != b.mesh->points.rows() || a.mesh->points != b.mesh->points)
+    return std::nullopt;
+  Values ofA, ofB;
+  quantityOf(*a.map, quantity, ofA);
+  quantityOf(*b.map, quantity, ofB);
+  return ofA - ofB;
 }
 
 StressCopy::StressCopy(StressFrame start, std::shared_ptr<const deformation::WitnessGradients> gradients,

@@ -12,13 +12,18 @@ namespace viscera::live {
 const std::vector<StressQuantityDescription>& stressQuantities() {
   static const std::vector<StressQuantityDescription> all = {
       {StressQuantity::rotationalStress, "rotational-stress", "Rotational stress",
-       "Maximum rotational stress", "deg", false, 1},
-      {StressQuantity::volumeRatio, "volume-ratio", "Volume ratio", "Extreme volume ratio", "", true, 3},
-      {StressQuantity::stretchMax, "largest-stretch", "Largest stretch", "Maximum of largest stretch", "",
-       true, 3},
-      {StressQuantity::stretchMin, "smallest-stretch", "Smallest stretch", "Minimum of smallest stretch", "",
-       true, 3},
-      {StressQuantity::folded, "folded", "Folded tissue", "Tissue folded at any instant", "", false, 0}};
+       "Maximum rotational stress",
+       "The largest angle by which a direction is turned when the tissue is stretched; not a pressure.", "deg",
+       false, 1},
+      {StressQuantity::volumeRatio, "volume-ratio", "Volume ratio", "Extreme volume ratio",
+       "The volume of tissue now, as a part of that at rest; 1 is unchanged.", "", true, 3},
+      {StressQuantity::stretchMax, "largest-stretch", "Largest stretch", "Maximum of largest stretch",
+       "The length of tissue now, as a part of that at rest, in the direction that grows most.", "", true, 3},
+      {StressQuantity::stretchMin, "smallest-stretch", "Smallest stretch", "Minimum of smallest stretch",
+       "The length of tissue now, as a part of that at rest, in the direction that shrinks most.", "", true,
+       3},
+      {StressQuantity::folded, "folded", "Folded tissue", "Tissue folded at any instant",
+       "1 where the tissue is turned inside out.", "", false, 0}};
   return all;
 }
 

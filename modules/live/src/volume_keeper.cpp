@@ -133,7 +133,7 @@ std::vector<int> VolumeKeeper::partners(const std::vector<document::HandleId>& h
 
 LockedMotion VolumeKeeper::begin(const std::vector<document::HandleId>& handles,
                                  const std::optional<deformation::MirrorPlane>& mirror,
-                                 const std::optional<Vec3>& plane) {
+                                 const std::optional<Vec3>& plane, Others others) {
   const auto organs = lockedOrgans();
   LockedMotion::Setup setup{lockOf(organs), *state_.pose, rowsOf(*state_.rig, handles)};
   setup.plane = plane;
@@ -145,7 +145,7 @@ LockedMotion VolumeKeeper::begin(const std::vector<document::HandleId>& handles,
     if (setup.mirror)
       moving.insert(moving.end(), setup.mirror->partners.begin(), setup.mirror->partners.end());
     setup.compensating = compensating(moving);
-    setup.alwaysCompensate = anyMarked(setup.compensating);
+    setup.alwaysCompensate = others == Others::compensate || anyMarked(setup.compensating);
     setup.limitMm = limitMm();
   }
   return LockedMotion(std::move(setup));

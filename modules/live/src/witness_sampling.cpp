@@ -240,4 +240,18 @@ WitnessSample sampleWitnesses(const geometry::TriangleMesh& surface, const Witne
   return sample;
 }
 
+WitnessSample withoutCavities(WitnessSample sample,
+                              const std::vector<std::shared_ptr<const TriangleMesh>>& cavities,
+                              const WitnessOptions& options) {
+  if (cavities.empty())
+    return sample;
+  sample.mesh = std::make_shared<const WitnessMesh>(
+      deformation::withoutCavities(*sample.mesh, cavities, options.threads));
+  if (static_cast<double>(sample.mesh->witnesses) < (1 - kWitnessCountTolerance) * options.wanted)
+    sample.remarks.push_back(
+        phrase("There are %1 witness points of %2: the others would lie in cavities, which hold no tissue.",
+               sample.mesh->witnesses, options.wanted));
+  return sample;
+}
+
 } // namespace viscera::live

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "viscera/geometry/plane_cut.h"
+#include "viscera/presentation/resection.h"
 
 namespace viscera::presentation {
 namespace {
@@ -28,20 +29,6 @@ bool hollow(const document::Organ& organ, const document::DocumentState& state) 
 }
 
 } // namespace
-
-scene::CutPlane planeOf(const OrganCut& cut, const document::DocumentState& state) {
-  std::optional<Bounds> box;
-  for (const auto& organ : *state.organs) {
-    if (!organ->look.visible)
-      continue;
-    const Bounds own = boundsOf(organ->mesh->points);
-    box = box ? Bounds{box->low.cwiseMin(own.low), box->high.cwiseMax(own.high)} : own;
-  }
-  if (!box)
-    return {Vec3::Zero(), cut.normal};
-  const double radius = (box->high - box->low).norm() / 2;
-  return {box->center() + cut.offset * radius * cut.normal, cut.normal};
-}
 
 std::vector<scene::CutCaps::Face> CutPicture::facesOf(const Scene& scene) const {
   const geometry::Plane plane{plane_->origin, plane_->normal};

@@ -33,8 +33,4 @@ private:
   std::shared_ptr<const document::OrganList> organs_;
 };
 
-/// The plane of a cut through a document: its offset refers to the ball around the organs at rest, so that
-/// the plane stands still while they move.
-scene::CutPlane planeOf(const OrganCut& cut, const document::DocumentState& state);
-
 } // namespace viscera::presentation

@@ -76,6 +76,7 @@ struct Presenter::Parts {
   ValvePicture valves;
   scene::OrganLabels labels;
   scene::MeasurementGlyphs measurements;
+  document::MeasuringMemory measured; ///< Gaps are measured in every frame of a drag.
   StandingPicture standing;
 
   LabelChoice labelled; ///< Whose names are written.
@@ -231,7 +232,7 @@ void Presenter::Parts::updateMeasurements(const Scene& scene) {
       items.emplace_back();
       continue;
     }
-    document::MeasuredValues values = document::measure(measurement, scene.state, pointsOf);
+    document::MeasuredValues values = document::measure(measurement, scene.state, pointsOf, &measured);
     const bool chosen = scene.measuring && std::count(scene.measuring->highlighted.begin(),
                                                       scene.measuring->highlighted.end(), measurement.id);
     items.push_back(
@@ -426,7 +427,7 @@ std::string formatMeasured(document::MeasurementKind kind, double value, const s
   const std::string number = scene::withDecimalMark(text, decimalMark);
   if (document::isRegion(kind))
     return unit.empty() ? number : number + (' ' + unit);
-  return number + std::string(kind == document::MeasurementKind::distance ? " mm" : "\u00b0");
+  return number + std::string(document::isLength(kind) ? " mm" : "\u00b0");
 }
 
 std::string describeSpread(const document::Measurement& measurement, const document::MeasuredValues& values,

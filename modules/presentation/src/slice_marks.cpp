@@ -161,7 +161,7 @@ std::string wordsOf(const document::Measurement& measurement, const document::Me
   return spread.empty() ? words : words + '\n' + spread;
 }
 
-void addMeasured(Sheet& sheet, document::RegionMemory& memory, const SliceLanguage& language) {
+void addMeasured(Sheet& sheet, document::MeasuringMemory& memory, const SliceLanguage& language) {
   const SliceScene& scene = sheet.scene;
   std::vector<std::shared_ptr<const Points>> kept;
   const auto pointsOf = [&](document::OrganId organ) -> const Points& {
@@ -197,7 +197,7 @@ void addMeasured(Sheet& sheet, document::RegionMemory& memory, const SliceLangua
 } // namespace
 
 SliceGrips addMarks(const SliceScene& scene, const medical_io::SliceDirection& direction,
-                    const medical_io::SliceFrame& frame, document::RegionMemory& memory,
+                    const medical_io::SliceFrame& frame, document::MeasuringMemory& memory,
                     const SliceLanguage& language, scene::SlicePicture& picture) {
   SliceGrips grips;
   Sheet sheet{scene, frame, direction.axis, picture, grips};

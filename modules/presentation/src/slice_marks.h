@@ -32,7 +32,7 @@ struct SliceLanguage {
 /// Adds to a slice's picture the marks over grey levels and contours: the handles near its plane, if the
 /// scene shows them, and the measurements in it. Computes the values of regions that `memory` does not hold.
 SliceGrips addMarks(const SliceScene& scene, const medical_io::SliceDirection& direction,
-                    const medical_io::SliceFrame& frame, document::RegionMemory& memory,
+                    const medical_io::SliceFrame& frame, document::MeasuringMemory& memory,
                     const SliceLanguage& language, scene::SlicePicture& picture);
 
 /// The grip nearest to a pixel within `reach` pixels, or null.

@@ -99,7 +99,7 @@ struct SlicePresenter::Parts {
   std::array<Slice, 3> slices;
   std::shared_ptr<const document::ScanItem> proposedBy; ///< Whose proposal `proposed` is.
   medical_io::ValueWindow proposed;
-  document::RegionMemory regions;
+  document::MeasuringMemory regions;
 
   medical_io::ValueWindow windowFor(const SliceScene& scene);
   void sample(Slice& slice, const SliceScene& scene);

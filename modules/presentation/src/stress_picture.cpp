@@ -21,7 +21,8 @@ constexpr double kHandleSlack = 0.08;
 constexpr double kAroundMap = 0.15;
 
 bool stressWanted(const Scene& scene) {
-  return scene.view.shown.stress && scene.stress && scene.stress->organ;
+  // A map that is given, such as the difference of two poses, takes the stress map's place.
+  return scene.view.shown.stress && scene.stress && scene.stress->organ && !scene.map;
 }
 
 bool inRange(double value, const StressLook& look) {

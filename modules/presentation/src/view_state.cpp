@@ -85,6 +85,7 @@ void visitSwitches(ViewState& view, Visit visit) {
   visit("orientationCube", "view.cube", view.orientationCube);
   visit("scaleBar", "view.scale", view.scaleBar);
   visit("gizmo", "handles.gizmo", view.gizmo);
+  visit("exactly", "handles.exactly", view.exactly);
   visit("regions", "handles.regions", view.layout.regions);
   visit("zones", "handles.zones", view.layout.zones);
   visit("superRegions", "handles.superRegions", view.layout.superRegions);
@@ -497,7 +498,7 @@ bool ViewState::operator==(const ViewState& other) const {
   const auto parts = [](const ViewState& view) {
     return std::tie(view.mode, view.shown, view.camera, view.handles, view.influence, view.ghost, view.labels,
                     view.partNames, view.measurements, view.orientationCube, view.scaleBar, view.gizmo,
-                    view.mirror, view.layout.regions, view.layout.zones, view.layout.superRegions,
+                    view.exactly, view.mirror, view.layout.regions, view.layout.zones, view.layout.superRegions,
                     view.chartOfCycle, view.circulationChart, view.beatSigns, view.valves, view.stress,
                     view.cut, view.organsSeen, view.person.sex, view.person.bodySurfaceM2, view.scan,
                     view.selection, view.motions, view.playing, view.compared, view.slides);

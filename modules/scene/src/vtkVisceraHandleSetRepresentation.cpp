@@ -30,10 +30,6 @@ namespace {
 /// Logical pixels: the dark line around every handle, and the light rim of a selected one.
 constexpr double kOutlinePixels = 1.0;
 constexpr double kRimPixels = 3.0;
-/// Below this sine of the angle between ray and plane the point where they meet runs away from the cursor.
-constexpr double kGrazing = 0.25;
-/// Towards the plane's horizon a handle goes no farther than this many times its distance from the eye.
-constexpr double kFarthest = 2;
 /// Handles fade from this part of the way from near to far ones on; far ones lose so much of their radius,
 /// colour and ghost. The nearest and the farthest of all are this part of them.
 constexpr double kOutermost = 0.08;
@@ -128,8 +124,6 @@ struct vtkVisceraHandleSetRepresentation::Parts {
 
   double radius = 10, activeRadius = 12, pickRadius = 12;
   Theme theme = darkTheme();
-  bool constrained = false;
-  Vec3 constraint = Vec3::UnitZ();
 
   std::vector<int> dragged;
   Points dragStart = Points(0, 3);
@@ -359,16 +353,6 @@ int vtkVisceraHandleSetRepresentation::ComputeInteractionState(int x, int y, int
 
 // ---- dragging
 
-void vtkVisceraHandleSetRepresentation::SetConstraintPlane(const Vec3& normal) {
-  assert(normal.norm() > 0);
-  Internals->constrained = true;
-  Internals->constraint = normal.normalized();
-}
-
-void vtkVisceraHandleSetRepresentation::ClearConstraintPlane() {
-  Internals->constrained = false;
-}
-
 void vtkVisceraHandleSetRepresentation::StartWidgetInteraction(double eventPosition[2]) {
   auto& p = *Internals;
   p.dragged.clear();
@@ -397,26 +381,7 @@ bool vtkVisceraHandleSetRepresentation::SolveDrag(const double eventPosition[2],
     return false;
   const double x = eventPosition[0] - p.grabOffset[0], y = eventPosition[1] - p.grabOffset[1];
   position = view.unproject(x, y, startDepth);
-  if (!p.constrained)
-    return true;
-
-  // Which of the two ways to follow the cursor does not change during a drag: that would be a jump.
-  const Vec3 sight = view.parallel ? view.forward : Vec3((start - view.eye).normalized());
-  const double sineAtStart = p.constraint.dot(sight);
-  if (std::abs(sineAtStart) < kGrazing) { // Seen from the edge: follow the cursor as far as the plane allows.
-    position -= p.constraint.dot(position - start) * p.constraint;
-    return true;
-  }
-  const Ray ray = view.ray(x, y);
-  const double sine = p.constraint.dot(ray.direction);
-  if (sine * sineAtStart <= 0) // Beyond the plane's horizon.
-    return false;
-  const double distance = p.constraint.dot(start - ray.origin) / sine;
-  position = ray.origin + distance * ray.direction;
-  const double farthest = kFarthest * startDepth, moved = (position - start).norm();
-  if (moved > farthest)
-    position = start + farthest / moved * (position - start);
-  return distance > 0 && (position - view.eye).dot(view.forward) > 0;
+  return true;
 }
 
 void vtkVisceraHandleSetRepresentation::WidgetInteraction(double eventPosition[2]) {

@@ -12,6 +12,7 @@
 #include "session_scene.h"
 #include "viscera/core/error.h"
 #include "viscera/document/measurement_commands.h"
+#include "viscera/document/organ_commands.h"
 #include "viscera/document/scan_item.h"
 #include "viscera/document/tables.h"
 
@@ -79,6 +80,55 @@ TEST(SurfacePoint, IsWhereItsWeightsSayAndRefusesWhatIsNoPlaceOnTheSurface) {
   EXPECT_THROW(surfacePoint(s.box(), 0, {0.5, 0.5, 0.5}), DataError);
   EXPECT_THROW(surfacePoint(s.box(), 0, {1.5, -0.5, 0}), DataError);
   EXPECT_THROW(surfacePoint(s.box(), 0, {std::nan(""), 0.5, 0.5}), DataError);
+}
+
+/// The box beside another one, 12 mm away along x and 5 mm along y.
+struct TwoBoxSession : BoxSession {
+  TwoBoxSession() {
+    geometry::TriangleMesh other = viscera::tests::box(20, 30, 40);
+    other.points.rowwise() += Eigen::RowVector3d(32, 35, 0);
+    undo.perform(addOrgans({{makeOrgan("Other", other), -1}}));
+    undo.reset(document.state());
+  }
+  const Organ& other() const { return *document.organs()[2]; }
+};
+
+TEST(Gap, IsTheShortestWayBetweenTwoOrgansInEveryPose) {
+  TwoBoxSession s;
+  s.undo.perform(addGap(s.box().id, s.other().id));
+  EXPECT_EQ(s.only().name, "Box - Other");
+  EXPECT_EQ(s.only().kind, MeasurementKind::gap);
+  EXPECT_EQ(unitOf(s.only(), s.document.state()), "mm");
+  MeasuringMemory memory;
+  Points moved = s.box().mesh->points;
+  const auto values = [&] {
+    return measure(
+        s.only(), s.document.state(),
+        [&](OrganId organ) -> const Points& {
+          return organ == s.box().id ? moved : s.document.organ(organ)->mesh->points;
+        },
+        &memory);
+  };
+  EXPECT_NEAR(values().now, 13, 1e-12);
+  EXPECT_NEAR(values().rest, 13, 1e-12);
+  moved.col(0).array() += 9;
+  EXPECT_NEAR(values().now, std::hypot(3, 5), 1e-12);
+  EXPECT_NEAR(values().rest, 13, 1e-12);
+  EXPECT_NEAR((values().places[1] - values().places[0]).norm(), values().now, 1e-12);
+  moved.col(0).array() += 9;
+  moved.col(1).array() += 9;
+  EXPECT_EQ(values().now, 0) << "they cross";
+  s.undo.undo();
+  EXPECT_TRUE(s.document.measurements().empty());
+}
+
+TEST(Gap, IsBetweenTwoOrgansWhosePlacesNobodyMoves) {
+  TwoBoxSession s;
+  EXPECT_THROW(s.undo.perform(addGap(s.box().id, s.box().id)), UsageError);
+  s.undo.perform(addGap(s.box().id, s.other().id));
+  EXPECT_THROW(s.undo.perform(moveMeasuredPoint(s.only().id, 0, s.vertex(1, 1))), UsageError);
+  s.undo.perform(removeOrgans({s.other().id}));
+  EXPECT_TRUE(s.document.measurements().empty()) << "it goes with its organ";
 }
 
 /// The least distance from a place to points that are spread over all triangles.
@@ -389,7 +439,7 @@ struct ScannedSession : BoxSession {
         measurement, document.state(),
         [&](OrganId organ) -> const Points& { return document.organ(organ)->mesh->points; }, &memory);
   }
-  RegionMemory memory;
+  MeasuringMemory memory;
 };
 
 TEST(MeasuredRegion, HasTheScansValuesAreaOrVolumeAndANameOfItsKind) {

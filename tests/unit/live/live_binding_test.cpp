@@ -460,6 +460,39 @@ TEST(LiveBinding, ShowsRestOrAGivenPoseWithoutTouchingTheDocument) {
   EXPECT_EQ(l.undo.names().size(), 1u) << "looking is not a step";
 }
 
+TEST(LiveBinding, MovesARigidOrganAsAWholeAndLeavesAFixedOneInPlace) {
+  tests::Session s;
+  s.undo.perform(document::addOrgans({tests::ball("Left femur", 20, 2, Vec3(8, 0, 0))}));
+  const document::OrganId bone = s.organ(1);
+  EXPECT_EQ(s.document.organ(bone)->mobility, document::Mobility::rigid) << "a bone, by its name";
+  EXPECT_EQ(s.document.organ(s.organ())->mobility, document::Mobility::bends);
+  const coordinates::Registry registry = coordinates::builtInRegistry();
+  ManualEventLoop box;
+  JobQueue jobs{box.post()};
+  LiveBinding live(s.document, registry, jobs, {std::numeric_limits<double>::infinity(), {}});
+  const Points rest = s.document.organ(bone)->mesh->points;
+  s.undo.perform(document::moveHandles({s.handle(9)}, tests::row(70, 30, -20)));
+  const auto keepsItsShape = [&] {
+    const Points& now = live.points(bone);
+    double worst = 0;
+    for (Eigen::Index i = 1; i < rest.rows(); ++i)
+      worst = std::max(worst, std::abs((now.row(i) - now.row(0)).norm() - (rest.row(i) - rest.row(0)).norm()));
+    return worst < 1e-9;
+  };
+  EXPECT_TRUE(keepsItsShape());
+  EXPECT_GT((live.points(bone) - rest).norm(), 1);
+  EXPECT_LE(std::abs(live.volume(bone).relativeChange()), 1e-9);
+  EXPECT_GT(std::abs(live.volume(s.organ()).relativeChange()), 1e-4) << "the soft one bends";
+  s.undo.perform(document::setMobility({bone}, document::Mobility::bends));
+  EXPECT_FALSE(keepsItsShape());
+  s.undo.perform(document::setMobility({bone}, document::Mobility::fixed));
+  EXPECT_EQ(live.points(bone), rest);
+  s.undo.undo();
+  s.undo.undo();
+  EXPECT_TRUE(keepsItsShape()) << "undo makes it rigid again";
+  EXPECT_GT((live.points(bone) - rest).norm(), 1);
+}
+
 TEST(LiveBinding, TellsTheInfluenceOfAHandle) {
   Live l;
   const Values influence = l.live.influence(l.organ(), l.handle(8));

@@ -20,6 +20,7 @@ namespace viscera::live {
 namespace {
 
 using StressState = StressStatus::State;
+constexpr double kInDegrees = 180 / std::numbers::pi;
 constexpr double kBoundAtOnce = std::numeric_limits<double>::infinity();
 
 /// A document with a ball, bound, and its stress.
@@ -326,6 +327,62 @@ TEST(LiveStress, PeakIsTheLargestOverTheFrames) {
   // Other handles: the maximum is not theirs.
   s.undo.perform(document::moveRestHandles({s.handle(9)}, tests::row(45, 3, -1)));
   EXPECT_EQ(s.stress.cycle(), nullptr);
+}
+
+TEST(LiveStress, OfAnOrganThatDoesNotBendIsRefusedInWordsUntilItBends) {
+  Stressed s;
+  s.begin();
+  s.move(9, {20, 5, 0});
+  const double bent = s.stress.statistics().max;
+  EXPECT_GT(bent, 0);
+  s.undo.perform(document::setMobility({s.organ()}, document::Mobility::rigid));
+  EXPECT_EQ(s.stress.status().state, StressState::failed);
+  EXPECT_THAT(s.stress.status().message.english(), testing::HasSubstr("does not bend"));
+  s.undo.undo();
+  s.waitFor(StressState::ready);
+  EXPECT_EQ(s.stress.statistics().max, bent);
+}
+
+TEST(LiveStress, ThePointsOfACycleHaveCurvesOfTheirOwn) {
+  Stressed s;
+  s.begin();
+  const auto sequence = std::make_shared<tests::Sway>(
+      s.restHandles(), std::vector<tests::Swing>{{0, Vec3(20, 0, 0)}, {9, Vec3(0, 0, 15), 1.1}});
+  s.stress.findCycle(cycleOf(sequence), CycleParts::curveAndPeak);
+  s.box.runUntil([&] { return s.stress.cycle() != nullptr; });
+  const CycleStress& cycle = *s.stress.cycle();
+  ASSERT_EQ(cycle.poses.size(), cycle.samples.size());
+  const Eigen::Index point = 17;
+  const std::vector<double> curve =
+      curveAt(*s.stress.gradients(), point, cycle, StressQuantity::rotationalStress);
+  ASSERT_EQ(curve.size(), cycle.samples.size());
+  double worst = 0;
+  for (std::size_t i = 0; i < curve.size(); i += 9) {
+    Points pose;
+    sequence->poseAt(cycle.samples[i].seconds, 60, pose);
+    s.live.showPose(pose);
+    EXPECT_NEAR(curve[i], kInDegrees * s.stress.map().rotationalStress[point], 1e-9);
+  }
+  for (const double value : curve)
+    worst = std::max(worst, value);
+  EXPECT_NEAR(worst, kInDegrees * cycle.peak->rotationalStress[point], 1e-9);
+}
+
+TEST(StressFrame, TheDifferenceOfTwoPosesIsThatOfTheirMaps) {
+  Stressed a, b;
+  a.begin();
+  b.begin();
+  a.move(9, {20, 5, 0});
+  b.move(9, {-8, 0, 4});
+  const auto difference = differenceOf(a.stress.frame(), b.stress.frame(), StressQuantity::volumeRatio);
+  ASSERT_TRUE(difference);
+  EXPECT_EQ(*difference, Values(a.stress.map().volumeRatio - b.stress.map().volumeRatio));
+  EXPECT_GT(difference->cwiseAbs().maxCoeff(), 0.01);
+  Stressed other(kBoundAtOnce, 600);
+  other.begin();
+  EXPECT_FALSE(differenceOf(a.stress.frame(), other.stress.frame(), StressQuantity::volumeRatio))
+      << "other witness points";
+  EXPECT_FALSE(differenceOf(a.stress.frame(), StressFrame(), StressQuantity::volumeRatio));
 }
 
 TEST(LiveStress, TellsWhyACycleCouldNotBeComputed) {

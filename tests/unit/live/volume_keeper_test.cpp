@@ -120,6 +120,43 @@ TEST(VolumeKeeper, MarkedHandlesCompensateAndLockedOnesNeverMove) {
   EXPECT_EQ(pose.topRows(8), motion.start().topRows(8));
 }
 
+TEST(VolumeKeeper, AHandleThatIsMovedExactlyGoesAllTheWayAndFreeOnesCompensate) {
+  Keeping s;
+  s.undo.perform(document::setVolumeLocked(s.organ(), true));
+  const Points rest = s.document.pose();
+  const Vec3 by(9, 8, -6);
+  LockedMotion bent = s.keeper.begin({s.handle(9)});
+  bent.translate(by);
+  ASSERT_EQ(bent.asked(), by);
+  EXPECT_GT((bent.given() - by).norm(), 1) << "the plane of the lock leaves less";
+  EXPECT_LE(bent.given().norm(), by.norm());
+  LockedMotion motion = s.keeper.begin({s.handle(9)}, std::nullopt, std::nullopt, Others::compensate);
+  motion.translate(by);
+  EXPECT_TRUE(motion.obstacle().empty()) << motion.obstacle().english();
+  s.take(motion);
+  const Points moved = s.document.pose() - rest;
+  EXPECT_LE((moved.row(9).transpose() - by).norm(), 1e-12);
+  EXPECT_LE((motion.given() - by).norm(), 1e-12);
+  EXPECT_GT((moved.rowwise().norm().array() > 1e-6).count(), 1);
+  EXPECT_LE(std::abs(s.relativeChange()), kAllowedVolumeError);
+  motion.rotate(Vec3::Zero(), Vec3::UnitX(), 0.1);
+  EXPECT_FALSE(motion.asked()) << "a turn is no vector";
+}
+
+TEST(VolumeKeeper, AMoveThatNoOtherHandleCanCompensateSaysSo) {
+  Keeping s;
+  s.undo.perform(document::setVolumeLocked(s.organ(), true));
+  document::HandleEdit lock;
+  lock.locked = true;
+  for (std::size_t row = 0; row < s.document.rig().handles.size(); ++row)
+    if (row != 9)
+      s.undo.perform(document::editHandles({s.handle(row)}, lock));
+  LockedMotion motion = s.keeper.begin({s.handle(9)}, std::nullopt, std::nullopt, Others::compensate);
+  motion.translate({9, 8, -6});
+  EXPECT_FALSE(motion.obstacle().empty());
+  EXPECT_EQ(motion.pose(), motion.start());
+}
+
 TEST(VolumeKeeper, AMirroredPairMovesMirroredAndKeepsTheVolume) {
   Keeping s;
   s.undo.perform(document::setVolumeLocked(s.organ(), true));

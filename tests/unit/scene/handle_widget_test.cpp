@@ -263,34 +263,6 @@ TEST_F(HandleWidget, ReplacingTheHandlesDuringADragEndsIt) {
   EXPECT_EQ(handles->GetPosition(0), Vec3(0, -70, 0));
 }
 
-TEST_F(HandleWidget, ConstraintPlaneKeepsTheHandleInThePlaneAndUnderTheCursor) {
-  place({{60, -20, 0}});
-  const Vec3 normal(0.3, 0.8, 0.4);
-  onEvent = [&](const std::string& event) {
-    if (event == "grabbed")
-      handles->SetConstraintPlane(normal);
-  };
-  const Vec3 start = handles->GetPosition(0);
-  const auto at = grab(0);
-  mouse.move(at[0] - 17, at[1] + 23);
-  EXPECT_NEAR((handles->GetPosition(0) - start).dot(normal.normalized()), 0, 1e-9 * kRadius);
-  const auto now = window.display(handles->GetPosition(0));
-  EXPECT_NEAR(now[0] - at[0], -17, 1e-3);
-  EXPECT_NEAR(now[1] - at[1], 23, 1e-3);
-}
-
-TEST_F(HandleWidget, PlaneSeenFromTheEdgeDoesNotThrowTheHandleAway) {
-  place({{55, 0, 20}});
-  handles->SetConstraintPlane(Vec3::UnitX());
-  const Vec3 start = handles->GetPosition(0);
-  const auto at = grab(0);
-  mouse.move(at[0] + 30, at[1] + 30);
-  const Vec3 moved = handles->GetPosition(0) - start;
-  EXPECT_NEAR(moved.x(), 0, 1e-9 * kRadius);
-  EXPECT_GT(moved.norm(), 0);
-  EXPECT_LT(moved.norm(), 2 * kRadius);
-}
-
 TEST_F(HandleWidget, DragFollowsTheCursorWithAParallelCameraToo) {
   window.view.renderer()->GetActiveCamera()->ParallelProjectionOn();
   place({{70, 0, 0}});

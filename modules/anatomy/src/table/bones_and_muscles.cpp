@@ -17,6 +17,7 @@ OrganFacts bone(std::string_view id, std::string_view title, Place place, std::s
           .rank = 3,
           .color = kBone,
           .snomed = snomed,
+          .rigid = true,
           .words = words};
 }
 

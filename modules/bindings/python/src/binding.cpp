@@ -14,6 +14,7 @@
 #include "viscera/core/error.h"
 #include "viscera/core/phrase.h"
 #include "viscera/deformation/bind_organ.h"
+#include "viscera/deformation/stiff_binding.h"
 #include "viscera/deformation/tetrahedralise.h"
 
 namespace viscera::python {
@@ -154,6 +155,14 @@ py::object weightTiles(const std::shared_ptr<BoundPoints>& bound) {
                           : shown(weights.tile(0), weights.handles());
 }
 
+std::shared_ptr<BoundPoints> rigid(const BoundPoints& bound, const py::object& triangles) {
+  geometry::TriangleMesh mesh{*bound.points, *trianglesFrom(triangles, "triangles"), {}};
+  geometry::requireValid(mesh, "the surface");
+  auto stiff = std::make_shared<BoundPoints>(bound);
+  stiff->binding = deformation::rigidBinding(bound.binding, mesh);
+  return stiff;
+}
+
 py::array influence(const BoundPoints& bound, int handle) {
   requireHandle(bound, handle);
   return handOver(bound.binding->influence(handle));
@@ -213,6 +222,12 @@ void addBinding(py::module_& module) {
           "How exactly the binding reproduces what it was made from: identity_error (mm), "
           "unity_error, min_weight, failures (rows of points without coordinates), seconds, "
           "threads, notes.")
+      .def("rigid", &rigid, py::arg("triangles"),
+           "The binding of the same points as a rigid body, for bones: a pose turns and shifts them as a "
+           "whole, "
+           "as near as possible to where this binding takes them. `triangles` (m x 3) are their surface, "
+           "whose "
+           "area weights the fit. `gradients` and `weights` stay those of tissue that bends.")
       .def("influence", &influence, py::arg("handle"), "The n coordinates of one handle.")
       .def("pose", &poseBound, py::arg("handles"), py::arg("out") = py::none(), py::arg("threads") = 0,
            "The points (n x 3, mm) at a pose of the handles (h x 3, mm). O(n h). With `out`, an array that "

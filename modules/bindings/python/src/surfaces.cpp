@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include <pybind11/stl.h>
 
@@ -15,7 +16,9 @@
 #include "viscera/deformation/place_handles.h"
 #include "viscera/deformation/tetrahedralise.h"
 #include "viscera/geometry/normals.h"
+#include "viscera/geometry/sides_of_plane.h"
 #include "viscera/geometry/surface_check.h"
+#include "viscera/geometry/surface_gap.h"
 #include "viscera/geometry/volume.h"
 
 namespace viscera::python {
@@ -130,6 +133,41 @@ py::array volumeGradient(const BoundPoints& bound, const py::object& triangles, 
   return handOver(std::move(atHandles));
 }
 
+geometry::SurfaceBoxes boxesOf(const py::object& points, const py::object& triangles) {
+  geometry::TriangleMesh mesh = meshFrom(points, triangles);
+  return {std::move(mesh.points), std::move(mesh.triangles)};
+}
+
+py::dict surfaceGap(const py::object& pointsA, const py::object& trianglesA, const py::object& pointsB,
+                    const py::object& trianglesB) {
+  const geometry::SurfaceBoxes first = boxesOf(pointsA, trianglesA), second = boxesOf(pointsB, trianglesB);
+  const geometry::SurfaceGap gap = unlocked([&] { return geometry::gapBetween(first, second); });
+  py::dict found;
+  found["mm"] = gap.mm;
+  found["from"] = handOver(Points(gap.from.transpose())).reshape(std::vector<py::ssize_t>{3});
+  found["to"] = handOver(Points(gap.to.transpose())).reshape(std::vector<py::ssize_t>{3});
+  return found;
+}
+
+py::dict sidesOfPlane(const py::object& points, const py::object& triangles, const py::object& origin,
+                      const py::object& normal) {
+  const auto corners = pointsFrom(points, "points");
+  const auto faces = trianglesFrom(triangles, "triangles");
+  const Vec3 direction = vectorFrom(normal, "normal");
+  if (!(direction.norm() > 0))
+    throw UsageError("it must not be zero", "normal");
+  const geometry::Plane plane{vectorFrom(origin, "origin"), direction.normalized()};
+  const geometry::SidesOfPlane sides = unlocked([&] {
+    requireIndices(*faces, corners->rows());
+    return geometry::sidesOfPlane({corners.get(), faces.get()}, plane);
+  });
+  py::dict found;
+  found["front_mm3"] = sides.frontMm3;
+  found["back_mm3"] = sides.backMm3;
+  found["face_mm2"] = sides.faceMm2;
+  return found;
+}
+
 py::dict check(const py::object& points, const py::object& triangles) {
   const geometry::TriangleMesh mesh = meshFrom(points, triangles);
   const geometry::SurfaceReport found = unlocked([&] { return geometry::checkSurface(mesh); });
@@ -213,6 +251,17 @@ void addSurfaces(py::module_& module) {
              py::arg("handles") = py::none(), py::arg("threads") = 0,
              "The derivative of the volume with respect to every handle: h x 3, mm^2, at the pose `handles` "
              "(h x 3 mm; none: at rest). O(n h + m).");
+  module.def(
+      "surface_gap", &surfaceGap, py::arg("points_a"), py::arg("triangles_a"), py::arg("points_b"),
+      py::arg("triangles_b"),
+      "The shortest way between two surfaces (points n x 3 mm, triangles m x 3): mm (0 where they touch or "
+      "cross), and its ends `from` on the first and `to` on the second, 3 mm. Exact but for rounding. "
+      "O(m log m).");
+  module.def(
+      "sides_of_plane", &sidesOfPlane, points, triangles, py::arg("origin"), py::arg("normal"),
+      "What a plane makes of a closed surface (points n x 3 mm, triangles m x 3): front_mm3 on the side "
+      "that `normal` (3, of any length) points to, back_mm3, and face_mm2, the area of the cut. Exact but "
+      "for rounding. O(m).");
   module.def("check_surface", &check, points, triangles,
              "What a surface (points n x 3 mm, triangles m x 3) is worth as an organ: closed, manifold, "
              "outward, boundary_edges, "

@@ -141,6 +141,8 @@ std::string kindWord(document::MeasurementKind kind) {
     return said("angle");
   case document::MeasurementKind::rectangle:
     return said("mean in a rectangle");
+  case document::MeasurementKind::gap:
+    return said("shortest distance");
   case document::MeasurementKind::sphere:
     break;
   }

@@ -314,6 +314,9 @@ void Writer::writeOrgan(const document::Organ& organ) {
   if (state_.rig->handles.empty())
     return command({"info", *name});
   std::vector<std::string> words = bound({"deform", *name});
+  const document::Mobility usual = document::usualMobility(organ.file.stem().string());
+  if (organ.mobility != usual || usual != document::Mobility::bends)
+    words.insert(words.end(), {"--mobility", document::nameOf(organ.mobility)});
   words.insert(words.end(), {"-o", outputOf(organ, ".vtp")});
   command(words);
 }

@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "viscera/document/measurement.h"
+#include "viscera/geometry/surface_gap.h"
+#include "viscera/geometry/triangle_mesh.h"
 #include "viscera/medical_io/region_statistics.h"
 
 namespace viscera::document {
@@ -16,7 +18,8 @@ struct DocumentState;
 
 /// The present value of a measurement: a length, an angle, or the statistics of a region.
 struct MeasuredValues {
-  double rest = 0; ///< mm or degrees, at rest; of a region the mean, NaN where the scan has no values.
+  double rest = 0; ///< mm or degrees, at rest; of a region the mean, NaN where the scan has no values. Of a
+                   ///< gap 0 where the surfaces touch or cross.
   double now = 0;  ///< With the organs' points as they are given; of a region as at rest.
   std::vector<Vec3> places; ///< Where its points are now, mm, LPS.
   /// For a region, if there is a scan: the statistics of its recorded values, without deformation by the
@@ -30,20 +33,43 @@ using PointsOf = std::function<const Points&(OrganId)>;
 /// Where a point is now, mm, LPS; at rest where its organ is not in the document. O(1).
 Vec3 placeNow(const MeasuredPoint& point, const DocumentState& state, const PointsOf& pointsOf);
 
-/// A cache for the statistics of regions of a scan, because reading voxels takes longer than a frame may. For
-/// one thread.
-class RegionMemory {
+/// A cache for what takes longer to measure than a frame may: the statistics of regions of a scan, and the
+/// arranged surfaces of organs whose gap is measured. For one thread.
+class MeasuringMemory {
 public:
   /// The statistics of a region; none without a scan. O(voxels of the region) if it is not in the cache.
   std::optional<medical_io::RegionStatistics> of(const Measurement& measurement, const DocumentState& state);
 
+  /// The gap of two organs at rest, and with other points. None where an organ is not in the document.
+  struct Gap {
+    double restMm = 0;
+    geometry::SurfaceGap now;
+  };
+  std::optional<Gap> gapOf(const Measurement& measurement, const DocumentState& state,
+                           const PointsOf& pointsOf);
+
 private:
+  /// A surface that follows an organ.
+  struct Follower {
+    std::shared_ptr<const geometry::TriangleMesh> mesh;
+    Points points; ///< That it has now.
+    std::unique_ptr<geometry::SurfaceBoxes> boxes;
+  };
+  struct KeptGap {
+    std::shared_ptr<const geometry::TriangleMesh> from, to;
+    double restMm = 0;
+    geometry::SurfaceGap last;
+  };
+  const geometry::SurfaceBoxes& follow(const Organ& organ, const Points& points);
+
   struct Kept {
     Measurement measurement;
     std::shared_ptr<const medical_io::Scan> scan;
     medical_io::RegionStatistics statistics;
   };
   std::map<MeasurementId, Kept> kept_;
+  std::map<OrganId, Follower> followers_;
+  std::map<MeasurementId, KeptGap> gaps_;
 };
 
 /// The distance of two places in mm, or the angle at the second of three in degrees, 0 to 180. The angle is 0
@@ -51,9 +77,10 @@ private:
 double measuredValue(const std::vector<Vec3>& places);
 
 /// Computes the value of a measurement in the present pose. A point of an organ that the document does not
-/// have stays at its place at rest. O(organs), and of a region that `memory` does not have O(its voxels).
+/// have stays at its place at rest. O(organs), of a region that `memory` does not have O(its voxels), of a
+/// gap O(points of both organs), and once O(m log m).
 MeasuredValues measure(const Measurement& measurement, const DocumentState& state, const PointsOf& pointsOf,
-                       RegionMemory* memory = nullptr);
+                       MeasuringMemory* memory = nullptr);
 
 /// The region of a rectangle or a sphere; none for the other kinds.
 std::optional<medical_io::Region> regionOf(const Measurement& measurement);

@@ -23,11 +23,12 @@ struct MeasuredPoint {
   friend bool operator==(const MeasuredPoint&, const MeasuredPoint&) = default;
 };
 
-enum class MeasurementKind { distance, angle, rectangle, sphere };
+enum class MeasurementKind { distance, angle, rectangle, sphere, gap };
 
 /// A measurement of the document: the distance of two points; the angle at the middle one of three; the
 /// values of the scan in a rectangle between two corners of a slice, or in a sphere around the first point
-/// through the second. The points of these two are on no organ: the scan stays where it is.
+/// through the second. The points of these two are on no organ: the scan stays where it is. A gap is the
+/// shortest way between the surfaces of the two organs that its points are on, wherever they are nearest.
 struct Measurement {
   MeasurementId id;
   std::string name;
@@ -43,9 +44,11 @@ using MeasurementList = std::vector<Measurement>;
 
 /// The number of points of a measurement of that kind.
 std::size_t pointCount(MeasurementKind kind);
+/// Whether it is a length, in mm.
+bool isLength(MeasurementKind kind);
 /// Whether it measures the scan's values.
 bool isRegion(MeasurementKind kind);
-/// "distance", "angle", "rectangle", "sphere".
+/// "distance", "angle", "rectangle", "sphere", "gap".
 std::string nameOf(MeasurementKind kind);
 /// The kind of that name; none for another word.
 std::optional<MeasurementKind> measurementKindFromName(const std::string& name);

@@ -18,8 +18,13 @@ Command addMeasurement(std::vector<MeasuredPoint> points, std::string name = {})
 /// from organs, and a rectangle's second corner is moved into the slice of its first.
 Command addMeasurement(Measurement wanted);
 
-/// Moves one of its points. Successive moves of one point are one undo step. Moving a sphere's middle moves
-/// the whole sphere, and a rectangle stays in one slice: both corners move to the slice of the moved one.
+/// Measures the gap of two organs, wherever they are nearest in each pose; it is named after both. Throws
+/// `UsageError` for one organ twice.
+Command addGap(OrganId from, OrganId to);
+
+/// Moves one of its points, but not those of a gap. Successive moves of one point are one undo step. Moving a
+/// sphere's middle moves the whole sphere, and a rectangle stays in one slice: both corners move to the slice
+/// of the moved one.
 Command moveMeasuredPoint(MeasurementId measurement, std::size_t index, MeasuredPoint point);
 
 Command renameMeasurement(MeasurementId measurement, std::string name);

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -34,6 +35,20 @@ struct OrganOrigin {
   friend bool operator==(const OrganOrigin&, const OrganOrigin&) = default;
 };
 
+/// How an organ follows the handles.
+enum class Mobility {
+  bends, ///< As soft tissue: every vertex by its coordinates.
+  rigid, ///< As a whole, by the rotation and translation nearest to that (`deformation::rigidBinding`).
+  fixed, ///< Not at all: it stays where it is at rest.
+};
+
+/// "bends", "rigid", "fixed".
+std::string nameOf(Mobility mobility);
+/// What an organ of that name begins with: bones are rigid, all else bends.
+Mobility usualMobility(const std::string& name);
+/// The mobility of that name; none for another word.
+std::optional<Mobility> mobilityFromName(const std::string& name);
+
 /// An organ of the document: a named surface with its colour and other properties. Immutable once in a
 /// document.
 struct Organ {
@@ -52,6 +67,7 @@ struct Organ {
 
   /// No motion of the handles in the pose may change the volume. Only of a closed surface.
   bool volumeLocked = false;
+  Mobility mobility = Mobility::bends;
 
   bool closed() const { return boundaryEdges == 0; }
 };
@@ -67,8 +83,8 @@ bool isPure(const Vec3& color);
 /// with the surface becomes a warning each; a closed one that is inside out is turned around. A painted one
 /// has the mean of its colours for its own; one that is painted in a single colour is seen as every organ in
 /// a colour of its own, and not by its vertices. An organ that its name tells has the colour of
-/// `anatomy::colorNamed` where the surface has no colour, or a single one that `isPure`. Throws `DataError`
-/// for an invalid mesh or one without triangles.
+/// `anatomy::colorNamed` where the surface has no colour, or a single one that `isPure`; a bone is rigid.
+/// Throws `DataError` for an invalid mesh or one without triangles.
 Organ makeOrgan(std::string name, geometry::TriangleMesh mesh);
 /// The same for a mesh that is shared; it is copied only when it has to be turned around.
 Organ makeOrgan(std::string name, std::shared_ptr<const geometry::TriangleMesh> mesh);

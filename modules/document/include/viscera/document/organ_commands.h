@@ -37,6 +37,10 @@ Command setOrganLook(OrganId organ, OrganLook look);
 /// for an organ that is not there.
 Command setVolumeLocked(OrganId organ, bool locked);
 
+/// Sets how organs follow the handles: they bend, move as rigid bodies or stay; each is bound anew. Throws
+/// `UsageError` for an organ that is not there.
+Command setMobility(std::vector<OrganId> organs, Mobility mobility);
+
 /// Fills the holes of an organ's surface (`geometry::closeHoles`), which thereby gets a volume; the organ
 /// stays what it is otherwise, and is bound anew. Throws `DataError` when it cannot be closed, `UsageError`
 /// for an organ that is not there. O(m log m).

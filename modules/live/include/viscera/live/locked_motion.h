@@ -44,7 +44,8 @@ public:
     std::vector<int> selection;                          ///< The handles that are moved, ascending.
     std::optional<Mirror> mirror = std::nullopt;
     std::vector<int> compensating = {}; ///< The handles that may compensate for the volume, ascending.
-    bool alwaysCompensate = false;      ///< They do so even where the motion could be bent instead.
+    bool alwaysCompensate = false;      ///< They do so even where the motion could be bent instead: the
+                                        ///< selection then goes exactly where it is sent, or part of the way.
     double limitMm = 0;                 ///< The farthest that one of them may go.
     /// The unit normal of a plane in which translations of the selection stay, such as that of the slice in
     /// which the mouse drags.
@@ -74,6 +75,10 @@ public:
   /// The unit normal of the plane in which the lock lets the selection be translated, the way in which the
   /// volume grows; zero when no plane binds it. With a mirror it is the tangent plane at the start.
   Vec3 planeNormal() const;
+  /// The last translation that was asked for, in the plane that holds it; none: the last target was another.
+  const std::optional<Vec3>& asked() const { return asked_; }
+  /// How far the first handle of the selection has moved since the start, mm; zero without a selection.
+  Vec3 given() const;
   /// Why the volumes did not allow the last target; empty if they did.
   const Text& obstacle() const { return obstacle_; }
 
@@ -89,6 +94,7 @@ private:
   void take(Points pose) { pose_ = std::make_shared<const Points>(std::move(pose)); }
   bool bend(const Vec3& wanted);
   bool compensate(const Points& wanted);
+  const Points& compensateUpTo(const Points& wanted);
   double relativeError(const std::vector<double>& volumes) const;
 
   Setup setup_;
@@ -99,6 +105,7 @@ private:
   std::shared_ptr<const Points> pose_;
   Points wanted_;                ///< The last target that was reached, before other handles compensated.
   Vec3 wantedBy_ = Vec3::Zero(); ///< The same for a translation that was bent.
+  std::optional<Vec3> asked_;
   Text obstacle_;
 };
 

@@ -18,8 +18,10 @@ struct MotionCause {
   std::uint64_t revision = 0; ///< Revision of the runner: sequence, rate and prescribed volume.
   std::shared_ptr<const document::Rig> rig;
   std::shared_ptr<const document::SystemChoice> system;
-  /// For each organ its identity, its surface, and whether its volume is locked.
-  std::vector<std::tuple<document::OrganId, std::shared_ptr<const geometry::TriangleMesh>, bool>> organs;
+  /// For each organ its identity, its surface, whether its volume is locked, and how it follows the handles.
+  std::vector<
+      std::tuple<document::OrganId, std::shared_ptr<const geometry::TriangleMesh>, bool, document::Mobility>>
+      organs;
   std::shared_ptr<const Points> pose; ///< Gives locked organs their volumes; null where none is locked.
   bool operator==(const MotionCause&) const = default;
 };

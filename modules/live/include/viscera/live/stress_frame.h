@@ -15,6 +15,7 @@
 #include "viscera/deformation/witness_interpolation.h"
 #include "viscera/deformation/witness_mesh.h"
 #include "viscera/document/ids.h"
+#include "viscera/live/stress_quantity.h"
 
 /// The stress map of one organ at one instant, and its curves and maximum over a cycle.
 namespace viscera::live {
@@ -40,6 +41,7 @@ struct CycleStress {
   /// volume ratio that is farthest from 1 (by its factor; one at most 0 before all others), each by itself.
   /// None unless it was asked for.
   std::optional<deformation::StressMap> peak;
+  std::vector<Points> poses; ///< Of the handles at the samples, `n x 3` mm.
 
   /// The samples with the cycle's end, which is its beginning: what a curve is drawn from.
   std::vector<StressSample> closed() const;
@@ -61,6 +63,11 @@ CycleStress stressOverCycle(const deformation::WitnessGradients& gradients, Eige
                             const PosedCycle& cycle, int instants, CycleParts parts, Threads threads,
                             Progress& progress);
 
+/// The quantity at one point of the mesh at each sample of a cycle, in its unit; not a number where it is
+/// folded. `gradients` are those that the cycle was computed with. O(samples x handles).
+std::vector<double> curveAt(const deformation::WitnessGradients& gradients, Eigen::Index point,
+                            const CycleStress& cycle, StressQuantity quantity);
+
 /// The stress map of one organ at one instant, as it is drawn: made by `LiveStress` for the document that is
 /// open, or evaluated by a movie. The pointers share ownership of their memory; points and map are updated in
 /// place when the pose changes, and `revision` changes with them.
@@ -77,6 +84,10 @@ struct StressFrame {
   std::function<deformation::PrincipalStretches(Eigen::Index point)> stretchesAt;
   std::uint64_t revision = 0;
 };
+
+/// What the quantity of map `a` exceeds that of map `b` by at every point of their mesh, in its unit; not a
+/// number where one of them is folded. None unless both are of the same points. O(n).
+std::optional<Values> differenceOf(const StressFrame& a, const StressFrame& b, StressQuantity quantity);
 
 /// A copy of an organ's stress computation with poses of its own, for recording a movie on another thread.
 /// For one thread.

@@ -22,6 +22,7 @@ struct StressQuantityDescription {
   std::string id;       ///< "rotational-stress"; as in settings.
   std::string name;     ///< "Rotational stress"
   std::string peakName; ///< "Maximum rotational stress": whole, for languages that have cases and capitals.
+  std::string meaning;  ///< What a number of it says, a sentence.
   std::string unit;     ///< "deg" or empty.
   bool ratio = false;   ///< 1 means unchanged.
   int decimals = 2;
@@ -32,6 +33,9 @@ const std::vector<StressQuantityDescription>& stressQuantities();
 const StressQuantityDescription& describe(StressQuantity quantity);
 /// The quantity of that id, or the rotational stress.
 StressQuantity stressQuantityFromId(const std::string& id);
+
+/// Volume ratios beyond these are no longer those of living tissue, which is mostly water.
+inline constexpr double kLeastVolumeRatio = 0.8, kMostVolumeRatio = 1.25;
 
 /// Fills `values` (resized) with the quantity at every point of the map, in its unit; not a number where the
 /// tissue is folded, except for the folded quantity itself, so that an angle never hides a fold. O(n).

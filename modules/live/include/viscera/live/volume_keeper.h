@@ -29,6 +29,12 @@ struct AskedVolume {
   double mm3 = 0;
 };
 
+/// Which handles make up for a locked volume while others are moved.
+enum class Others {
+  asMarked,   ///< Those that the user marked; without any, the moved handles stay where the volume lets them.
+  compensate, ///< The marked ones, else all free ones: the moved handles go exactly where they are sent.
+};
+
 class LockPreparation;
 
 /// Creates the `LockedMotion` of a drag or a typed number, which keeps the document's locked volumes. The
@@ -56,7 +62,7 @@ public:
   /// when an organ with a locked volume is still being bound: its volume is not known yet.
   LockedMotion begin(const std::vector<document::HandleId>& handles,
                      const std::optional<deformation::MirrorPlane>& mirror = std::nullopt,
-                     const std::optional<Vec3>& plane = std::nullopt);
+                     const std::optional<Vec3>& plane = std::nullopt, Others others = Others::asMarked);
 
   /// The pose in which an organ has another volume, mm^3: the compensating handles, or all that are free,
   /// move as little as that takes, and other locked volumes stay. Throws `DataError` when there is none

@@ -54,4 +54,11 @@ inline constexpr double kWitnessCountTolerance = 0.15;
 WitnessSample sampleWitnesses(const geometry::TriangleMesh& surface, const WitnessOptions& options,
                               Progress& progress);
 
+/// The same without the points inside `cavities` (closed surfaces in the organ): what they hold is no tissue.
+/// A remark says how many points are left when that is fewer than `options` ask for. Throws `DataError` when
+/// nothing is left.
+WitnessSample withoutCavities(WitnessSample sample,
+                              const std::vector<std::shared_ptr<const geometry::TriangleMesh>>& cavities,
+                              const WitnessOptions& options);
+
 } // namespace viscera::live

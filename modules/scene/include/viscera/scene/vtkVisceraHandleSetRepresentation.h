@@ -87,14 +87,6 @@ public:
   ///@}
 
   ///@{
-  /// Keeps drags in the plane through the handle's place when it was grabbed, with this normal (not zero),
-  /// for instance the volume's gradient. Without one, handles move parallel to the screen. May be set before
-  /// or while dragging.
-  void SetConstraintPlane(const viscera::Vec3& normal);
-  void ClearConstraintPlane();
-  ///@}
-
-  ///@{
   /// Logical pixels: the radius of a handle (10), of the one under the cursor (12), and how far from its
   /// centre a handle can be picked (12).
   void SetHandleRadius(double pixels);
@@ -110,8 +102,8 @@ public:
 
   ///@{
   /// For the widget. A drag moves the active handle, and with it the selection when it belongs to it.
-  /// `SolveDrag` computes the place of the active handle for a cursor position; it returns false when the
-  /// cursor's ray misses the plane or comes from behind the camera.
+  /// `SolveDrag` computes the place of the active handle for a cursor position, parallel to the screen; it
+  /// returns false for a handle behind the camera.
   void StartWidgetInteraction(double eventPosition[2]) override;
   void WidgetInteraction(double eventPosition[2]) override;
   bool SolveDrag(const double eventPosition[2], viscera::Vec3& position);
