@@ -6337,6 +6337,10 @@
 <context>
     <name>viscera::app</name>
     <message>
+        <source>Only partly possible: %1</source>
+        <translation>Solo es posible en parte: %1</translation>
+    </message>
+    <message>
         <source>Cancel</source>
         <translation>Cancelar</translation>
     </message>

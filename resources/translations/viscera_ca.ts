@@ -2300,10 +2300,6 @@ Moveu el lliscador de dalt per col·locar-ne, o feu clic a l’òrgan en el mode
         <translation>Viscera ha cancel·lat l’arrossegament perquè heu triat un altre mode.</translation>
     </message>
     <message>
-        <source>Only partly possible: %1</source>
-        <translation>Només és possible en part: %1</translation>
-    </message>
-    <message>
         <source>Close without these files?</source>
         <translation>Voleu tancar sense aquests fitxers?</translation>
     </message>
@@ -3591,10 +3587,6 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
     <message>
         <source>the locked volume leaves %1 of %2 mm</source>
         <translation>el volum bloquejat deixa %1 de %2 mm</translation>
-    </message>
-    <message>
-        <source>Only partly possible: %1</source>
-        <translation>Només és possible en part: %1</translation>
     </message>
     <message>
         <source>Move exactly, others compensate</source>
@@ -5718,10 +5710,6 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
     <message>
         <source>Volumes on both sides of the cut</source>
         <translation>Volums a banda i banda del tall</translation>
-    </message>
-    <message>
-        <source>Organ</source>
-        <translation>Òrgan</translation>
     </message>
     <message>
         <source>Stays</source>

@@ -2300,10 +2300,6 @@ Bewegen Sie den Regler oben, um welche zu setzen, oder klicken Sie im Modus Grif
         <translation>Viscera hat das Ziehen abgebrochen, weil Sie einen anderen Modus gewählt haben.</translation>
     </message>
     <message>
-        <source>Only partly possible: %1</source>
-        <translation>Nur teilweise möglich: %1</translation>
-    </message>
-    <message>
         <source>Close without these files?</source>
         <translation>Ohne diese Dateien schließen?</translation>
     </message>
@@ -3591,10 +3587,6 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
     <message>
         <source>the locked volume leaves %1 of %2 mm</source>
         <translation>das gesperrte Volumen lässt %1 von %2 mm zu</translation>
-    </message>
-    <message>
-        <source>Only partly possible: %1</source>
-        <translation>Nur teilweise möglich: %1</translation>
     </message>
     <message>
         <source>Move exactly, others compensate</source>
@@ -5718,10 +5710,6 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
     <message>
         <source>Volumes on both sides of the cut</source>
         <translation>Volumen auf beiden Seiten des Schnitts</translation>
-    </message>
-    <message>
-        <source>Organ</source>
-        <translation>Organ</translation>
     </message>
     <message>
         <source>Stays</source>

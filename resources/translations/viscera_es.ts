@@ -2300,10 +2300,6 @@ Mueva el control de arriba para colocar algunos o haga clic en el órgano en el 
         <translation>Viscera canceló el arrastre porque usted eligió otro modo.</translation>
     </message>
     <message>
-        <source>Only partly possible: %1</source>
-        <translation>Solo es posible en parte: %1</translation>
-    </message>
-    <message>
         <source>Close without these files?</source>
         <translation>¿Cerrar sin estos archivos?</translation>
     </message>
@@ -3591,10 +3587,6 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
     <message>
         <source>the locked volume leaves %1 of %2 mm</source>
         <translation>el volumen bloqueado deja %1 de %2 mm</translation>
-    </message>
-    <message>
-        <source>Only partly possible: %1</source>
-        <translation>Solo es posible en parte: %1</translation>
     </message>
     <message>
         <source>Move exactly, others compensate</source>
@@ -5718,10 +5710,6 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
     <message>
         <source>Volumes on both sides of the cut</source>
         <translation>Volúmenes a ambos lados del corte</translation>
-    </message>
-    <message>
-        <source>Organ</source>
-        <translation>Órgano</translation>
     </message>
     <message>
         <source>Stays</source>

@@ -2300,10 +2300,6 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez sur l’organe en mode
         <translation>Viscera a annulé le glissement, car vous avez choisi un autre mode.</translation>
     </message>
     <message>
-        <source>Only partly possible: %1</source>
-        <translation>Possible en partie seulement&#xa0;: %1</translation>
-    </message>
-    <message>
         <source>Close without these files?</source>
         <translation>Fermer sans ces fichiers&#x202f;?</translation>
     </message>
@@ -3591,10 +3587,6 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     <message>
         <source>the locked volume leaves %1 of %2 mm</source>
         <translation>le volume verrouillé laisse %1 sur %2 mm</translation>
-    </message>
-    <message>
-        <source>Only partly possible: %1</source>
-        <translation>Possible en partie seulement&#xa0;: %1</translation>
     </message>
     <message>
         <source>Move exactly, others compensate</source>
@@ -5718,10 +5710,6 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     <message>
         <source>Volumes on both sides of the cut</source>
         <translation>Volumes des deux côtés de la coupe</translation>
-    </message>
-    <message>
-        <source>Organ</source>
-        <translation>Organe</translation>
     </message>
     <message>
         <source>Stays</source>
