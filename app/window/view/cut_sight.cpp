@@ -11,7 +11,7 @@ namespace viscera::app {
 namespace {
 
 /// The cosine of the angle between sight and normal from which a face is seen well enough to stay.
-constexpr double kHalf = 0.5;
+constexpr double kSeenFace = 0.5;
 /// The one to which the camera turns: half way between over the face and along it.
 constexpr double kWellSeen = 0.75;
 constexpr double kNearlyParallel = 1e-3;
@@ -20,7 +20,7 @@ constexpr double kNearlyParallel = 1e-3;
 
 Vec3 sightOfCut(const Vec3& sight, const Vec3& normal) {
   const double along = sight.dot(normal);
-  if (along >= kHalf)
+  if (along >= kSeenFace)
     return sight;
   Vec3 across = sight - along * normal;
   if (across.norm() < kNearlyParallel) // From straight behind: any side is as good.
