@@ -3,6 +3,7 @@
 
 Keeps one translation of one text. In viscera_*.ts, which lupdate makes, each class of the window has its own translations.
 The window looks up what its class does not translate in the contexts of names_*.ts (app/window/language.cpp). This script
+  - removes what has no words and is the same in every language: "%1 ml", "Ctrl+K", "stress.csv";
   - removes from viscera_*.ts what names_*.ts translates to the same, or what is not translated yet and stands there;
   - moves what two classes translate to the same into the context "viscera::app" of names_*.ts.
 It changes all four languages alike, and prints how many texts it removed. FOLDER is resources/translations by default.
@@ -31,6 +32,20 @@ class Message:
 
 def messages_of(text):
     return [Message(name, block) for name, body in CONTEXT.findall(text) for block in MESSAGE.findall(body)]
+
+
+def has_words(source):
+    """As hasWords in tests/gui/words.h: a text of places, numbers, units, keys or a file's name has none."""
+    if re.fullmatch(r"/?[a-z]+(\.[a-z0-9]+)+", source):
+        return False
+    rest = re.sub(r"%n|%\d|((Ctrl|Alt|Shift)\+)+\S|\b(ml|mm|ms|min)\b", "", source)
+    return re.search(r"[^\W\d_]{2,}", rest) is not None
+
+
+def wordless(messages):
+    """Keys of what has no words, and no translation that differs."""
+    return {key for key in messages["de"] if not has_words(key[1]) and ("%" in key[1] or key[0] != NUMERICAL) and key[0] != "Lesson"
+            and all(messages[l][key].unfinished or messages[l][key].words == f"|{key[1]}|" for l in LANGUAGES if key in messages[l])}
 
 
 def redundant(window, names):
@@ -83,11 +98,14 @@ def main():
     window, names = ({language: {m.key: m for m in messages_of(text)} for language, text in texts[kind].items()}
                      for kind in ("viscera", "names"))
     gone, shared = redundant(window, names)
+    gone |= wordless(window)
+    shared = [key for key in shared if has_words(key[1])]
+    common = wordless(names)
     for language in LANGUAGES:
         blocks = [window[language][key].block for key in shared]
         files["viscera"][language].write_text(without(texts["viscera"][language], gone), encoding="utf-8")
-        files["names"][language].write_text(with_shared(texts["names"][language], blocks), encoding="utf-8")
-    print(f"{len(gone)} texts removed, {len(shared)} of them shared now")
+        files["names"][language].write_text(with_shared(without(texts["names"][language], common), blocks), encoding="utf-8")
+    print(f"{len(gone) + len(common)} texts removed, {len(shared)} of them shared now")
 
 
 main()

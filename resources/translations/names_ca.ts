@@ -68,10 +68,6 @@
         <translation>%1 x %2 x %3 vòxels de %4 x %5 x %6 mm al voltant de %7; %8; %9</translation>
     </message>
     <message>
-        <source>%1 / %2</source>
-        <translation>%1 / %2</translation>
-    </message>
-    <message>
         <source>%1 touches the edge of the image in %2 and not in others, so that its volumes would be cut off</source>
         <translation>%1 toca la vora de la imatge a la %2 i no en d’altres, de manera que els seus volums quedarien retallats</translation>
     </message>
@@ -82,10 +78,6 @@
     <message>
         <source>%1 touches the edge of the image in every phase: what lies beyond is not in its volume</source>
         <translation>%1 toca la vora de la imatge en totes les fases: el que queda fora no és al seu volum</translation>
-    </message>
-    <message>
-        <source>%1, %2</source>
-        <translation>%1, %2</translation>
     </message>
     <message numerus="yes">
         <source>%2, %n of them {is a small fragment|are small fragments} of less than 2 % of its area</source>
@@ -5708,18 +5700,6 @@
         <translation>No es pot llegir el fitxer: %1</translation>
     </message>
     <message>
-        <source>%1, ...</source>
-        <translation>%1, ...</translation>
-    </message>
-    <message>
-        <source>%1 = %2 mm</source>
-        <translation>%1 = %2 mm</translation>
-    </message>
-    <message>
-        <source>%1 - %2</source>
-        <translation>%1 - %2</translation>
-    </message>
-    <message>
         <source>its segment %1 has no valid value or layer</source>
         <translation>el seu segment %1 no té un valor o una capa vàlids</translation>
     </message>
@@ -5730,22 +5710,6 @@
     <message>
         <source>its voxels are no plain numbers (%1)</source>
         <translation>els seus vòxels no són nombres simples (%1)</translation>
-    </message>
-    <message>
-        <source>%1. %2.</source>
-        <translation>%1. %2.</translation>
-    </message>
-    <message>
-        <source>%1 %2</source>
-        <translation>%1 %2</translation>
-    </message>
-    <message>
-        <source>%1 (%2)</source>
-        <translation>%1 (%2)</translation>
-    </message>
-    <message>
-        <source>%1 x %2 x %3 mm</source>
-        <translation>%1 x %2 x %3 mm</translation>
     </message>
     <message>
         <source>It is not a surface</source>
@@ -6408,10 +6372,6 @@
         <translation>Volum</translation>
     </message>
     <message>
-        <source>%1 mm</source>
-        <translation>%1 mm</translation>
-    </message>
-    <message>
         <source>%1 of %2</source>
         <translation>%1 de %2</translation>
     </message>
@@ -6509,10 +6469,6 @@
     <message>
         <source>Duration of one cycle</source>
         <translation>Durada d’un cicle</translation>
-    </message>
-    <message>
-        <source>%1 %2 ml</source>
-        <translation>%1 %2 ml</translation>
     </message>
     <message>
         <source>Export lesson</source>

@@ -68,10 +68,6 @@
         <translation>%1 x %2 x %3 vóxeles de %4 x %5 x %6 mm en torno a %7; %8; %9</translation>
     </message>
     <message>
-        <source>%1 / %2</source>
-        <translation>%1 / %2</translation>
-    </message>
-    <message>
         <source>%1 touches the edge of the image in %2 and not in others, so that its volumes would be cut off</source>
         <translation>%1 toca el borde de la imagen en la %2 y no en otras, de modo que sus volúmenes quedarían recortados</translation>
     </message>
@@ -82,10 +78,6 @@
     <message>
         <source>%1 touches the edge of the image in every phase: what lies beyond is not in its volume</source>
         <translation>%1 toca el borde de la imagen en todas las fases: lo que queda fuera no está en su volumen</translation>
-    </message>
-    <message>
-        <source>%1, %2</source>
-        <translation>%1, %2</translation>
     </message>
     <message numerus="yes">
         <source>%2, %n of them {is a small fragment|are small fragments} of less than 2 % of its area</source>
@@ -5708,18 +5700,6 @@
         <translation>No se puede leer el archivo: %1</translation>
     </message>
     <message>
-        <source>%1, ...</source>
-        <translation>%1, ...</translation>
-    </message>
-    <message>
-        <source>%1 = %2 mm</source>
-        <translation>%1 = %2 mm</translation>
-    </message>
-    <message>
-        <source>%1 - %2</source>
-        <translation>%1 - %2</translation>
-    </message>
-    <message>
         <source>its segment %1 has no valid value or layer</source>
         <translation>su segmento %1 no tiene un valor o una capa válidos</translation>
     </message>
@@ -5730,22 +5710,6 @@
     <message>
         <source>its voxels are no plain numbers (%1)</source>
         <translation>sus vóxeles no son números simples (%1)</translation>
-    </message>
-    <message>
-        <source>%1. %2.</source>
-        <translation>%1. %2.</translation>
-    </message>
-    <message>
-        <source>%1 %2</source>
-        <translation>%1 %2</translation>
-    </message>
-    <message>
-        <source>%1 (%2)</source>
-        <translation>%1 (%2)</translation>
-    </message>
-    <message>
-        <source>%1 x %2 x %3 mm</source>
-        <translation>%1 x %2 x %3 mm</translation>
     </message>
     <message>
         <source>It is not a surface</source>
@@ -6408,10 +6372,6 @@
         <translation>Volumen</translation>
     </message>
     <message>
-        <source>%1 mm</source>
-        <translation>%1 mm</translation>
-    </message>
-    <message>
         <source>%1 of %2</source>
         <translation>%1 de %2</translation>
     </message>
@@ -6509,10 +6469,6 @@
     <message>
         <source>Duration of one cycle</source>
         <translation>Duración de un ciclo</translation>
-    </message>
-    <message>
-        <source>%1 %2 ml</source>
-        <translation>%1 %2 ml</translation>
     </message>
     <message>
         <source>Export lesson</source>

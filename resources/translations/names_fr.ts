@@ -68,10 +68,6 @@
         <translation>%1 x %2 x %3 voxels de %4 x %5 x %6 mm autour de %7; %8; %9</translation>
     </message>
     <message>
-        <source>%1 / %2</source>
-        <translation>%1 / %2</translation>
-    </message>
-    <message>
         <source>%1 touches the edge of the image in %2 and not in others, so that its volumes would be cut off</source>
         <translation>%1 touche le bord de l’image dans la %2 et non dans d’autres, de sorte que ses volumes seraient tronqués</translation>
     </message>
@@ -82,10 +78,6 @@
     <message>
         <source>%1 touches the edge of the image in every phase: what lies beyond is not in its volume</source>
         <translation>%1 touche le bord de l’image dans chaque phase&#xa0;: ce qui est au-delà n’est pas dans son volume</translation>
-    </message>
-    <message>
-        <source>%1, %2</source>
-        <translation>%1, %2</translation>
     </message>
     <message numerus="yes">
         <source>%2, %n of them {is a small fragment|are small fragments} of less than 2 % of its area</source>
@@ -5708,18 +5700,6 @@
         <translation>Le fichier ne peut pas être lu&#xa0;: %1</translation>
     </message>
     <message>
-        <source>%1, ...</source>
-        <translation>%1, ...</translation>
-    </message>
-    <message>
-        <source>%1 = %2 mm</source>
-        <translation>%1 = %2 mm</translation>
-    </message>
-    <message>
-        <source>%1 - %2</source>
-        <translation>%1 - %2</translation>
-    </message>
-    <message>
         <source>its segment %1 has no valid value or layer</source>
         <translation>son segment %1 n’a pas de valeur ou de couche valable</translation>
     </message>
@@ -5730,22 +5710,6 @@
     <message>
         <source>its voxels are no plain numbers (%1)</source>
         <translation>ses voxels ne sont pas de simples nombres (%1)</translation>
-    </message>
-    <message>
-        <source>%1. %2.</source>
-        <translation>%1. %2.</translation>
-    </message>
-    <message>
-        <source>%1 %2</source>
-        <translation>%1 %2</translation>
-    </message>
-    <message>
-        <source>%1 (%2)</source>
-        <translation>%1 (%2)</translation>
-    </message>
-    <message>
-        <source>%1 x %2 x %3 mm</source>
-        <translation>%1 x %2 x %3 mm</translation>
     </message>
     <message>
         <source>It is not a surface</source>
@@ -6408,10 +6372,6 @@
         <translation>Volume</translation>
     </message>
     <message>
-        <source>%1 mm</source>
-        <translation>%1 mm</translation>
-    </message>
-    <message>
         <source>%1 of %2</source>
         <translation>%1 sur %2</translation>
     </message>
@@ -6509,10 +6469,6 @@
     <message>
         <source>Duration of one cycle</source>
         <translation>Durée d’un cycle</translation>
-    </message>
-    <message>
-        <source>%1 %2 ml</source>
-        <translation>%1 %2 ml</translation>
     </message>
     <message>
         <source>Export lesson</source>

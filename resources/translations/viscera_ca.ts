@@ -356,17 +356,6 @@ N: noms, H: tiradors, X: paret, R: restableix, T: clar o fosc, Inici: principi</
     </message>
 </context>
 <context>
-    <name>QObject</name>
-    <message>
-        <source>%1 ml</source>
-        <translation>%1 ml</translation>
-    </message>
-    <message>
-        <source>%1 %</source>
-        <translation>%1 %</translation>
-    </message>
-</context>
-<context>
     <name>Tissue</name>
     <message>
         <source>Muscle</source>
@@ -709,20 +698,12 @@ N: noms, H: tiradors, X: paret, R: restableix, T: clar o fosc, Inici: principi</
         <translation>Restableix la &amp;postura</translation>
     </message>
     <message>
-        <source>Ctrl+R</source>
-        <translation>Ctrl+R</translation>
-    </message>
-    <message>
         <source>Move every handle back to its rest position</source>
         <translation>Torna tots els tiradors a la posició de repòs</translation>
     </message>
     <message>
         <source>Reset selected handles</source>
         <translation>Restableix els tiradors seleccionats</translation>
-    </message>
-    <message>
-        <source>Ctrl+Shift+R</source>
-        <translation>Ctrl+Shift+R</translation>
     </message>
     <message>
         <source>Move the selected handles back to their rest positions</source>
@@ -928,10 +909,6 @@ N: noms, H: tiradors, X: paret, R: restableix, T: clar o fosc, Inici: principi</
         <source>Binding time</source>
         <translation>Temps de vinculació</translation>
     </message>
-    <message>
-        <source>%1 ms</source>
-        <translation>%1 ms</translation>
-    </message>
 </context>
 <context>
     <name>viscera::app::ExploreMode</name>
@@ -972,10 +949,6 @@ N: noms, H: tiradors, X: paret, R: restableix, T: clar o fosc, Inici: principi</
         <translation>Mesura els valors en un &amp;rectangle</translation>
     </message>
     <message>
-        <source>Shift+A</source>
-        <translation>Shift+A</translation>
-    </message>
-    <message>
         <source>Drag on a slice from corner to corner: mean and deviation of the scan&apos;s values; Esc ends</source>
         <translation>Arrossegueu sobre un tall de cantó a cantó: mitjana i desviació dels valors de l’exploració; Esc ho acaba</translation>
     </message>
@@ -986,10 +959,6 @@ N: noms, H: tiradors, X: paret, R: restableix, T: clar o fosc, Inici: principi</
     <message>
         <source>Measure the values in a &amp;sphere</source>
         <translation>Mesura els valors en una &amp;esfera</translation>
-    </message>
-    <message>
-        <source>Shift+B</source>
-        <translation>Shift+B</translation>
     </message>
     <message>
         <source>Drag on a slice from the middle to the border: mean and deviation of the scan&apos;s values; Esc ends</source>
@@ -1090,10 +1059,6 @@ N: noms, H: tiradors, X: paret, R: restableix, T: clar o fosc, Inici: principi</
         </translation>
     </message>
     <message>
-        <source>%1 x %2 x %3</source>
-        <translation>%1 x %2 x %3</translation>
-    </message>
-    <message>
         <source>none selected</source>
         <translation>cap seleccionat</translation>
     </message>
@@ -1117,10 +1082,6 @@ N: noms, H: tiradors, X: paret, R: restableix, T: clar o fosc, Inici: principi</
         <translation>Exporta tots els òrgans</translation>
     </message>
     <message>
-        <source>organs.glb</source>
-        <translation>organs.glb</translation>
-    </message>
-    <message>
         <source>glTF scenes (*.glb);;3MF models for printing (*.3mf)</source>
         <translation>Escenes glTF (*.glb);;Models 3MF per imprimir (*.3mf)</translation>
     </message>
@@ -1135,10 +1096,6 @@ N: noms, H: tiradors, X: paret, R: restableix, T: clar o fosc, Inici: principi</
     <message>
         <source>Export displacements</source>
         <translation>Exporta els desplaçaments</translation>
-    </message>
-    <message>
-        <source>displacements.vtp</source>
-        <translation>displacements.vtp</translation>
     </message>
     <message>
         <source>VTK surfaces (*.vtp)</source>
@@ -1157,10 +1114,6 @@ N: noms, H: tiradors, X: paret, R: restableix, T: clar o fosc, Inici: principi</
         <translation>Exporta el camp de desplaçaments</translation>
     </message>
     <message>
-        <source>field.nrrd</source>
-        <translation>field.nrrd</translation>
-    </message>
-    <message>
         <source>Displacement fields (*.nrrd *.mha)</source>
         <translation>Camps de desplaçaments (*.nrrd *.mha)</translation>
     </message>
@@ -1177,10 +1130,6 @@ N: noms, H: tiradors, X: paret, R: restableix, T: clar o fosc, Inici: principi</
         <translation>Exporta la taula de volums</translation>
     </message>
     <message>
-        <source>volumes.csv</source>
-        <translation>volumes.csv</translation>
-    </message>
-    <message>
         <source>Export &amp;measurements...</source>
         <translation>Exporta les &amp;mesures...</translation>
     </message>
@@ -1195,10 +1144,6 @@ N: noms, H: tiradors, X: paret, R: restableix, T: clar o fosc, Inici: principi</
     <message>
         <source>Export measurements</source>
         <translation>Exporta les mesures</translation>
-    </message>
-    <message>
-        <source>measurements.csv</source>
-        <translation>measurements.csv</translation>
     </message>
     <message>
         <source>all organs</source>
@@ -1243,10 +1188,6 @@ N: noms, H: tiradors, X: paret, R: restableix, T: clar o fosc, Inici: principi</
         <translation>&amp;Importa amb comprovació...</translation>
     </message>
     <message>
-        <source>Ctrl+Shift+O</source>
-        <translation>Ctrl+Shift+O</translation>
-    </message>
-    <message>
         <source>Check and repair the contents of files before importing them</source>
         <translation>Comprova i repara el contingut dels fitxers abans d’importar-los</translation>
     </message>
@@ -1261,10 +1202,6 @@ N: noms, H: tiradors, X: paret, R: restableix, T: clar o fosc, Inici: principi</
     <message>
         <source>&amp;Export organ...</source>
         <translation>&amp;Exporta l’òrgan...</translation>
-    </message>
-    <message>
-        <source>Ctrl+E</source>
-        <translation>Ctrl+E</translation>
     </message>
     <message>
         <source>Export the organ in its present pose</source>
@@ -1712,10 +1649,6 @@ Moveu el lliscador de dalt per col·locar-ne, o feu clic a l’òrgan en el mode
         <translation>&amp;Taula de tiradors...</translation>
     </message>
     <message>
-        <source>Ctrl+Shift+T</source>
-        <translation>Ctrl+Shift+T</translation>
-    </message>
-    <message>
         <source>Positions of all handles, and the coordinates of a vertex that you click</source>
         <translation>Posicions de tots els tiradors, i coordenades del vèrtex en què feu clic</translation>
     </message>
@@ -1745,10 +1678,6 @@ Moveu el lliscador de dalt per col·locar-ne, o feu clic a l’òrgan en el mode
     <message>
         <source>&amp;Place automatically</source>
         <translation>Col·loca a&amp;utomàticament</translation>
-    </message>
-    <message>
-        <source>Ctrl+P</source>
-        <translation>Ctrl+P</translation>
     </message>
     <message>
         <source>Spread handles evenly around the organ</source>
@@ -1881,10 +1810,6 @@ Moveu el lliscador de dalt per col·locar-ne, o feu clic a l’òrgan en el mode
     <message>
         <source>&amp;Mouse and keys</source>
         <translation>&amp;Ratolí i tecles</translation>
-    </message>
-    <message>
-        <source>Shift+?</source>
-        <translation>Shift+?</translation>
     </message>
     <message>
         <source>Two-minute &amp;tour</source>
@@ -2253,14 +2178,6 @@ Moveu el lliscador de dalt per col·locar-ne, o feu clic a l’òrgan en el mode
         <translation>Escriu els òrgans i el seu moviment en una pàgina que s’obre en qualsevol navegador</translation>
     </message>
     <message>
-        <source>lesson.html</source>
-        <translation>lesson.html</translation>
-    </message>
-    <message>
-        <source>lesson.glb</source>
-        <translation>lesson.glb</translation>
-    </message>
-    <message>
         <source>Web pages (*.html)</source>
         <translation>Pàgines web (*.html)</translation>
     </message>
@@ -2420,10 +2337,6 @@ Moveu el lliscador de dalt per col·locar-ne, o feu clic a l’òrgan en el mode
 </context>
 <context>
     <name>viscera::app::MeasuredMotion</name>
-    <message>
-        <source>%1 %2 mm</source>
-        <translation>%1 %2 mm</translation>
-    </message>
     <message numerus="yes">
         <source>Motion of %n phases. Mean distance from the measured surfaces: %1.</source>
         <translation>
@@ -2466,16 +2379,8 @@ Moveu el lliscador de dalt per col·locar-ne, o feu clic a l’òrgan en el mode
         <translation>&amp;Desfés</translation>
     </message>
     <message>
-        <source>Ctrl+Z</source>
-        <translation>Ctrl+Z</translation>
-    </message>
-    <message>
         <source>&amp;Redo</source>
         <translation>&amp;Refés</translation>
-    </message>
-    <message>
-        <source>Ctrl+Shift+Z</source>
-        <translation>Ctrl+Shift+Z</translation>
     </message>
     <message>
         <source>&amp;Undo: %1</source>
@@ -2602,15 +2507,6 @@ Moveu el lliscador de dalt per col·locar-ne, o feu clic a l’òrgan en el mode
     <message>
         <source>Close this message</source>
         <translation>Tanca aquest missatge</translation>
-    </message>
-</context>
-<context>
-    <name>viscera::app::ModeRail</name>
-    <message>
-        <source>%1 (%2)
-%3</source>
-        <translation>%1 (%2)
-%3</translation>
     </message>
 </context>
 <context>
@@ -2797,10 +2693,6 @@ Moveu el lliscador de dalt per col·locar-ne, o feu clic a l’òrgan en el mode
         <translation>Tria la destinació</translation>
     </message>
     <message>
-        <source>%1 x %2</source>
-        <translation>%1 x %2</translation>
-    </message>
-    <message>
         <source> / s</source>
         <translation> / s</translation>
     </message>
@@ -2880,13 +2772,6 @@ Moveu el lliscador de dalt per col·locar-ne, o feu clic a l’òrgan en el mode
     </message>
 </context>
 <context>
-    <name>viscera::app::MovieStage</name>
-    <message>
-        <source>%1, %2 / min</source>
-        <translation>%1, %2 / min</translation>
-    </message>
-</context>
-<context>
     <name>viscera::app::NumbersTable</name>
     <message>
         <source>Numbers of the circulation</source>
@@ -2906,10 +2791,6 @@ Moveu el lliscador de dalt per col·locar-ne, o feu clic a l’òrgan en el mode
     <message>
         <source>Import this organ</source>
         <translation>Importa aquest òrgan</translation>
-    </message>
-    <message>
-        <source>%1 · %2</source>
-        <translation>%1 · %2</translation>
     </message>
     <message numerus="yes">
         <source>%n checks passed</source>
@@ -3221,22 +3102,8 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
         <translation>Instant del cicle</translation>
     </message>
     <message>
-        <source>%1, %2 ms</source>
-        <translation>%1, %2 ms</translation>
-    </message>
-    <message>
         <source>Drag, or use the arrow keys</source>
         <translation>Arrossegueu, o feu servir les fletxes</translation>
-    </message>
-    <message>
-        <source>%1
-%2</source>
-        <translation>%1
-%2</translation>
-    </message>
-    <message>
-        <source>%1 %2 ms</source>
-        <translation>%1 %2 ms</translation>
     </message>
 </context>
 <context>
@@ -3282,10 +3149,6 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
         <translation>Enregistra una &amp;clau</translation>
     </message>
     <message>
-        <source>Ctrl+K</source>
-        <translation>Ctrl+K</translation>
-    </message>
-    <message>
         <source>Add the present pose to the key sequence</source>
         <translation>Afegeix la postura actual a la seqüència de claus</translation>
     </message>
@@ -3302,20 +3165,12 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
         <translation>Compara dues &amp;freqüències</translation>
     </message>
     <message>
-        <source>Ctrl+2</source>
-        <translation>Ctrl+2</translation>
-    </message>
-    <message>
         <source>Show the same organs beside these at another rate, or with the circulation kept as before</source>
         <translation>Mostra al costat els mateixos òrgans a una altra freqüència, o amb la circulació guardada com a anterior</translation>
     </message>
     <message>
         <source>Compare &amp;coordinates</source>
         <translation>Compara &amp;coordenades</translation>
-    </message>
-    <message>
-        <source>Ctrl+3</source>
-        <translation>Ctrl+3</translation>
     </message>
     <message>
         <source>Show the same organs and handles beside these with another coordinate system</source>
@@ -3342,10 +3197,6 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
         <translation>&amp;Una vista</translation>
     </message>
     <message>
-        <source>Ctrl+1</source>
-        <translation>Ctrl+1</translation>
-    </message>
-    <message>
         <source>Close the second view</source>
         <translation>Tanca la segona vista</translation>
     </message>
@@ -3360,10 +3211,6 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
     <message>
         <source>Keep circ&amp;ulation for comparison</source>
         <translation>Guarda la circulació per comp&amp;arar</translation>
-    </message>
-    <message>
-        <source>Ctrl+B</source>
-        <translation>Ctrl+B</translation>
     </message>
     <message>
         <source>Keep this circulation to compare with: dashed loops and a second column of numbers</source>
@@ -3493,36 +3340,8 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
         <translation>%1 / min, un cicle %2 s</translation>
     </message>
     <message>
-        <source>%1 %</source>
-        <translation>%1 %</translation>
-    </message>
-    <message>
-        <source>%1 %2 (%3–%4)</source>
-        <translation>%1 %2 (%3–%4)</translation>
-    </message>
-    <message>
         <source>%1, measured on the surfaces. Healthy adults: %2</source>
         <translation>%1, mesurat a les superfícies. Adults sans: %2</translation>
-    </message>
-    <message>
-        <source>%1 ml</source>
-        <translation>%1 ml</translation>
-    </message>
-    <message>
-        <source>%1 l/min</source>
-        <translation>%1 l/min</translation>
-    </message>
-    <message>
-        <source>%1 %2–%3 %4</source>
-        <translation>%1 %2–%3 %4</translation>
-    </message>
-    <message>
-        <source>%</source>
-        <translation>%</translation>
-    </message>
-    <message>
-        <source>ml</source>
-        <translation>ml</translation>
     </message>
     <message>
         <source>%1: %2; %3</source>
@@ -3643,30 +3462,6 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
         <translation>Punt de superfície %1</translation>
     </message>
     <message>
-        <source>L</source>
-        <translation>L</translation>
-    </message>
-    <message>
-        <source>R</source>
-        <translation>R</translation>
-    </message>
-    <message>
-        <source>P</source>
-        <translation>P</translation>
-    </message>
-    <message>
-        <source>A</source>
-        <translation>A</translation>
-    </message>
-    <message>
-        <source>S</source>
-        <translation>S</translation>
-    </message>
-    <message>
-        <source>I</source>
-        <translation>I</translation>
-    </message>
-    <message>
         <source>yes</source>
         <translation>sí</translation>
     </message>
@@ -3782,10 +3577,6 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
         <translation>Informe</translation>
     </message>
     <message>
-        <source>report.pdf</source>
-        <translation>report.pdf</translation>
-    </message>
-    <message>
         <source>PDF documents (*.pdf);;Web pages (*.html)</source>
         <translation>Documents PDF (*.pdf);;Pàgines web (*.html)</translation>
     </message>
@@ -3837,10 +3628,6 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
     <message>
         <source>Fit of the motion, phase by phase</source>
         <translation>Ajust del moviment, fase per fase</translation>
-    </message>
-    <message>
-        <source>ms</source>
-        <translation>ms</translation>
     </message>
     <message>
         <source>mean mm</source>
@@ -3953,10 +3740,6 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
     <message>
         <source>Colour the organs by their distance from the measured surfaces of the nearest phase</source>
         <translation>Acoloreix els òrgans segons la distància a les superfícies mesurades de la fase més propera</translation>
-    </message>
-    <message>
-        <source>%1, %2 (%3)</source>
-        <translation>%1, %2 (%3)</translation>
     </message>
     <message>
         <source>A mark shows that the phase needs attention; the row&apos;s tooltip gives the reason</source>
@@ -4221,10 +4004,6 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
         <translation>&amp;Anomena i desa...</translation>
     </message>
     <message>
-        <source>Ctrl+Shift+S</source>
-        <translation>Ctrl+Shift+S</translation>
-    </message>
-    <message>
         <source>Save the session in another file</source>
         <translation>Desa la sessió en un altre fitxer</translation>
     </message>
@@ -4407,10 +4186,6 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
         <translation>&amp;Guarda la vista com a diapositiva</translation>
     </message>
     <message>
-        <source>Ctrl+Shift+K</source>
-        <translation>Ctrl+Shift+K</translation>
-    </message>
-    <message>
         <source>&amp;Remove the slide</source>
         <translation>&amp;Elimina la diapositiva</translation>
     </message>
@@ -4456,10 +4231,6 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
     <message>
         <source>%1: open surface, no volume</source>
         <translation>%1: superfície oberta, sense volum</translation>
-    </message>
-    <message>
-        <source>%1  %2  (%3, %4)</source>
-        <translation>%1  %2  (%3, %4)</translation>
     </message>
     <message>
         <source>  locked</source>
@@ -4524,10 +4295,6 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
         <translation>Exporta el mapa de tensió</translation>
     </message>
     <message>
-        <source>stress.vtu</source>
-        <translation>stress.vtu</translation>
-    </message>
-    <message>
         <source>VTK solids (*.vtu)</source>
         <translation>Sòlids VTK (*.vtu)</translation>
     </message>
@@ -4544,10 +4311,6 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
         <translation>Exporta la tensió als punts</translation>
     </message>
     <message>
-        <source>stress.csv</source>
-        <translation>stress.csv</translation>
-    </message>
-    <message>
         <source>Export &amp;histogram...</source>
         <translation>Exporta l’&amp;histograma...</translation>
     </message>
@@ -4560,10 +4323,6 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
         <translation>Exporta l’histograma</translation>
     </message>
     <message>
-        <source>histogram.csv</source>
-        <translation>histogram.csv</translation>
-    </message>
-    <message>
         <source>Export &amp;curve over the sequence...</source>
         <translation>Exporta la &amp;corba de la seqüència...</translation>
     </message>
@@ -4574,10 +4333,6 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
     <message>
         <source>Export curve</source>
         <translation>Exporta la corba</translation>
-    </message>
-    <message>
-        <source>curve.csv</source>
-        <translation>curve.csv</translation>
     </message>
     <message>
         <source>the stress map</source>
@@ -4608,10 +4363,6 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
         <translation>Exporta les sondes</translation>
     </message>
     <message>
-        <source>probes.csv</source>
-        <translation>probes.csv</translation>
-    </message>
-    <message>
         <source>Export prof&amp;iles...</source>
         <translation>Exporta els perfi&amp;ls...</translation>
     </message>
@@ -4622,10 +4373,6 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
     <message>
         <source>Export profiles</source>
         <translation>Exporta els perfils</translation>
-    </message>
-    <message>
-        <source>profiles.csv</source>
-        <translation>profiles.csv</translation>
     </message>
     <message>
         <source>the probes</source>
@@ -4655,20 +4402,12 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
         <translation>&amp;Ves al màxim</translation>
     </message>
     <message>
-        <source>Shift+X</source>
-        <translation>Shift+X</translation>
-    </message>
-    <message>
         <source>Show the values where the map is largest, and cut the organ open there</source>
         <translation>Mostra els valors on el mapa és màxim, i hi secciona l’òrgan</translation>
     </message>
     <message>
         <source>&amp;Maximum over the sequence</source>
         <translation>Mà&amp;xim de la seqüència</translation>
-    </message>
-    <message>
-        <source>Shift+M</source>
-        <translation>Shift+M</translation>
     </message>
     <message>
         <source>The most extreme value that each point reaches in one cycle of the sequence</source>
@@ -4711,10 +4450,6 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
         <translation>&amp;Glifs de l’estirament</translation>
     </message>
     <message>
-        <source>Shift+G</source>
-        <translation>Shift+G</translation>
-    </message>
-    <message>
         <source>No glyphs, ellipsoids or crosses</source>
         <translation>Sense glifs, el·lipsoides o creus</translation>
     </message>
@@ -4737,10 +4472,6 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
     <message>
         <source>P&amp;in the probe</source>
         <translation>Fi&amp;xa la sonda</translation>
-    </message>
-    <message>
-        <source>Shift+P</source>
-        <translation>Shift+P</translation>
     </message>
     <message>
         <source>Keep the point that was clicked: its place and value follow the pose in the table</source>
@@ -4930,10 +4661,6 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
     <message>
         <source>Time of the maximum</source>
         <translation>Moment del màxim</translation>
-    </message>
-    <message>
-        <source>%1 s</source>
-        <translation>%1 s</translation>
     </message>
     <message>
         <source>Colours</source>
@@ -5145,20 +4872,12 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
         <translation>Un pas fi enre&amp;re</translation>
     </message>
     <message>
-        <source>Shift+,</source>
-        <translation>Shift+,</translation>
-    </message>
-    <message>
         <source>Go back by ten milliseconds in a heartbeat, by one frame in other sequences</source>
         <translation>Retrocedeix deu mil·lisegons en un batec, un fotograma en altres seqüències</translation>
     </message>
     <message>
         <source>A fine step for&amp;ward</source>
         <translation>Un pas fi enda&amp;vant</translation>
-    </message>
-    <message>
-        <source>Shift+.</source>
-        <translation>Shift+.</translation>
     </message>
     <message>
         <source>Go forward by ten milliseconds in a heartbeat, by one frame in other sequences</source>
@@ -5171,18 +4890,6 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
     <message>
         <source>Slow motion: how fast time passes (S)</source>
         <translation>Càmera lenta: velocitat a què passa el temps (S)</translation>
-    </message>
-    <message>
-        <source>1x</source>
-        <translation>1x</translation>
-    </message>
-    <message>
-        <source>1/%1x</source>
-        <translation>1/%1x</translation>
-    </message>
-    <message>
-        <source>/ min</source>
-        <translation>/ min</translation>
     </message>
     <message>
         <source>%1: %2 %3. The heart rate of the circulation sets it.</source>
@@ -5243,48 +4950,24 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
         <translation>&amp;Anterior</translation>
     </message>
     <message>
-        <source>Alt+1</source>
-        <translation>Alt+1</translation>
-    </message>
-    <message>
         <source>&amp;Posterior</source>
         <translation>&amp;Posterior</translation>
-    </message>
-    <message>
-        <source>Alt+2</source>
-        <translation>Alt+2</translation>
     </message>
     <message>
         <source>&amp;Left</source>
         <translation>&amp;Esquerra</translation>
     </message>
     <message>
-        <source>Alt+3</source>
-        <translation>Alt+3</translation>
-    </message>
-    <message>
         <source>&amp;Right</source>
         <translation>&amp;Dreta</translation>
-    </message>
-    <message>
-        <source>Alt+4</source>
-        <translation>Alt+4</translation>
     </message>
     <message>
         <source>&amp;Superior</source>
         <translation>&amp;Superior</translation>
     </message>
     <message>
-        <source>Alt+5</source>
-        <translation>Alt+5</translation>
-    </message>
-    <message>
         <source>&amp;Inferior</source>
         <translation>&amp;Inferior</translation>
-    </message>
-    <message>
-        <source>Alt+6</source>
-        <translation>Alt+6</translation>
     </message>
     <message>
         <source>Show &amp;handles in every mode</source>
@@ -5297,10 +4980,6 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
     <message>
         <source>Cut &amp;open</source>
         <translation>Secci&amp;ona</translation>
-    </message>
-    <message>
-        <source>Shift+C</source>
-        <translation>Shift+C</translation>
     </message>
     <message>
         <source>Cut all organs open by a plane; their cavities are hollow then</source>
@@ -5317,10 +4996,6 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
     <message>
         <source>Sha&amp;de in folds</source>
         <translation>Om&amp;breja els plecs</translation>
-    </message>
-    <message>
-        <source>Shift+D</source>
-        <translation>Shift+D</translation>
     </message>
     <message>
         <source>Darken the folds of organs and soften the light; takes time on a computer without a graphics processor</source>
@@ -5349,10 +5024,6 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
     <message>
         <source>&amp;Flat triangles</source>
         <translation>Triangles &amp;plans</translation>
-    </message>
-    <message>
-        <source>Shift+W</source>
-        <translation>Shift+W</translation>
     </message>
     <message>
         <source>Give each triangle of an organ one shade, in place of a smooth surface</source>
@@ -5480,10 +5151,6 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
     <message>
         <source>Export the warped scan</source>
         <translation>Exporta l’exploració deformada</translation>
-    </message>
-    <message>
-        <source>/warped.nii.gz</source>
-        <translation>/warped.nii.gz</translation>
     </message>
     <message>
         <source>NIfTI (*.nii.gz *.nii);;NRRD (*.nrrd)</source>

@@ -356,17 +356,6 @@ N&#xa0;: noms, H&#xa0;: poignées, X&#xa0;: paroi, R&#xa0;: rétablir, T&#xa0;: 
     </message>
 </context>
 <context>
-    <name>QObject</name>
-    <message>
-        <source>%1 ml</source>
-        <translation>%1 ml</translation>
-    </message>
-    <message>
-        <source>%1 %</source>
-        <translation>%1 %</translation>
-    </message>
-</context>
-<context>
     <name>Tissue</name>
     <message>
         <source>Muscle</source>
@@ -709,20 +698,12 @@ N&#xa0;: noms, H&#xa0;: poignées, X&#xa0;: paroi, R&#xa0;: rétablir, T&#xa0;: 
         <translation>Réinitialiser la &amp;pose</translation>
     </message>
     <message>
-        <source>Ctrl+R</source>
-        <translation>Ctrl+R</translation>
-    </message>
-    <message>
         <source>Move every handle back to its rest position</source>
         <translation>Ramener chaque poignée à sa position de repos</translation>
     </message>
     <message>
         <source>Reset selected handles</source>
         <translation>Réinitialiser la sélection</translation>
-    </message>
-    <message>
-        <source>Ctrl+Shift+R</source>
-        <translation>Ctrl+Shift+R</translation>
     </message>
     <message>
         <source>Move the selected handles back to their rest positions</source>
@@ -928,10 +909,6 @@ N&#xa0;: noms, H&#xa0;: poignées, X&#xa0;: paroi, R&#xa0;: rétablir, T&#xa0;: 
         <source>Binding time</source>
         <translation>Temps de liaison</translation>
     </message>
-    <message>
-        <source>%1 ms</source>
-        <translation>%1 ms</translation>
-    </message>
 </context>
 <context>
     <name>viscera::app::ExploreMode</name>
@@ -972,10 +949,6 @@ N&#xa0;: noms, H&#xa0;: poignées, X&#xa0;: paroi, R&#xa0;: rétablir, T&#xa0;: 
         <translation>Mesurer les valeurs d’un &amp;rectangle</translation>
     </message>
     <message>
-        <source>Shift+A</source>
-        <translation>Shift+A</translation>
-    </message>
-    <message>
         <source>Drag on a slice from corner to corner: mean and deviation of the scan&apos;s values; Esc ends</source>
         <translation>Faites glisser sur une coupe de coin à coin&#xa0;: moyenne et écart type des valeurs de l’examen&#x202f;; Échap termine</translation>
     </message>
@@ -986,10 +959,6 @@ N&#xa0;: noms, H&#xa0;: poignées, X&#xa0;: paroi, R&#xa0;: rétablir, T&#xa0;: 
     <message>
         <source>Measure the values in a &amp;sphere</source>
         <translation>Mesurer les valeurs d’une &amp;sphère</translation>
-    </message>
-    <message>
-        <source>Shift+B</source>
-        <translation>Shift+B</translation>
     </message>
     <message>
         <source>Drag on a slice from the middle to the border: mean and deviation of the scan&apos;s values; Esc ends</source>
@@ -1090,10 +1059,6 @@ N&#xa0;: noms, H&#xa0;: poignées, X&#xa0;: paroi, R&#xa0;: rétablir, T&#xa0;: 
         </translation>
     </message>
     <message>
-        <source>%1 x %2 x %3</source>
-        <translation>%1 x %2 x %3</translation>
-    </message>
-    <message>
         <source>none selected</source>
         <translation>aucun sélectionné</translation>
     </message>
@@ -1117,10 +1082,6 @@ N&#xa0;: noms, H&#xa0;: poignées, X&#xa0;: paroi, R&#xa0;: rétablir, T&#xa0;: 
         <translation>Exporter tous les organes</translation>
     </message>
     <message>
-        <source>organs.glb</source>
-        <translation>organs.glb</translation>
-    </message>
-    <message>
         <source>glTF scenes (*.glb);;3MF models for printing (*.3mf)</source>
         <translation>Scènes glTF (*.glb);;Modèles 3MF à imprimer (*.3mf)</translation>
     </message>
@@ -1135,10 +1096,6 @@ N&#xa0;: noms, H&#xa0;: poignées, X&#xa0;: paroi, R&#xa0;: rétablir, T&#xa0;: 
     <message>
         <source>Export displacements</source>
         <translation>Exporter les déplacements</translation>
-    </message>
-    <message>
-        <source>displacements.vtp</source>
-        <translation>displacements.vtp</translation>
     </message>
     <message>
         <source>VTK surfaces (*.vtp)</source>
@@ -1157,10 +1114,6 @@ N&#xa0;: noms, H&#xa0;: poignées, X&#xa0;: paroi, R&#xa0;: rétablir, T&#xa0;: 
         <translation>Exporter le champ de déplacement</translation>
     </message>
     <message>
-        <source>field.nrrd</source>
-        <translation>field.nrrd</translation>
-    </message>
-    <message>
         <source>Displacement fields (*.nrrd *.mha)</source>
         <translation>Champs de déplacement (*.nrrd *.mha)</translation>
     </message>
@@ -1177,10 +1130,6 @@ N&#xa0;: noms, H&#xa0;: poignées, X&#xa0;: paroi, R&#xa0;: rétablir, T&#xa0;: 
         <translation>Exporter le tableau des volumes</translation>
     </message>
     <message>
-        <source>volumes.csv</source>
-        <translation>volumes.csv</translation>
-    </message>
-    <message>
         <source>Export &amp;measurements...</source>
         <translation>Exporter les &amp;mesures...</translation>
     </message>
@@ -1195,10 +1144,6 @@ N&#xa0;: noms, H&#xa0;: poignées, X&#xa0;: paroi, R&#xa0;: rétablir, T&#xa0;: 
     <message>
         <source>Export measurements</source>
         <translation>Exporter les mesures</translation>
-    </message>
-    <message>
-        <source>measurements.csv</source>
-        <translation>measurements.csv</translation>
     </message>
     <message>
         <source>all organs</source>
@@ -1243,10 +1188,6 @@ N&#xa0;: noms, H&#xa0;: poignées, X&#xa0;: paroi, R&#xa0;: rétablir, T&#xa0;: 
         <translation>&amp;Importer avec contrôle...</translation>
     </message>
     <message>
-        <source>Ctrl+Shift+O</source>
-        <translation>Ctrl+Shift+O</translation>
-    </message>
-    <message>
         <source>Check and repair the contents of files before importing them</source>
         <translation>Contrôler et réparer le contenu des fichiers avant de les importer</translation>
     </message>
@@ -1261,10 +1202,6 @@ N&#xa0;: noms, H&#xa0;: poignées, X&#xa0;: paroi, R&#xa0;: rétablir, T&#xa0;: 
     <message>
         <source>&amp;Export organ...</source>
         <translation>&amp;Exporter l’organe...</translation>
-    </message>
-    <message>
-        <source>Ctrl+E</source>
-        <translation>Ctrl+E</translation>
     </message>
     <message>
         <source>Export the organ in its present pose</source>
@@ -1712,10 +1649,6 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez sur l’organe en mode
         <translation>&amp;Tableau des poignées...</translation>
     </message>
     <message>
-        <source>Ctrl+Shift+T</source>
-        <translation>Ctrl+Shift+T</translation>
-    </message>
-    <message>
         <source>Positions of all handles, and the coordinates of a vertex that you click</source>
         <translation>Positions de toutes les poignées, et coordonnées du sommet sur lequel vous cliquez</translation>
     </message>
@@ -1745,10 +1678,6 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez sur l’organe en mode
     <message>
         <source>&amp;Place automatically</source>
         <translation>&amp;Placer automatiquement</translation>
-    </message>
-    <message>
-        <source>Ctrl+P</source>
-        <translation>Ctrl+P</translation>
     </message>
     <message>
         <source>Spread handles evenly around the organ</source>
@@ -1881,10 +1810,6 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez sur l’organe en mode
     <message>
         <source>&amp;Mouse and keys</source>
         <translation>&amp;Souris et touches</translation>
-    </message>
-    <message>
-        <source>Shift+?</source>
-        <translation>Shift+?</translation>
     </message>
     <message>
         <source>Two-minute &amp;tour</source>
@@ -2253,14 +2178,6 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez sur l’organe en mode
         <translation>Écrire les organes et leur mouvement en une page qui s’ouvre dans tout navigateur</translation>
     </message>
     <message>
-        <source>lesson.html</source>
-        <translation>lesson.html</translation>
-    </message>
-    <message>
-        <source>lesson.glb</source>
-        <translation>lesson.glb</translation>
-    </message>
-    <message>
         <source>Web pages (*.html)</source>
         <translation>Pages web (*.html)</translation>
     </message>
@@ -2420,10 +2337,6 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez sur l’organe en mode
 </context>
 <context>
     <name>viscera::app::MeasuredMotion</name>
-    <message>
-        <source>%1 %2 mm</source>
-        <translation>%1 %2 mm</translation>
-    </message>
     <message numerus="yes">
         <source>Motion of %n phases. Mean distance from the measured surfaces: %1.</source>
         <translation>
@@ -2466,16 +2379,8 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez sur l’organe en mode
         <translation>&amp;Annuler</translation>
     </message>
     <message>
-        <source>Ctrl+Z</source>
-        <translation>Ctrl+Z</translation>
-    </message>
-    <message>
         <source>&amp;Redo</source>
         <translation>&amp;Rétablir</translation>
-    </message>
-    <message>
-        <source>Ctrl+Shift+Z</source>
-        <translation>Ctrl+Shift+Z</translation>
     </message>
     <message>
         <source>&amp;Undo: %1</source>
@@ -2602,15 +2507,6 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez sur l’organe en mode
     <message>
         <source>Close this message</source>
         <translation>Fermer ce message</translation>
-    </message>
-</context>
-<context>
-    <name>viscera::app::ModeRail</name>
-    <message>
-        <source>%1 (%2)
-%3</source>
-        <translation>%1 (%2)
-%3</translation>
     </message>
 </context>
 <context>
@@ -2797,10 +2693,6 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez sur l’organe en mode
         <translation>Choisir la destination</translation>
     </message>
     <message>
-        <source>%1 x %2</source>
-        <translation>%1 x %2</translation>
-    </message>
-    <message>
         <source> / s</source>
         <translation> / s</translation>
     </message>
@@ -2880,13 +2772,6 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez sur l’organe en mode
     </message>
 </context>
 <context>
-    <name>viscera::app::MovieStage</name>
-    <message>
-        <source>%1, %2 / min</source>
-        <translation>%1, %2 / min</translation>
-    </message>
-</context>
-<context>
     <name>viscera::app::NumbersTable</name>
     <message>
         <source>Numbers of the circulation</source>
@@ -2906,10 +2791,6 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez sur l’organe en mode
     <message>
         <source>Import this organ</source>
         <translation>Importer cet organe</translation>
-    </message>
-    <message>
-        <source>%1 · %2</source>
-        <translation>%1 · %2</translation>
     </message>
     <message numerus="yes">
         <source>%n checks passed</source>
@@ -3221,22 +3102,8 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
         <translation>Instant du cycle</translation>
     </message>
     <message>
-        <source>%1, %2 ms</source>
-        <translation>%1, %2 ms</translation>
-    </message>
-    <message>
         <source>Drag, or use the arrow keys</source>
         <translation>Faites glisser, ou utilisez les flèches</translation>
-    </message>
-    <message>
-        <source>%1
-%2</source>
-        <translation>%1
-%2</translation>
-    </message>
-    <message>
-        <source>%1 %2 ms</source>
-        <translation>%1 %2 ms</translation>
     </message>
 </context>
 <context>
@@ -3282,10 +3149,6 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
         <translation>Enregistrer une &amp;clé</translation>
     </message>
     <message>
-        <source>Ctrl+K</source>
-        <translation>Ctrl+K</translation>
-    </message>
-    <message>
         <source>Add the present pose to the key sequence</source>
         <translation>Ajouter la pose actuelle à la séquence de clés</translation>
     </message>
@@ -3302,20 +3165,12 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
         <translation>Comparer deux &amp;fréquences</translation>
     </message>
     <message>
-        <source>Ctrl+2</source>
-        <translation>Ctrl+2</translation>
-    </message>
-    <message>
         <source>Show the same organs beside these at another rate, or with the circulation kept as before</source>
         <translation>Montrer les mêmes organes à côté de ceux-ci à une autre fréquence, ou avec la circulation gardée comme avant</translation>
     </message>
     <message>
         <source>Compare &amp;coordinates</source>
         <translation>Comparer les c&amp;oordonnées</translation>
-    </message>
-    <message>
-        <source>Ctrl+3</source>
-        <translation>Ctrl+3</translation>
     </message>
     <message>
         <source>Show the same organs and handles beside these with another coordinate system</source>
@@ -3342,10 +3197,6 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
         <translation>&amp;Une vue</translation>
     </message>
     <message>
-        <source>Ctrl+1</source>
-        <translation>Ctrl+1</translation>
-    </message>
-    <message>
         <source>Close the second view</source>
         <translation>Fermer la seconde vue</translation>
     </message>
@@ -3360,10 +3211,6 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     <message>
         <source>Keep circ&amp;ulation for comparison</source>
         <translation>&amp;Garder la circulation pour comparer</translation>
-    </message>
-    <message>
-        <source>Ctrl+B</source>
-        <translation>Ctrl+B</translation>
     </message>
     <message>
         <source>Keep this circulation to compare with: dashed loops and a second column of numbers</source>
@@ -3493,36 +3340,8 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
         <translation>%1 / min, un cycle %2 s</translation>
     </message>
     <message>
-        <source>%1 %</source>
-        <translation>%1 %</translation>
-    </message>
-    <message>
-        <source>%1 %2 (%3–%4)</source>
-        <translation>%1 %2 (%3–%4)</translation>
-    </message>
-    <message>
         <source>%1, measured on the surfaces. Healthy adults: %2</source>
         <translation>%1, mesuré sur les surfaces. Adultes sains&#xa0;: %2</translation>
-    </message>
-    <message>
-        <source>%1 ml</source>
-        <translation>%1 ml</translation>
-    </message>
-    <message>
-        <source>%1 l/min</source>
-        <translation>%1 l/min</translation>
-    </message>
-    <message>
-        <source>%1 %2–%3 %4</source>
-        <translation>%1 %2–%3 %4</translation>
-    </message>
-    <message>
-        <source>%</source>
-        <translation>%</translation>
-    </message>
-    <message>
-        <source>ml</source>
-        <translation>ml</translation>
     </message>
     <message>
         <source>%1: %2; %3</source>
@@ -3643,30 +3462,6 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
         <translation>Point de surface %1</translation>
     </message>
     <message>
-        <source>L</source>
-        <translation>L</translation>
-    </message>
-    <message>
-        <source>R</source>
-        <translation>R</translation>
-    </message>
-    <message>
-        <source>P</source>
-        <translation>P</translation>
-    </message>
-    <message>
-        <source>A</source>
-        <translation>A</translation>
-    </message>
-    <message>
-        <source>S</source>
-        <translation>S</translation>
-    </message>
-    <message>
-        <source>I</source>
-        <translation>I</translation>
-    </message>
-    <message>
         <source>yes</source>
         <translation>oui</translation>
     </message>
@@ -3782,10 +3577,6 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
         <translation>Rapport</translation>
     </message>
     <message>
-        <source>report.pdf</source>
-        <translation>report.pdf</translation>
-    </message>
-    <message>
         <source>PDF documents (*.pdf);;Web pages (*.html)</source>
         <translation>Documents PDF (*.pdf);;Pages web (*.html)</translation>
     </message>
@@ -3837,10 +3628,6 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     <message>
         <source>Fit of the motion, phase by phase</source>
         <translation>Ajustement du mouvement, phase par phase</translation>
-    </message>
-    <message>
-        <source>ms</source>
-        <translation>ms</translation>
     </message>
     <message>
         <source>mean mm</source>
@@ -3953,10 +3740,6 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     <message>
         <source>Colour the organs by their distance from the measured surfaces of the nearest phase</source>
         <translation>Colorer les organes selon leur distance aux surfaces mesurées de la phase la plus proche</translation>
-    </message>
-    <message>
-        <source>%1, %2 (%3)</source>
-        <translation>%1, %2 (%3)</translation>
     </message>
     <message>
         <source>A mark shows that the phase needs attention; the row&apos;s tooltip gives the reason</source>
@@ -4221,10 +4004,6 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
         <translation>Enregistrer &amp;sous...</translation>
     </message>
     <message>
-        <source>Ctrl+Shift+S</source>
-        <translation>Ctrl+Shift+S</translation>
-    </message>
-    <message>
         <source>Save the session in another file</source>
         <translation>Enregistrer la session dans un autre fichier</translation>
     </message>
@@ -4407,10 +4186,6 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
         <translation>&amp;Garder cette vue comme diapositive</translation>
     </message>
     <message>
-        <source>Ctrl+Shift+K</source>
-        <translation>Ctrl+Shift+K</translation>
-    </message>
-    <message>
         <source>&amp;Remove the slide</source>
         <translation>Supprimer la &amp;diapositive</translation>
     </message>
@@ -4456,10 +4231,6 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     <message>
         <source>%1: open surface, no volume</source>
         <translation>%1&#xa0;: surface ouverte, pas de volume</translation>
-    </message>
-    <message>
-        <source>%1  %2  (%3, %4)</source>
-        <translation>%1  %2  (%3, %4)</translation>
     </message>
     <message>
         <source>  locked</source>
@@ -4524,10 +4295,6 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
         <translation>Exporter la carte de contrainte</translation>
     </message>
     <message>
-        <source>stress.vtu</source>
-        <translation>stress.vtu</translation>
-    </message>
-    <message>
         <source>VTK solids (*.vtu)</source>
         <translation>Solides VTK (*.vtu)</translation>
     </message>
@@ -4544,10 +4311,6 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
         <translation>Exporter la contrainte aux points</translation>
     </message>
     <message>
-        <source>stress.csv</source>
-        <translation>stress.csv</translation>
-    </message>
-    <message>
         <source>Export &amp;histogram...</source>
         <translation>Exporter l’&amp;histogramme...</translation>
     </message>
@@ -4560,10 +4323,6 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
         <translation>Exporter l’histogramme</translation>
     </message>
     <message>
-        <source>histogram.csv</source>
-        <translation>histogram.csv</translation>
-    </message>
-    <message>
         <source>Export &amp;curve over the sequence...</source>
         <translation>Exporter la co&amp;urbe sur la séquence...</translation>
     </message>
@@ -4574,10 +4333,6 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     <message>
         <source>Export curve</source>
         <translation>Exporter la courbe</translation>
-    </message>
-    <message>
-        <source>curve.csv</source>
-        <translation>curve.csv</translation>
     </message>
     <message>
         <source>the stress map</source>
@@ -4608,10 +4363,6 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
         <translation>Exporter les sondes</translation>
     </message>
     <message>
-        <source>probes.csv</source>
-        <translation>probes.csv</translation>
-    </message>
-    <message>
         <source>Export prof&amp;iles...</source>
         <translation>Exporter les profi&amp;ls...</translation>
     </message>
@@ -4622,10 +4373,6 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     <message>
         <source>Export profiles</source>
         <translation>Exporter les profils</translation>
-    </message>
-    <message>
-        <source>profiles.csv</source>
-        <translation>profiles.csv</translation>
     </message>
     <message>
         <source>the probes</source>
@@ -4655,20 +4402,12 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
         <translation>Aller au &amp;maximum</translation>
     </message>
     <message>
-        <source>Shift+X</source>
-        <translation>Shift+X</translation>
-    </message>
-    <message>
         <source>Show the values where the map is largest, and cut the organ open there</source>
         <translation>Montrer les valeurs là où la carte est maximale, et y ouvrir l’organe</translation>
     </message>
     <message>
         <source>&amp;Maximum over the sequence</source>
         <translation>Ma&amp;ximum sur la séquence</translation>
-    </message>
-    <message>
-        <source>Shift+M</source>
-        <translation>Shift+M</translation>
     </message>
     <message>
         <source>The most extreme value that each point reaches in one cycle of the sequence</source>
@@ -4711,10 +4450,6 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
         <translation>Gl&amp;yphes de l’étirement</translation>
     </message>
     <message>
-        <source>Shift+G</source>
-        <translation>Shift+G</translation>
-    </message>
-    <message>
         <source>No glyphs, ellipsoids or crosses</source>
         <translation>Aucun glyphe, ellipsoïdes ou croix</translation>
     </message>
@@ -4737,10 +4472,6 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     <message>
         <source>P&amp;in the probe</source>
         <translation>&amp;Fixer la sonde</translation>
-    </message>
-    <message>
-        <source>Shift+P</source>
-        <translation>Shift+P</translation>
     </message>
     <message>
         <source>Keep the point that was clicked: its place and value follow the pose in the table</source>
@@ -4930,10 +4661,6 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     <message>
         <source>Time of the maximum</source>
         <translation>Moment du maximum</translation>
-    </message>
-    <message>
-        <source>%1 s</source>
-        <translation>%1 s</translation>
     </message>
     <message>
         <source>Colours</source>
@@ -5145,20 +4872,12 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
         <translation>Un pas fin en arr&amp;ière</translation>
     </message>
     <message>
-        <source>Shift+,</source>
-        <translation>Shift+,</translation>
-    </message>
-    <message>
         <source>Go back by ten milliseconds in a heartbeat, by one frame in other sequences</source>
         <translation>Reculer de dix millisecondes dans un battement, d’une image dans les autres séquences</translation>
     </message>
     <message>
         <source>A fine step for&amp;ward</source>
         <translation>Un pas fin en a&amp;vant</translation>
-    </message>
-    <message>
-        <source>Shift+.</source>
-        <translation>Shift+.</translation>
     </message>
     <message>
         <source>Go forward by ten milliseconds in a heartbeat, by one frame in other sequences</source>
@@ -5171,18 +4890,6 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     <message>
         <source>Slow motion: how fast time passes (S)</source>
         <translation>Ralenti&#xa0;: vitesse à laquelle passe le temps (S)</translation>
-    </message>
-    <message>
-        <source>1x</source>
-        <translation>1x</translation>
-    </message>
-    <message>
-        <source>1/%1x</source>
-        <translation>1/%1x</translation>
-    </message>
-    <message>
-        <source>/ min</source>
-        <translation>/ min</translation>
     </message>
     <message>
         <source>%1: %2 %3. The heart rate of the circulation sets it.</source>
@@ -5243,48 +4950,24 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
         <translation>&amp;Antérieure</translation>
     </message>
     <message>
-        <source>Alt+1</source>
-        <translation>Alt+1</translation>
-    </message>
-    <message>
         <source>&amp;Posterior</source>
         <translation>&amp;Postérieure</translation>
-    </message>
-    <message>
-        <source>Alt+2</source>
-        <translation>Alt+2</translation>
     </message>
     <message>
         <source>&amp;Left</source>
         <translation>&amp;Gauche</translation>
     </message>
     <message>
-        <source>Alt+3</source>
-        <translation>Alt+3</translation>
-    </message>
-    <message>
         <source>&amp;Right</source>
         <translation>&amp;Droite</translation>
-    </message>
-    <message>
-        <source>Alt+4</source>
-        <translation>Alt+4</translation>
     </message>
     <message>
         <source>&amp;Superior</source>
         <translation>&amp;Supérieure</translation>
     </message>
     <message>
-        <source>Alt+5</source>
-        <translation>Alt+5</translation>
-    </message>
-    <message>
         <source>&amp;Inferior</source>
         <translation>&amp;Inférieure</translation>
-    </message>
-    <message>
-        <source>Alt+6</source>
-        <translation>Alt+6</translation>
     </message>
     <message>
         <source>Show &amp;handles in every mode</source>
@@ -5297,10 +4980,6 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     <message>
         <source>Cut &amp;open</source>
         <translation>&amp;Ouvrir par une section</translation>
-    </message>
-    <message>
-        <source>Shift+C</source>
-        <translation>Shift+C</translation>
     </message>
     <message>
         <source>Cut all organs open by a plane; their cavities are hollow then</source>
@@ -5317,10 +4996,6 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     <message>
         <source>Sha&amp;de in folds</source>
         <translation>Om&amp;brer les plis</translation>
-    </message>
-    <message>
-        <source>Shift+D</source>
-        <translation>Shift+D</translation>
     </message>
     <message>
         <source>Darken the folds of organs and soften the light; takes time on a computer without a graphics processor</source>
@@ -5349,10 +5024,6 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     <message>
         <source>&amp;Flat triangles</source>
         <translation>Triangles &amp;plats</translation>
-    </message>
-    <message>
-        <source>Shift+W</source>
-        <translation>Shift+W</translation>
     </message>
     <message>
         <source>Give each triangle of an organ one shade, in place of a smooth surface</source>
@@ -5480,10 +5151,6 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     <message>
         <source>Export the warped scan</source>
         <translation>Exporter l’examen déformé</translation>
-    </message>
-    <message>
-        <source>/warped.nii.gz</source>
-        <translation>/warped.nii.gz</translation>
     </message>
     <message>
         <source>NIfTI (*.nii.gz *.nii);;NRRD (*.nrrd)</source>

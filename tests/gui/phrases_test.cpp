@@ -29,6 +29,7 @@
 #include "window/language.h"
 #include "window/movie/movie_plan.h"
 #include "window/widgets/message_bar.h"
+#include "words.h"
 
 namespace viscera::tests {
 namespace {
@@ -191,7 +192,7 @@ TEST_P(Phrases, OfTheNumericalModulesAreTranslated) {
     return !translator.translate(context, text.toUtf8().constData()).isEmpty();
   };
   for (const QString& text : texts)
-    EXPECT_TRUE(known("viscera::presentation", text) || known("Lesson", text))
+    EXPECT_TRUE(known("viscera::presentation", text) || known("Lesson", text) || !hasWords(text))
         << text.toStdString() << " has no translation; write it into resources/translations/names_"
         << GetParam() << ".ts";
 }
