@@ -62,7 +62,8 @@ public:
                     "The volumes on both sides of the plane through X,Y,Z (mm, LPS) that faces NX,NY,NZ")
         ->type_name("X,Y,Z:NX,NY,NZ");
     CLI::Option* handles =
-        options.add_option("--handles", handles_, "The rest handles (.mrk.json), for a pose")->type_name("FILE");
+        options.add_option("--handles", handles_, "The rest handles (.mrk.json), for a pose")
+            ->type_name("FILE");
     options
         .add_option("--pose", pose_,
                     "Where the handles are (.mrk.json), by their labels; others stay at rest")
@@ -157,7 +158,8 @@ private:
       const document::Organ& organ = *surface.organ;
       if (!organ.closed()) {
         listing.add(organ.name, "no volume: the surface is open");
-        organs.push_back({{"organ", organ.name}, {"frontMl", nullptr}, {"backMl", nullptr}, {"faceCm2", nullptr}});
+        organs.push_back(
+            {{"organ", organ.name}, {"frontMl", nullptr}, {"backMl", nullptr}, {"faceCm2", nullptr}});
         continue;
       }
       const geometry::SidesOfPlane sides =
@@ -170,7 +172,8 @@ private:
       listing.add(organ.name, fixed(front, 3) + " ml in front of the plane, " + fixed(back, 3) +
                                   " ml behind it, face " + fixed(sides.faceMm2 / kMm2PerCm2, 2) + " cm2");
     }
-    return {{"originMm", numbersJson(plane.origin)}, {"normal", numbersJson(plane.normal)}, {"organs", organs}};
+    return {
+        {"originMm", numbersJson(plane.origin)}, {"normal", numbersJson(plane.normal)}, {"organs", organs}};
   }
 
   std::vector<std::string> inputs_;

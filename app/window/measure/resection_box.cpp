@@ -79,8 +79,7 @@ void ResectionBox::sync() {
   for (int row = 0; row < rows; ++row) {
     const presentation::Resected& one = found[static_cast<std::size_t>(row)];
     QTreeWidgetItem* item = list_->topLevelItem(row);
-    item->setText(kResectionOrgan,
-                  inWords(presentation::labelOf(*workspace_.document().organ(one.organ))));
+    item->setText(kResectionOrgan, inWords(presentation::labelOf(*workspace_.document().organ(one.organ))));
     item->setText(kResectionStays, formatMilliliters(one.staysMl));
     item->setText(kResectionGone, formatMilliliters(one.cutAwayMl));
     const QString face = tr("Cut face %1 cm\u00b2").arg(formatNumber(one.faceCm2, 1));

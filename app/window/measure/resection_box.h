@@ -9,8 +9,9 @@
 
 namespace viscera::app {
 
-/// What the plane that cuts the organs open would leave of each, and take away: a table that follows the plane
-/// and the pose, ten times a second at most. Without a cut, or where it meets no closed organ, it takes no room.
+/// What the plane that cuts the organs open would leave of each, and take away: a table that follows the
+/// plane and the pose, ten times a second at most. Without a cut, or where it meets no closed organ, it takes
+/// no room.
 class ResectionBox final : public QWidget {
   Q_OBJECT
 

@@ -13,8 +13,8 @@ const std::vector<StressQuantityDescription>& stressQuantities() {
   static const std::vector<StressQuantityDescription> all = {
       {StressQuantity::rotationalStress, "rotational-stress", "Rotational stress",
        "Maximum rotational stress",
-       "The largest angle by which a direction is turned when the tissue is stretched; not a pressure.", "deg",
-       false, 1},
+       "The largest angle by which a direction is turned when the tissue is stretched; not a pressure.",
+       "deg", false, 1},
       {StressQuantity::volumeRatio, "volume-ratio", "Volume ratio", "Extreme volume ratio",
        "The volume of tissue now, as a part of that at rest; 1 is unchanged.", "", true, 3},
       {StressQuantity::stretchMax, "largest-stretch", "Largest stretch", "Maximum of largest stretch",

@@ -498,10 +498,11 @@ bool ViewState::operator==(const ViewState& other) const {
   const auto parts = [](const ViewState& view) {
     return std::tie(view.mode, view.shown, view.camera, view.handles, view.influence, view.ghost, view.labels,
                     view.partNames, view.measurements, view.orientationCube, view.scaleBar, view.gizmo,
-                    view.exactly, view.mirror, view.layout.regions, view.layout.zones, view.layout.superRegions,
-                    view.chartOfCycle, view.circulationChart, view.beatSigns, view.valves, view.stress,
-                    view.cut, view.organsSeen, view.person.sex, view.person.bodySurfaceM2, view.scan,
-                    view.selection, view.motions, view.playing, view.compared, view.slides);
+                    view.exactly, view.mirror, view.layout.regions, view.layout.zones,
+                    view.layout.superRegions, view.chartOfCycle, view.circulationChart, view.beatSigns,
+                    view.valves, view.stress, view.cut, view.organsSeen, view.person.sex,
+                    view.person.bodySurfaceM2, view.scan, view.selection, view.motions, view.playing,
+                    view.compared, view.slides);
   };
   return parts(*this) == parts(other) && shownPose.rows() == other.shownPose.rows() &&
          shownPose == other.shownPose;

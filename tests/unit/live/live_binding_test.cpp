@@ -476,7 +476,8 @@ TEST(LiveBinding, MovesARigidOrganAsAWholeAndLeavesAFixedOneInPlace) {
     const Points& now = live.points(bone);
     double worst = 0;
     for (Eigen::Index i = 1; i < rest.rows(); ++i)
-      worst = std::max(worst, std::abs((now.row(i) - now.row(0)).norm() - (rest.row(i) - rest.row(0)).norm()));
+      worst =
+          std::max(worst, std::abs((now.row(i) - now.row(0)).norm() - (rest.row(i) - rest.row(0)).norm()));
     return worst < 1e-9;
   };
   EXPECT_TRUE(keepsItsShape());

@@ -162,7 +162,8 @@ struct ViewState {
   bool orientationCube = true;
   bool scaleBar = true;
   bool gizmo = false;
-  bool exactly = false; ///< Under a locked volume, moved handles go where they are sent, and others compensate.
+  bool exactly =
+      false; ///< Under a locked volume, moved handles go where they are sent, and others compensate.
   Mirror mirror = Mirror::off;
   scene::LayoutParts layout{.regions = true}; ///< Regions, zones, super-regions of the groups.
   bool chartOfCycle = true;                   ///< The chart shows one cycle, else the last seconds.
