@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::int32_t kTrianglesInALeaf = 4;
 
-using TriangleCorners = std::array<Vec3, 3>;
+using CornerPoints = std::array<Vec3, 3>;
 
 /// Two places and the square of their distance.
 struct Way {
@@ -53,7 +53,7 @@ void takeSegments(const Vec3& p, const Vec3& q, const Vec3& a, const Vec3& b, Wa
 }
 
 /// Where the segment p q goes through a triangle, if it does.
-std::optional<Vec3> piercing(const Vec3& p, const Vec3& q, const TriangleCorners& t) {
+std::optional<Vec3> piercing(const Vec3& p, const Vec3& q, const CornerPoints& t) {
   const Vec3 normal = (t[1] - t[0]).cross(t[2] - t[0]);
   const double atP = normal.dot(p - t[0]), atQ = normal.dot(q - t[0]);
   if (!(atP * atQ < 0))
@@ -65,7 +65,7 @@ std::optional<Vec3> piercing(const Vec3& p, const Vec3& q, const TriangleCorners
   return place;
 }
 
-Way wayBetween(const TriangleCorners& a, const TriangleCorners& b) {
+Way wayBetween(const CornerPoints& a, const CornerPoints& b) {
   Way way;
   for (int i = 0; i < 3; ++i) {
     for (const auto& place : {piercing(a[i], a[(i + 1) % 3], b), piercing(b[i], b[(i + 1) % 3], a)})
