@@ -35,7 +35,7 @@ Matrix3 crossMatrix(const Vec3& v) {
 }
 
 /// Where a rigid body lies: `x = rotation (p - middle at rest) + middle`.
-struct Placement {
+struct BodyPlace {
   Matrix3 rotation = Matrix3::Identity();
   Vec3 middle = Vec3::Zero();
   Matrix3 stretch = Matrix3::Zero(); ///< P of the polar decomposition A = R P.
@@ -55,7 +55,7 @@ public:
 
   void deform(const Points& pose, Points& points, Threads threads) const override {
     soft_->deform(pose, points, threads);
-    const Placement placed = placement(points);
+    const BodyPlace placed = placement(points);
     points.noalias() = arms_ * placed.rotation.transpose();
     points.rowwise() += placed.middle.transpose();
   }
@@ -71,7 +71,7 @@ public:
                 Threads threads) const override {
     Points softPoints;
     soft_->deform(pose, softPoints, threads);
-    const Placement placed = placement(softPoints);
+    const BodyPlace placed = placement(softPoints);
     // Of x = R u + m, u = p - c: dE = tau . omega + G . dm, where R^T dR = [omega] and
     // tau = sum u x R^T g, G = sum g. From A = sum w (q - m) u^T = R P follows
     // (tr(P) I - P) omega = axis(R^T dA - dA^T R), so with (tr(P) I - P) y = tau
@@ -96,8 +96,8 @@ public:
 
 private:
   /// The best fit to where the vertices would be in soft tissue.
-  Placement placement(const Points& softPoints) const {
-    Placement placed;
+  BodyPlace placement(const Points& softPoints) const {
+    BodyPlace placed;
     placed.middle = softPoints.transpose() * shares_;
     const Points away = softPoints.rowwise() - placed.middle.transpose();
     const Matrix3 covariance = away.transpose() * (arms_.array().colwise() * shares_.array()).matrix();
