@@ -6275,7 +6275,7 @@
     </message>
     <message>
         <source>It holds %1, not %2</source>
-        <translation>Contiene %1, no %2</translation>
+        <translation>El archivo contiene %1, no %2</translation>
     </message>
     <message>
         <source>its unit %1 is not known; mm are assumed</source>
