@@ -6333,211 +6333,6 @@
         <source>a markup of another kind</source>
         <translation>una marca d’un altre tipus</translation>
     </message>
-</context>
-<context>
-    <name>viscera::app</name>
-    <message>
-        <source>Undo</source>
-        <translation>Desfés</translation>
-    </message>
-    <message>
-        <source>Circulation</source>
-        <translation>Circulació</translation>
-    </message>
-    <message>
-        <source>Sample %1</source>
-        <translation>Mostra: %1</translation>
-    </message>
-    <message>
-        <source>Organs (%1)</source>
-        <translation>Òrgans (%1)</translation>
-    </message>
-    <message>
-        <source>Remove</source>
-        <translation>Elimina</translation>
-    </message>
-    <message>
-        <source>Prescribe a volume</source>
-        <translation>Prescriu un volum</translation>
-    </message>
-    <message>
-        <source>Depth</source>
-        <translation>Profunditat</translation>
-    </message>
-    <message>
-        <source>Cut away the front</source>
-        <translation>Retalla la part anterior</translation>
-    </message>
-    <message>
-        <source>Cut away the upper part</source>
-        <translation>Retalla la part superior</translation>
-    </message>
-    <message>
-        <source>Facing the viewer</source>
-        <translation>De cara a l’observador</translation>
-    </message>
-    <message>
-        <source>Deform</source>
-        <translation>Deforma</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n handles</source>
-        <translation>
-            <numerusform>%n tirador</numerusform>
-            <numerusform>%n tiradors</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Volume</source>
-        <translation>Volum</translation>
-    </message>
-    <message>
-        <source>%1 mm</source>
-        <translation>%1 mm</translation>
-    </message>
-    <message>
-        <source>%1 of %2</source>
-        <translation>%1 de %2</translation>
-    </message>
-    <message>
-        <source>Apply</source>
-        <translation>Aplica</translation>
-    </message>
-    <message>
-        <source>Rest error</source>
-        <translation>Error en repòs</translation>
-    </message>
-    <message>
-        <source>The largest distance of the bound organ at rest from the original</source>
-        <translation>La distància màxima entre l’òrgan vinculat en repòs i l’original</translation>
-    </message>
-    <message>
-        <source>Smallest weight</source>
-        <translation>Pes mínim</translation>
-    </message>
-    <message>
-        <source>Cut</source>
-        <translation>Secció</translation>
-    </message>
-    <message>
-        <source>Size</source>
-        <translation>Mida</translation>
-    </message>
-    <message>
-        <source>Surface</source>
-        <translation>Superfície</translation>
-    </message>
-    <message>
-        <source>Comma-separated values (*.csv)</source>
-        <translation>Valors separats per comes (*.csv)</translation>
-    </message>
-    <message>
-        <source>There is no organ to export. Open one first.</source>
-        <translation>No hi ha cap òrgan per exportar. Obriu-ne primer un.</translation>
-    </message>
-    <message>
-        <source>Exporting %1</source>
-        <translation>S’exporta: %1</translation>
-    </message>
-    <message>
-        <source>Written to %1.</source>
-        <translation>S’ha escrit a %1.</translation>
-    </message>
-    <message>
-        <source>Opening %1</source>
-        <translation>S’obre %1</translation>
-    </message>
-    <message>
-        <source>Look for files...</source>
-        <translation>Cerca els fitxers...</translation>
-    </message>
-    <message>
-        <source> %</source>
-        <translation> %</translation>
-    </message>
-    <message>
-        <source>Place the sequence&apos;s handles around the organ and play it</source>
-        <translation>Col·loca els tiradors de la seqüència al voltant de l’òrgan i la reprodueix</translation>
-    </message>
-    <message>
-        <source>Groups</source>
-        <translation>Grups</translation>
-    </message>
-    <message>
-        <source>Colour...</source>
-        <translation>Color...</translation>
-    </message>
-    <message numerus="yes">
-        <source>Move %n handles</source>
-        <translation>
-            <numerusform>Mou %n tirador</numerusform>
-            <numerusform>Mou %n tiradors</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Move handle %1</source>
-        <translation>Mou el tirador %1</translation>
-    </message>
-    <message>
-        <source>Time</source>
-        <translation>Temps</translation>
-    </message>
-    <message>
-        <source>Stress</source>
-        <translation>Tensió</translation>
-    </message>
-    <message>
-        <source>Import</source>
-        <translation>Importa</translation>
-    </message>
-    <message>
-        <source>Duration of one cycle</source>
-        <translation>Durada d’un cicle</translation>
-    </message>
-    <message>
-        <source>%1 %2 ml</source>
-        <translation>%1 %2 ml</translation>
-    </message>
-    <message>
-        <source>Export lesson</source>
-        <translation>Exporta la lliçó</translation>
-    </message>
-    <message>
-        <source>Motion from a series</source>
-        <translation>Moviment a partir d’una sèrie</translation>
-    </message>
-    <message>
-        <source>Close</source>
-        <translation>Tanca</translation>
-    </message>
-    <message>
-        <source> mm</source>
-        <translation> mm</translation>
-    </message>
-    <message>
-        <source>now</source>
-        <translation>ara</translation>
-    </message>
-    <message>
-        <source>before</source>
-        <translation>abans</translation>
-    </message>
-    <message>
-        <source>Phase</source>
-        <translation>Fase</translation>
-    </message>
-    <message>
-        <source>, </source>
-        <translation>, </translation>
-    </message>
-    <message>
-        <source>Close (Esc)</source>
-        <translation>Tanca (Esc)</translation>
-    </message>
-    <message>
-        <source>Time in the cycle</source>
-        <translation>Temps en el cicle</translation>
-    </message>
     <message>
         <source>%1 is made for another organ (%2) than this one (%3): its numbers say nothing about it</source>
         <translation>%1 està fet per a un altre òrgan (%2) i no per a aquest (%3): les seves xifres no en diuen res</translation>
@@ -6746,6 +6541,211 @@
     <message>
         <source>All organs together: %1.</source>
         <translation>Tots els òrgans junts: %1.</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app</name>
+    <message>
+        <source>Undo</source>
+        <translation>Desfés</translation>
+    </message>
+    <message>
+        <source>Circulation</source>
+        <translation>Circulació</translation>
+    </message>
+    <message>
+        <source>Sample %1</source>
+        <translation>Mostra: %1</translation>
+    </message>
+    <message>
+        <source>Organs (%1)</source>
+        <translation>Òrgans (%1)</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Elimina</translation>
+    </message>
+    <message>
+        <source>Prescribe a volume</source>
+        <translation>Prescriu un volum</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>Profunditat</translation>
+    </message>
+    <message>
+        <source>Cut away the front</source>
+        <translation>Retalla la part anterior</translation>
+    </message>
+    <message>
+        <source>Cut away the upper part</source>
+        <translation>Retalla la part superior</translation>
+    </message>
+    <message>
+        <source>Facing the viewer</source>
+        <translation>De cara a l’observador</translation>
+    </message>
+    <message>
+        <source>Deform</source>
+        <translation>Deforma</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n handles</source>
+        <translation>
+            <numerusform>%n tirador</numerusform>
+            <numerusform>%n tiradors</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation>Volum</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 de %2</translation>
+    </message>
+    <message>
+        <source>Apply</source>
+        <translation>Aplica</translation>
+    </message>
+    <message>
+        <source>Rest error</source>
+        <translation>Error en repòs</translation>
+    </message>
+    <message>
+        <source>The largest distance of the bound organ at rest from the original</source>
+        <translation>La distància màxima entre l’òrgan vinculat en repòs i l’original</translation>
+    </message>
+    <message>
+        <source>Smallest weight</source>
+        <translation>Pes mínim</translation>
+    </message>
+    <message>
+        <source>Cut</source>
+        <translation>Secció</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Mida</translation>
+    </message>
+    <message>
+        <source>Surface</source>
+        <translation>Superfície</translation>
+    </message>
+    <message>
+        <source>Comma-separated values (*.csv)</source>
+        <translation>Valors separats per comes (*.csv)</translation>
+    </message>
+    <message>
+        <source>There is no organ to export. Open one first.</source>
+        <translation>No hi ha cap òrgan per exportar. Obriu-ne primer un.</translation>
+    </message>
+    <message>
+        <source>Exporting %1</source>
+        <translation>S’exporta: %1</translation>
+    </message>
+    <message>
+        <source>Written to %1.</source>
+        <translation>S’ha escrit a %1.</translation>
+    </message>
+    <message>
+        <source>Opening %1</source>
+        <translation>S’obre %1</translation>
+    </message>
+    <message>
+        <source>Look for files...</source>
+        <translation>Cerca els fitxers...</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Place the sequence&apos;s handles around the organ and play it</source>
+        <translation>Col·loca els tiradors de la seqüència al voltant de l’òrgan i la reprodueix</translation>
+    </message>
+    <message>
+        <source>Groups</source>
+        <translation>Grups</translation>
+    </message>
+    <message>
+        <source>Colour...</source>
+        <translation>Color...</translation>
+    </message>
+    <message numerus="yes">
+        <source>Move %n handles</source>
+        <translation>
+            <numerusform>Mou %n tirador</numerusform>
+            <numerusform>Mou %n tiradors</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Move handle %1</source>
+        <translation>Mou el tirador %1</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Temps</translation>
+    </message>
+    <message>
+        <source>Stress</source>
+        <translation>Tensió</translation>
+    </message>
+    <message>
+        <source>Import</source>
+        <translation>Importa</translation>
+    </message>
+    <message>
+        <source>Duration of one cycle</source>
+        <translation>Durada d’un cicle</translation>
+    </message>
+    <message>
+        <source>%1 %2 ml</source>
+        <translation>%1 %2 ml</translation>
+    </message>
+    <message>
+        <source>Export lesson</source>
+        <translation>Exporta la lliçó</translation>
+    </message>
+    <message>
+        <source>Motion from a series</source>
+        <translation>Moviment a partir d’una sèrie</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Tanca</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>now</source>
+        <translation>ara</translation>
+    </message>
+    <message>
+        <source>before</source>
+        <translation>abans</translation>
+    </message>
+    <message>
+        <source>Phase</source>
+        <translation>Fase</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <translation>, </translation>
+    </message>
+    <message>
+        <source>Close (Esc)</source>
+        <translation>Tanca (Esc)</translation>
+    </message>
+    <message>
+        <source>Time in the cycle</source>
+        <translation>Temps en el cicle</translation>
     </message>
 </context>
 </TS>

@@ -6333,211 +6333,6 @@
         <source>a markup of another kind</source>
         <translation>una marca de otro tipo</translation>
     </message>
-</context>
-<context>
-    <name>viscera::app</name>
-    <message>
-        <source>Undo</source>
-        <translation>Deshacer</translation>
-    </message>
-    <message>
-        <source>Circulation</source>
-        <translation>Circulación</translation>
-    </message>
-    <message>
-        <source>Sample %1</source>
-        <translation>Muestra: %1</translation>
-    </message>
-    <message>
-        <source>Organs (%1)</source>
-        <translation>Órganos (%1)</translation>
-    </message>
-    <message>
-        <source>Remove</source>
-        <translation>Quitar</translation>
-    </message>
-    <message>
-        <source>Prescribe a volume</source>
-        <translation>Prescribir un volumen</translation>
-    </message>
-    <message>
-        <source>Depth</source>
-        <translation>Profundidad</translation>
-    </message>
-    <message>
-        <source>Cut away the front</source>
-        <translation>Retirar la parte anterior</translation>
-    </message>
-    <message>
-        <source>Cut away the upper part</source>
-        <translation>Retirar la parte superior</translation>
-    </message>
-    <message>
-        <source>Facing the viewer</source>
-        <translation>Frente al observador</translation>
-    </message>
-    <message>
-        <source>Deform</source>
-        <translation>Deformar</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n handles</source>
-        <translation>
-            <numerusform>%n tirador</numerusform>
-            <numerusform>%n tiradores</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Volume</source>
-        <translation>Volumen</translation>
-    </message>
-    <message>
-        <source>%1 mm</source>
-        <translation>%1 mm</translation>
-    </message>
-    <message>
-        <source>%1 of %2</source>
-        <translation>%1 de %2</translation>
-    </message>
-    <message>
-        <source>Apply</source>
-        <translation>Aplicar</translation>
-    </message>
-    <message>
-        <source>Rest error</source>
-        <translation>Error en reposo</translation>
-    </message>
-    <message>
-        <source>The largest distance of the bound organ at rest from the original</source>
-        <translation>La mayor distancia entre el órgano vinculado en reposo y el original</translation>
-    </message>
-    <message>
-        <source>Smallest weight</source>
-        <translation>Peso mínimo</translation>
-    </message>
-    <message>
-        <source>Cut</source>
-        <translation>Sección</translation>
-    </message>
-    <message>
-        <source>Size</source>
-        <translation>Tamaño</translation>
-    </message>
-    <message>
-        <source>Surface</source>
-        <translation>Superficie</translation>
-    </message>
-    <message>
-        <source>Comma-separated values (*.csv)</source>
-        <translation>Valores separados por comas (*.csv)</translation>
-    </message>
-    <message>
-        <source>There is no organ to export. Open one first.</source>
-        <translation>No hay ningún órgano que exportar. Abra uno primero.</translation>
-    </message>
-    <message>
-        <source>Exporting %1</source>
-        <translation>Exportando %1</translation>
-    </message>
-    <message>
-        <source>Written to %1.</source>
-        <translation>Guardado en %1.</translation>
-    </message>
-    <message>
-        <source>Opening %1</source>
-        <translation>Abriendo %1</translation>
-    </message>
-    <message>
-        <source>Look for files...</source>
-        <translation>Buscar archivos...</translation>
-    </message>
-    <message>
-        <source> %</source>
-        <translation> %</translation>
-    </message>
-    <message>
-        <source>Place the sequence&apos;s handles around the organ and play it</source>
-        <translation>Colocar los tiradores de la secuencia en torno al órgano y reproducirla</translation>
-    </message>
-    <message>
-        <source>Groups</source>
-        <translation>Grupos</translation>
-    </message>
-    <message>
-        <source>Colour...</source>
-        <translation>Color...</translation>
-    </message>
-    <message numerus="yes">
-        <source>Move %n handles</source>
-        <translation>
-            <numerusform>Mover %n tirador</numerusform>
-            <numerusform>Mover %n tiradores</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Move handle %1</source>
-        <translation>Mover tirador %1</translation>
-    </message>
-    <message>
-        <source>Time</source>
-        <translation>Tiempo</translation>
-    </message>
-    <message>
-        <source>Stress</source>
-        <translation>Estrés</translation>
-    </message>
-    <message>
-        <source>Import</source>
-        <translation>Importar</translation>
-    </message>
-    <message>
-        <source>Duration of one cycle</source>
-        <translation>Duración de un ciclo</translation>
-    </message>
-    <message>
-        <source>%1 %2 ml</source>
-        <translation>%1 %2 ml</translation>
-    </message>
-    <message>
-        <source>Export lesson</source>
-        <translation>Exportar lección</translation>
-    </message>
-    <message>
-        <source>Motion from a series</source>
-        <translation>Movimiento de una serie</translation>
-    </message>
-    <message>
-        <source>Close</source>
-        <translation>Cerrar</translation>
-    </message>
-    <message>
-        <source> mm</source>
-        <translation> mm</translation>
-    </message>
-    <message>
-        <source>now</source>
-        <translation>ahora</translation>
-    </message>
-    <message>
-        <source>before</source>
-        <translation>antes</translation>
-    </message>
-    <message>
-        <source>Phase</source>
-        <translation>Fase</translation>
-    </message>
-    <message>
-        <source>, </source>
-        <translation>, </translation>
-    </message>
-    <message>
-        <source>Close (Esc)</source>
-        <translation>Cerrar (Esc)</translation>
-    </message>
-    <message>
-        <source>Time in the cycle</source>
-        <translation>Tiempo en el ciclo</translation>
-    </message>
     <message>
         <source>%1 is made for another organ (%2) than this one (%3): its numbers say nothing about it</source>
         <translation>%1 está hecho para otro órgano (%2) y no para este (%3): sus cifras no dicen nada de él</translation>
@@ -6746,6 +6541,211 @@
     <message>
         <source>All organs together: %1.</source>
         <translation>Todos los órganos juntos: %1.</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app</name>
+    <message>
+        <source>Undo</source>
+        <translation>Deshacer</translation>
+    </message>
+    <message>
+        <source>Circulation</source>
+        <translation>Circulación</translation>
+    </message>
+    <message>
+        <source>Sample %1</source>
+        <translation>Muestra: %1</translation>
+    </message>
+    <message>
+        <source>Organs (%1)</source>
+        <translation>Órganos (%1)</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Quitar</translation>
+    </message>
+    <message>
+        <source>Prescribe a volume</source>
+        <translation>Prescribir un volumen</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>Profundidad</translation>
+    </message>
+    <message>
+        <source>Cut away the front</source>
+        <translation>Retirar la parte anterior</translation>
+    </message>
+    <message>
+        <source>Cut away the upper part</source>
+        <translation>Retirar la parte superior</translation>
+    </message>
+    <message>
+        <source>Facing the viewer</source>
+        <translation>Frente al observador</translation>
+    </message>
+    <message>
+        <source>Deform</source>
+        <translation>Deformar</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n handles</source>
+        <translation>
+            <numerusform>%n tirador</numerusform>
+            <numerusform>%n tiradores</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation>Volumen</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 de %2</translation>
+    </message>
+    <message>
+        <source>Apply</source>
+        <translation>Aplicar</translation>
+    </message>
+    <message>
+        <source>Rest error</source>
+        <translation>Error en reposo</translation>
+    </message>
+    <message>
+        <source>The largest distance of the bound organ at rest from the original</source>
+        <translation>La mayor distancia entre el órgano vinculado en reposo y el original</translation>
+    </message>
+    <message>
+        <source>Smallest weight</source>
+        <translation>Peso mínimo</translation>
+    </message>
+    <message>
+        <source>Cut</source>
+        <translation>Sección</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Tamaño</translation>
+    </message>
+    <message>
+        <source>Surface</source>
+        <translation>Superficie</translation>
+    </message>
+    <message>
+        <source>Comma-separated values (*.csv)</source>
+        <translation>Valores separados por comas (*.csv)</translation>
+    </message>
+    <message>
+        <source>There is no organ to export. Open one first.</source>
+        <translation>No hay ningún órgano que exportar. Abra uno primero.</translation>
+    </message>
+    <message>
+        <source>Exporting %1</source>
+        <translation>Exportando %1</translation>
+    </message>
+    <message>
+        <source>Written to %1.</source>
+        <translation>Guardado en %1.</translation>
+    </message>
+    <message>
+        <source>Opening %1</source>
+        <translation>Abriendo %1</translation>
+    </message>
+    <message>
+        <source>Look for files...</source>
+        <translation>Buscar archivos...</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Place the sequence&apos;s handles around the organ and play it</source>
+        <translation>Colocar los tiradores de la secuencia en torno al órgano y reproducirla</translation>
+    </message>
+    <message>
+        <source>Groups</source>
+        <translation>Grupos</translation>
+    </message>
+    <message>
+        <source>Colour...</source>
+        <translation>Color...</translation>
+    </message>
+    <message numerus="yes">
+        <source>Move %n handles</source>
+        <translation>
+            <numerusform>Mover %n tirador</numerusform>
+            <numerusform>Mover %n tiradores</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Move handle %1</source>
+        <translation>Mover tirador %1</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Tiempo</translation>
+    </message>
+    <message>
+        <source>Stress</source>
+        <translation>Estrés</translation>
+    </message>
+    <message>
+        <source>Import</source>
+        <translation>Importar</translation>
+    </message>
+    <message>
+        <source>Duration of one cycle</source>
+        <translation>Duración de un ciclo</translation>
+    </message>
+    <message>
+        <source>%1 %2 ml</source>
+        <translation>%1 %2 ml</translation>
+    </message>
+    <message>
+        <source>Export lesson</source>
+        <translation>Exportar lección</translation>
+    </message>
+    <message>
+        <source>Motion from a series</source>
+        <translation>Movimiento de una serie</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Cerrar</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>now</source>
+        <translation>ahora</translation>
+    </message>
+    <message>
+        <source>before</source>
+        <translation>antes</translation>
+    </message>
+    <message>
+        <source>Phase</source>
+        <translation>Fase</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <translation>, </translation>
+    </message>
+    <message>
+        <source>Close (Esc)</source>
+        <translation>Cerrar (Esc)</translation>
+    </message>
+    <message>
+        <source>Time in the cycle</source>
+        <translation>Tiempo en el ciclo</translation>
     </message>
 </context>
 </TS>

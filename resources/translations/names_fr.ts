@@ -6333,211 +6333,6 @@
         <source>a markup of another kind</source>
         <translation>un marquage d’un autre type</translation>
     </message>
-</context>
-<context>
-    <name>viscera::app</name>
-    <message>
-        <source>Undo</source>
-        <translation>Annuler</translation>
-    </message>
-    <message>
-        <source>Circulation</source>
-        <translation>Circulation</translation>
-    </message>
-    <message>
-        <source>Sample %1</source>
-        <translation>Organe type&#xa0;: %1</translation>
-    </message>
-    <message>
-        <source>Organs (%1)</source>
-        <translation>Organes (%1)</translation>
-    </message>
-    <message>
-        <source>Remove</source>
-        <translation>Supprimer</translation>
-    </message>
-    <message>
-        <source>Prescribe a volume</source>
-        <translation>Imposer un volume</translation>
-    </message>
-    <message>
-        <source>Depth</source>
-        <translation>Profondeur</translation>
-    </message>
-    <message>
-        <source>Cut away the front</source>
-        <translation>Retirer la partie avant</translation>
-    </message>
-    <message>
-        <source>Cut away the upper part</source>
-        <translation>Retirer la partie supérieure</translation>
-    </message>
-    <message>
-        <source>Facing the viewer</source>
-        <translation>Face à l’observateur</translation>
-    </message>
-    <message>
-        <source>Deform</source>
-        <translation>Déformer</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n handles</source>
-        <translation>
-            <numerusform>%n poignée</numerusform>
-            <numerusform>%n poignées</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Volume</source>
-        <translation>Volume</translation>
-    </message>
-    <message>
-        <source>%1 mm</source>
-        <translation>%1 mm</translation>
-    </message>
-    <message>
-        <source>%1 of %2</source>
-        <translation>%1 sur %2</translation>
-    </message>
-    <message>
-        <source>Apply</source>
-        <translation>Appliquer</translation>
-    </message>
-    <message>
-        <source>Rest error</source>
-        <translation>Erreur au repos</translation>
-    </message>
-    <message>
-        <source>The largest distance of the bound organ at rest from the original</source>
-        <translation>La plus grande distance entre l’organe lié au repos et l’original</translation>
-    </message>
-    <message>
-        <source>Smallest weight</source>
-        <translation>Plus petit poids</translation>
-    </message>
-    <message>
-        <source>Cut</source>
-        <translation>Section</translation>
-    </message>
-    <message>
-        <source>Size</source>
-        <translation>Taille</translation>
-    </message>
-    <message>
-        <source>Surface</source>
-        <translation>Surface</translation>
-    </message>
-    <message>
-        <source>Comma-separated values (*.csv)</source>
-        <translation>Valeurs séparées par des virgules (*.csv)</translation>
-    </message>
-    <message>
-        <source>There is no organ to export. Open one first.</source>
-        <translation>Il n’y a pas d’organe à exporter. Ouvrez-en un d’abord.</translation>
-    </message>
-    <message>
-        <source>Exporting %1</source>
-        <translation>Exportation&#xa0;: %1</translation>
-    </message>
-    <message>
-        <source>Written to %1.</source>
-        <translation>Écrit dans %1.</translation>
-    </message>
-    <message>
-        <source>Opening %1</source>
-        <translation>Ouverture de %1</translation>
-    </message>
-    <message>
-        <source>Look for files...</source>
-        <translation>Chercher les fichiers...</translation>
-    </message>
-    <message>
-        <source> %</source>
-        <translation> %</translation>
-    </message>
-    <message>
-        <source>Place the sequence&apos;s handles around the organ and play it</source>
-        <translation>Placer les poignées de la séquence autour de l’organe et la lire</translation>
-    </message>
-    <message>
-        <source>Groups</source>
-        <translation>Groupes</translation>
-    </message>
-    <message>
-        <source>Colour...</source>
-        <translation>Couleur...</translation>
-    </message>
-    <message numerus="yes">
-        <source>Move %n handles</source>
-        <translation>
-            <numerusform>Déplacer %n poignée</numerusform>
-            <numerusform>Déplacer %n poignées</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Move handle %1</source>
-        <translation>Déplacer la poignée %1</translation>
-    </message>
-    <message>
-        <source>Time</source>
-        <translation>Temps</translation>
-    </message>
-    <message>
-        <source>Stress</source>
-        <translation>Contrainte</translation>
-    </message>
-    <message>
-        <source>Import</source>
-        <translation>Importer</translation>
-    </message>
-    <message>
-        <source>Duration of one cycle</source>
-        <translation>Durée d’un cycle</translation>
-    </message>
-    <message>
-        <source>%1 %2 ml</source>
-        <translation>%1 %2 ml</translation>
-    </message>
-    <message>
-        <source>Export lesson</source>
-        <translation>Exporter la leçon</translation>
-    </message>
-    <message>
-        <source>Motion from a series</source>
-        <translation>Mouvement d’une série</translation>
-    </message>
-    <message>
-        <source>Close</source>
-        <translation>Fermer</translation>
-    </message>
-    <message>
-        <source> mm</source>
-        <translation> mm</translation>
-    </message>
-    <message>
-        <source>now</source>
-        <translation>actuel</translation>
-    </message>
-    <message>
-        <source>before</source>
-        <translation>avant</translation>
-    </message>
-    <message>
-        <source>Phase</source>
-        <translation>Phase</translation>
-    </message>
-    <message>
-        <source>, </source>
-        <translation>, </translation>
-    </message>
-    <message>
-        <source>Close (Esc)</source>
-        <translation>Fermer (Échap)</translation>
-    </message>
-    <message>
-        <source>Time in the cycle</source>
-        <translation>Temps dans le cycle</translation>
-    </message>
     <message>
         <source>%1 is made for another organ (%2) than this one (%3): its numbers say nothing about it</source>
         <translation>%1 est prévu pour un autre organe (%2) que celui-ci (%3) : ses valeurs ne disent rien de celui-ci</translation>
@@ -6746,6 +6541,211 @@
     <message>
         <source>All organs together: %1.</source>
         <translation>Tous les organes ensemble : %1.</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app</name>
+    <message>
+        <source>Undo</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>Circulation</source>
+        <translation>Circulation</translation>
+    </message>
+    <message>
+        <source>Sample %1</source>
+        <translation>Organe type&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>Organs (%1)</source>
+        <translation>Organes (%1)</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Supprimer</translation>
+    </message>
+    <message>
+        <source>Prescribe a volume</source>
+        <translation>Imposer un volume</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>Profondeur</translation>
+    </message>
+    <message>
+        <source>Cut away the front</source>
+        <translation>Retirer la partie avant</translation>
+    </message>
+    <message>
+        <source>Cut away the upper part</source>
+        <translation>Retirer la partie supérieure</translation>
+    </message>
+    <message>
+        <source>Facing the viewer</source>
+        <translation>Face à l’observateur</translation>
+    </message>
+    <message>
+        <source>Deform</source>
+        <translation>Déformer</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n handles</source>
+        <translation>
+            <numerusform>%n poignée</numerusform>
+            <numerusform>%n poignées</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation>Volume</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 sur %2</translation>
+    </message>
+    <message>
+        <source>Apply</source>
+        <translation>Appliquer</translation>
+    </message>
+    <message>
+        <source>Rest error</source>
+        <translation>Erreur au repos</translation>
+    </message>
+    <message>
+        <source>The largest distance of the bound organ at rest from the original</source>
+        <translation>La plus grande distance entre l’organe lié au repos et l’original</translation>
+    </message>
+    <message>
+        <source>Smallest weight</source>
+        <translation>Plus petit poids</translation>
+    </message>
+    <message>
+        <source>Cut</source>
+        <translation>Section</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Taille</translation>
+    </message>
+    <message>
+        <source>Surface</source>
+        <translation>Surface</translation>
+    </message>
+    <message>
+        <source>Comma-separated values (*.csv)</source>
+        <translation>Valeurs séparées par des virgules (*.csv)</translation>
+    </message>
+    <message>
+        <source>There is no organ to export. Open one first.</source>
+        <translation>Il n’y a pas d’organe à exporter. Ouvrez-en un d’abord.</translation>
+    </message>
+    <message>
+        <source>Exporting %1</source>
+        <translation>Exportation&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>Written to %1.</source>
+        <translation>Écrit dans %1.</translation>
+    </message>
+    <message>
+        <source>Opening %1</source>
+        <translation>Ouverture de %1</translation>
+    </message>
+    <message>
+        <source>Look for files...</source>
+        <translation>Chercher les fichiers...</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Place the sequence&apos;s handles around the organ and play it</source>
+        <translation>Placer les poignées de la séquence autour de l’organe et la lire</translation>
+    </message>
+    <message>
+        <source>Groups</source>
+        <translation>Groupes</translation>
+    </message>
+    <message>
+        <source>Colour...</source>
+        <translation>Couleur...</translation>
+    </message>
+    <message numerus="yes">
+        <source>Move %n handles</source>
+        <translation>
+            <numerusform>Déplacer %n poignée</numerusform>
+            <numerusform>Déplacer %n poignées</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Move handle %1</source>
+        <translation>Déplacer la poignée %1</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Temps</translation>
+    </message>
+    <message>
+        <source>Stress</source>
+        <translation>Contrainte</translation>
+    </message>
+    <message>
+        <source>Import</source>
+        <translation>Importer</translation>
+    </message>
+    <message>
+        <source>Duration of one cycle</source>
+        <translation>Durée d’un cycle</translation>
+    </message>
+    <message>
+        <source>%1 %2 ml</source>
+        <translation>%1 %2 ml</translation>
+    </message>
+    <message>
+        <source>Export lesson</source>
+        <translation>Exporter la leçon</translation>
+    </message>
+    <message>
+        <source>Motion from a series</source>
+        <translation>Mouvement d’une série</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Fermer</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>now</source>
+        <translation>actuel</translation>
+    </message>
+    <message>
+        <source>before</source>
+        <translation>avant</translation>
+    </message>
+    <message>
+        <source>Phase</source>
+        <translation>Phase</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <translation>, </translation>
+    </message>
+    <message>
+        <source>Close (Esc)</source>
+        <translation>Fermer (Échap)</translation>
+    </message>
+    <message>
+        <source>Time in the cycle</source>
+        <translation>Temps dans le cycle</translation>
     </message>
 </context>
 </TS>
