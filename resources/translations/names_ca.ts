@@ -6542,6 +6542,14 @@
         <source>All organs together: %1.</source>
         <translation>Tots els òrgans junts: %1.</translation>
     </message>
+    <message>
+        <source>RAS or mirrored</source>
+        <translation>RAS o emmirallat</translation>
+    </message>
+    <message>
+        <source>head and feet exchanged</source>
+        <translation>cap i peus intercanviats</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app</name>

@@ -6542,6 +6542,14 @@
         <source>All organs together: %1.</source>
         <translation>Alle Organe zusammen: %1.</translation>
     </message>
+    <message>
+        <source>RAS or mirrored</source>
+        <translation>RAS oder gespiegelt</translation>
+    </message>
+    <message>
+        <source>head and feet exchanged</source>
+        <translation>Kopf und Füße vertauscht</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app</name>

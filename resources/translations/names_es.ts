@@ -6542,6 +6542,14 @@
         <source>All organs together: %1.</source>
         <translation>Todos los órganos juntos: %1.</translation>
     </message>
+    <message>
+        <source>RAS or mirrored</source>
+        <translation>RAS o reflejado</translation>
+    </message>
+    <message>
+        <source>head and feet exchanged</source>
+        <translation>cabeza y pies intercambiados</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app</name>

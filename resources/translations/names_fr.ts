@@ -6542,6 +6542,14 @@
         <source>All organs together: %1.</source>
         <translation>Tous les organes ensemble : %1.</translation>
     </message>
+    <message>
+        <source>RAS or mirrored</source>
+        <translation>RAS ou en miroir</translation>
+    </message>
+    <message>
+        <source>head and feet exchanged</source>
+        <translation>tête et pieds échangés</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app</name>
