@@ -6239,7 +6239,7 @@
     </message>
     <message>
         <source>It holds %1, not %2</source>
-        <translation>Conté %1, no %2</translation>
+        <translation>El fitxer conté %1, no %2</translation>
     </message>
     <message>
         <source>its unit %1 is not known; mm are assumed</source>
@@ -6296,6 +6296,223 @@
     <message>
         <source>a markup of another kind</source>
         <translation>una marca d’un altre tipus</translation>
+    </message>
+    <message>
+        <source>%1 is made for another organ (%2) than this one (%3): its numbers say nothing about it</source>
+        <translation>%1 està fet per a un altre òrgan (%2) i no per a aquest (%3): les seves xifres no en diuen res</translation>
+    </message>
+    <message>
+        <source>The motion was recorded of another organ (%1) than this one (%2): its numbers say nothing about it</source>
+        <translation>El moviment es va enregistrar en un altre òrgan (%1) i no en aquest (%2): les seves xifres no en diuen res</translation>
+    </message>
+    <message>
+        <source>right and left, front and back, head and feet are exchanged: mirrored</source>
+        <translation>dreta i esquerra, davant i darrere, cap i peus estan intercanviats: emmirallat</translation>
+    </message>
+    <message>
+        <source>head and feet are exchanged, and so are right and left: the patient is upside down</source>
+        <translation>cap i peus estan intercanviats, i també dreta i esquerra: el pacient està cap per avall</translation>
+    </message>
+    <message>
+        <source>right and left are exchanged, front and back are not: mirrored, unless head and feet are exchanged too</source>
+        <translation>dreta i esquerra estan intercanviades, davant i darrere no: emmirallat, tret que també ho estiguin cap i peus</translation>
+    </message>
+    <message>
+        <source>right and left are exchanged, front and back are not: mirrored, or situs inversus</source>
+        <translation>dreta i esquerra estan intercanviades, davant i darrere no: emmirallat, o situs inversus</translation>
+    </message>
+    <message>
+        <source>head and feet are exchanged, and so are front and back: the patient is upside down</source>
+        <translation>cap i peus estan intercanviats, i també davant i darrere: el pacient està cap per avall</translation>
+    </message>
+    <message>
+        <source>head and feet are exchanged: the patient is upside down, or mirrored</source>
+        <translation>cap i peus estan intercanviats: el pacient està cap per avall o emmirallat</translation>
+    </message>
+    <message>
+        <source>head and feet are exchanged, front and back are not: the slices seem to be in the opposite order, which mirrors the patient</source>
+        <translation>cap i peus estan intercanviats, davant i darrere no: els talls semblen en ordre invers, cosa que emmiralla el pacient</translation>
+    </message>
+    <message>
+        <source>front and back are exchanged: the files may be in RAS, mirrored, or upside down</source>
+        <translation>davant i darrere estan intercanviats: potser els fitxers són en RAS, emmirallats o cap per avall</translation>
+    </message>
+    <message>
+        <source>front and back are exchanged, right and left are not: mirrored, unless head and feet are exchanged too</source>
+        <translation>davant i darrere estan intercanviats, dreta i esquerra no: emmirallat, tret que també ho estiguin cap i peus</translation>
+    </message>
+    <message>
+        <source>front and back are exchanged, right and left are not: mirrored</source>
+        <translation>davant i darrere estan intercanviats, dreta i esquerra no: emmirallat</translation>
+    </message>
+    <message>
+        <source>the head lies along the y axis: the files seem to come from a program in which y is up</source>
+        <translation>el cap és al llarg de l’eix y: els fitxers semblen venir d’un programa en què y apunta cap amunt</translation>
+    </message>
+    <message>
+        <source>the organs do not lie as in a body whose axes are LPS: other axes, or not of one patient</source>
+        <translation>els òrgans no estan com en un cos amb els eixos LPS: altres eixos, o no són d’un mateix pacient</translation>
+    </message>
+    <message>
+        <source>organs whose names say left or right lie on that side, but the others lie on the side opposite to the usual one: situs inversus, or wrong names</source>
+        <translation>els òrgans el nom dels quals diu esquerra o dreta són en aquest costat, però els altres són al costat oposat a l’habitual: situs inversus, o noms equivocats</translation>
+    </message>
+    <message>
+        <source>organs whose names say left or right lie on the opposite side, but the others lie as usual: left and right seem to be exchanged in the names</source>
+        <translation>els òrgans el nom dels quals diu esquerra o dreta són al costat oposat, però els altres són com és habitual: esquerra i dreta semblen intercanviades en els noms</translation>
+    </message>
+    <message numerus="yes">
+        <source>by the other organs, %n {organ lies|organs lie} on the opposite side of the patient: %2</source>
+        <translation>
+            <numerusform>segons els altres òrgans, %n òrgan és al costat oposat del pacient: %2</numerusform>
+            <numerusform>segons els altres òrgans, %n òrgans són al costat oposat del pacient: %2</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>by their volumes all organs are %1 times as large as life: the coordinates seem to be in %2</source>
+        <translation>pels seus volums, tots els òrgans són %1 vegades la mida natural: les coordenades semblen ser en %2</translation>
+    </message>
+    <message>
+        <source>by their volumes all organs are %1 times as large as life: a child, an atlas that is not life-sized, or another unit</source>
+        <translation>pels seus volums, tots els òrgans són %1 vegades la mida natural: un infant, un atles que no és de mida natural, o una altra unitat</translation>
+    </message>
+    <message>
+        <source>among the other organs it lies on the side that its name says</source>
+        <translation>entre els altres òrgans és al costat que diu el seu nom</translation>
+    </message>
+    <message>
+        <source>turns the surface by a quarter and a half turn, from a model in RAS whose y axis points to the head</source>
+        <translation>gira la superfície un quart i mitja volta, des d’un model en RAS l’eix y del qual apunta al cap</translation>
+    </message>
+    <message>
+        <source>exchanges front and back, which mirrors the surface</source>
+        <translation>intercanvia davant i darrere, cosa que emmiralla la superfície</translation>
+    </message>
+    <message>
+        <source>exchanges head and feet, which mirrors the surface</source>
+        <translation>intercanvia cap i peus, cosa que emmiralla la superfície</translation>
+    </message>
+    <message>
+        <source>exchanges head and feet, and front and back, by half a turn</source>
+        <translation>intercanvia cap i peus, i davant i darrere, amb mitja volta</translation>
+    </message>
+    <message>
+        <source>exchanges head and feet, and right and left, by half a turn</source>
+        <translation>intercanvia cap i peus, i dreta i esquerra, amb mitja volta</translation>
+    </message>
+    <message>
+        <source>exchanges all three directions, which mirrors the surface</source>
+        <translation>intercanvia les tres direccions, cosa que emmiralla la superfície</translation>
+    </message>
+    <message>
+        <source>Convert from Y up and RAS to LPS</source>
+        <translation>Converteix de Y amunt i RAS a LPS</translation>
+    </message>
+    <message>
+        <source>Mirror front and back</source>
+        <translation>Emmiralla davant i darrere</translation>
+    </message>
+    <message>
+        <source>Mirror head and feet</source>
+        <translation>Emmiralla cap i peus</translation>
+    </message>
+    <message>
+        <source>Turn head and feet, front and back</source>
+        <translation>Gira cap i peus, davant i darrere</translation>
+    </message>
+    <message>
+        <source>Turn head and feet, right and left</source>
+        <translation>Gira cap i peus, dreta i esquerra</translation>
+    </message>
+    <message>
+        <source>Mirror all three directions</source>
+        <translation>Emmiralla les tres direccions</translation>
+    </message>
+    <message numerus="yes">
+        <source>is cut by {the %2 edge|%n edges (%2)} of the image: its volume is too small</source>
+        <translation>
+            <numerusform>està tallat per la vora %2 de la imatge: el seu volum és massa petit</numerusform>
+            <numerusform>està tallat per %n vores (%2) de la imatge: el seu volum és massa petit</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>reaches {the %2 edge|%n edges (%2)} of the image, which may cut it off</source>
+        <translation>
+            <numerusform>arriba a la vora %2 de la imatge, que el pot tallar</numerusform>
+            <numerusform>arriba a %n vores (%2) de la imatge, que el pot tallar</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>dret</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>esquerre</translation>
+    </message>
+    <message>
+        <source>front</source>
+        <translation>anterior</translation>
+    </message>
+    <message>
+        <source>back</source>
+        <translation>posterior</translation>
+    </message>
+    <message>
+        <source>lower</source>
+        <translation>inferior</translation>
+    </message>
+    <message>
+        <source>upper</source>
+        <translation>superior</translation>
+    </message>
+    <message>
+        <source>There are no organs whose coordinates could be converted</source>
+        <translation>No hi ha òrgans les coordenades dels quals es puguin convertir</translation>
+    </message>
+    <message>
+        <source>open some first</source>
+        <translation>obriu-ne algun primer</translation>
+    </message>
+    <message>
+        <source>Convert between RAS and LPS</source>
+        <translation>Converteix entre RAS i LPS</translation>
+    </message>
+    <message>
+        <source>Mirror left and right</source>
+        <translation>Emmiralla esquerra i dreta</translation>
+    </message>
+    <message>
+        <source>Convert the unit</source>
+        <translation>Converteix la unitat</translation>
+    </message>
+    <message>
+        <source>Convert the axes</source>
+        <translation>Converteix els eixos</translation>
+    </message>
+    <message>
+        <source>converted after the import: %1</source>
+        <translation>convertit després d’importar: %1</translation>
+    </message>
+    <message>
+        <source>Scale by %1</source>
+        <translation>Escala per %1</translation>
+    </message>
+    <message>
+        <source>scaled after the import by %1</source>
+        <translation>escalat després d’importar per %1</translation>
+    </message>
+    <message>
+        <source>All organs together: %1.</source>
+        <translation>Tots els òrgans junts: %1.</translation>
+    </message>
+    <message>
+        <source>RAS or mirrored</source>
+        <translation>RAS o emmirallat</translation>
+    </message>
+    <message>
+        <source>head and feet exchanged</source>
+        <translation>cap i peus intercanviats</translation>
     </message>
 </context>
 <context>
@@ -6509,215 +6726,6 @@
     <message>
         <source>Time in the cycle</source>
         <translation>Temps en el cicle</translation>
-    </message>
-    <message>
-        <source>%1 is made for another organ (%2) than this one (%3): its numbers say nothing about it</source>
-        <translation>%1 està fet per a un altre òrgan (%2) i no per a aquest (%3): les seves xifres no en diuen res</translation>
-    </message>
-    <message>
-        <source>The motion was recorded of another organ (%1) than this one (%2): its numbers say nothing about it</source>
-        <translation>El moviment es va enregistrar en un altre òrgan (%1) i no en aquest (%2): les seves xifres no en diuen res</translation>
-    </message>
-    <message>
-        <source>right and left, front and back, head and feet are exchanged: mirrored</source>
-        <translation>dreta i esquerra, davant i darrere, cap i peus estan intercanviats: emmirallat</translation>
-    </message>
-    <message>
-        <source>head and feet are exchanged, and so are right and left: the patient is upside down</source>
-        <translation>cap i peus estan intercanviats, i també dreta i esquerra: el pacient està cap per avall</translation>
-    </message>
-    <message>
-        <source>right and left are exchanged, front and back are not: mirrored, unless head and feet are exchanged too</source>
-        <translation>dreta i esquerra estan intercanviades, davant i darrere no: emmirallat, tret que també ho estiguin cap i peus</translation>
-    </message>
-    <message>
-        <source>right and left are exchanged, front and back are not: mirrored, or situs inversus</source>
-        <translation>dreta i esquerra estan intercanviades, davant i darrere no: emmirallat, o situs inversus</translation>
-    </message>
-    <message>
-        <source>head and feet are exchanged, and so are front and back: the patient is upside down</source>
-        <translation>cap i peus estan intercanviats, i també davant i darrere: el pacient està cap per avall</translation>
-    </message>
-    <message>
-        <source>head and feet are exchanged: the patient is upside down, or mirrored</source>
-        <translation>cap i peus estan intercanviats: el pacient està cap per avall o emmirallat</translation>
-    </message>
-    <message>
-        <source>head and feet are exchanged, front and back are not: the slices seem to be in the opposite order, which mirrors the patient</source>
-        <translation>cap i peus estan intercanviats, davant i darrere no: els talls semblen en ordre invers, cosa que emmiralla el pacient</translation>
-    </message>
-    <message>
-        <source>front and back are exchanged: the files may be in RAS, mirrored, or upside down</source>
-        <translation>davant i darrere estan intercanviats: potser els fitxers són en RAS, emmirallats o cap per avall</translation>
-    </message>
-    <message>
-        <source>front and back are exchanged, right and left are not: mirrored, unless head and feet are exchanged too</source>
-        <translation>davant i darrere estan intercanviats, dreta i esquerra no: emmirallat, tret que també ho estiguin cap i peus</translation>
-    </message>
-    <message>
-        <source>front and back are exchanged, right and left are not: mirrored</source>
-        <translation>davant i darrere estan intercanviats, dreta i esquerra no: emmirallat</translation>
-    </message>
-    <message>
-        <source>the head lies along the y axis: the files seem to come from a program in which y is up</source>
-        <translation>el cap és al llarg de l’eix y: els fitxers semblen venir d’un programa en què y apunta cap amunt</translation>
-    </message>
-    <message>
-        <source>the organs do not lie as in a body whose axes are LPS: other axes, or not of one patient</source>
-        <translation>els òrgans no estan com en un cos amb els eixos LPS: altres eixos, o no són d’un mateix pacient</translation>
-    </message>
-    <message>
-        <source>organs whose names say left or right lie on that side, but the others lie on the side opposite to the usual one: situs inversus, or wrong names</source>
-        <translation>els òrgans el nom dels quals diu esquerra o dreta són en aquest costat, però els altres són al costat oposat a l’habitual: situs inversus, o noms equivocats</translation>
-    </message>
-    <message>
-        <source>organs whose names say left or right lie on the opposite side, but the others lie as usual: left and right seem to be exchanged in the names</source>
-        <translation>els òrgans el nom dels quals diu esquerra o dreta són al costat oposat, però els altres són com és habitual: esquerra i dreta semblen intercanviades en els noms</translation>
-    </message>
-    <message numerus="yes">
-        <source>by the other organs, %n {organ lies|organs lie} on the opposite side of the patient: %2</source>
-        <translation>
-            <numerusform>segons els altres òrgans, %n òrgan és al costat oposat del pacient: %2</numerusform>
-            <numerusform>segons els altres òrgans, %n òrgans són al costat oposat del pacient: %2</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>by their volumes all organs are %1 times as large as life: the coordinates seem to be in %2</source>
-        <translation>pels seus volums, tots els òrgans són %1 vegades la mida natural: les coordenades semblen ser en %2</translation>
-    </message>
-    <message>
-        <source>by their volumes all organs are %1 times as large as life: a child, an atlas that is not life-sized, or another unit</source>
-        <translation>pels seus volums, tots els òrgans són %1 vegades la mida natural: un infant, un atles que no és de mida natural, o una altra unitat</translation>
-    </message>
-    <message>
-        <source>among the other organs it lies on the side that its name says</source>
-        <translation>entre els altres òrgans és al costat que diu el seu nom</translation>
-    </message>
-    <message>
-        <source>turns the surface by a quarter and a half turn, from a model in RAS whose y axis points to the head</source>
-        <translation>gira la superfície un quart i mitja volta, des d’un model en RAS l’eix y del qual apunta al cap</translation>
-    </message>
-    <message>
-        <source>exchanges front and back, which mirrors the surface</source>
-        <translation>intercanvia davant i darrere, cosa que emmiralla la superfície</translation>
-    </message>
-    <message>
-        <source>exchanges head and feet, which mirrors the surface</source>
-        <translation>intercanvia cap i peus, cosa que emmiralla la superfície</translation>
-    </message>
-    <message>
-        <source>exchanges head and feet, and front and back, by half a turn</source>
-        <translation>intercanvia cap i peus, i davant i darrere, amb mitja volta</translation>
-    </message>
-    <message>
-        <source>exchanges head and feet, and right and left, by half a turn</source>
-        <translation>intercanvia cap i peus, i dreta i esquerra, amb mitja volta</translation>
-    </message>
-    <message>
-        <source>exchanges all three directions, which mirrors the surface</source>
-        <translation>intercanvia les tres direccions, cosa que emmiralla la superfície</translation>
-    </message>
-    <message>
-        <source>Convert from Y up and RAS to LPS</source>
-        <translation>Converteix de Y amunt i RAS a LPS</translation>
-    </message>
-    <message>
-        <source>Mirror front and back</source>
-        <translation>Emmiralla davant i darrere</translation>
-    </message>
-    <message>
-        <source>Mirror head and feet</source>
-        <translation>Emmiralla cap i peus</translation>
-    </message>
-    <message>
-        <source>Turn head and feet, front and back</source>
-        <translation>Gira cap i peus, davant i darrere</translation>
-    </message>
-    <message>
-        <source>Turn head and feet, right and left</source>
-        <translation>Gira cap i peus, dreta i esquerra</translation>
-    </message>
-    <message>
-        <source>Mirror all three directions</source>
-        <translation>Emmiralla les tres direccions</translation>
-    </message>
-    <message numerus="yes">
-        <source>is cut by {the %2 edge|%n edges (%2)} of the image: its volume is too small</source>
-        <translation>
-            <numerusform>està tallat per la vora %2 de la imatge: el seu volum és massa petit</numerusform>
-            <numerusform>està tallat per %n vores (%2) de la imatge: el seu volum és massa petit</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>reaches {the %2 edge|%n edges (%2)} of the image, which may cut it off</source>
-        <translation>
-            <numerusform>arriba a la vora %2 de la imatge, que el pot tallar</numerusform>
-            <numerusform>arriba a %n vores (%2) de la imatge, que el pot tallar</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>right</source>
-        <translation>dret</translation>
-    </message>
-    <message>
-        <source>left</source>
-        <translation>esquerre</translation>
-    </message>
-    <message>
-        <source>front</source>
-        <translation>anterior</translation>
-    </message>
-    <message>
-        <source>back</source>
-        <translation>posterior</translation>
-    </message>
-    <message>
-        <source>lower</source>
-        <translation>inferior</translation>
-    </message>
-    <message>
-        <source>upper</source>
-        <translation>superior</translation>
-    </message>
-    <message>
-        <source>There are no organs whose coordinates could be converted</source>
-        <translation>No hi ha òrgans les coordenades dels quals es puguin convertir</translation>
-    </message>
-    <message>
-        <source>open some first</source>
-        <translation>obriu-ne algun primer</translation>
-    </message>
-    <message>
-        <source>Convert between RAS and LPS</source>
-        <translation>Converteix entre RAS i LPS</translation>
-    </message>
-    <message>
-        <source>Mirror left and right</source>
-        <translation>Emmiralla esquerra i dreta</translation>
-    </message>
-    <message>
-        <source>Convert the unit</source>
-        <translation>Converteix la unitat</translation>
-    </message>
-    <message>
-        <source>Convert the axes</source>
-        <translation>Converteix els eixos</translation>
-    </message>
-    <message>
-        <source>converted after the import: %1</source>
-        <translation>convertit després d’importar: %1</translation>
-    </message>
-    <message>
-        <source>Scale by %1</source>
-        <translation>Escala per %1</translation>
-    </message>
-    <message>
-        <source>scaled after the import by %1</source>
-        <translation>escalat després d’importar per %1</translation>
-    </message>
-    <message>
-        <source>All organs together: %1.</source>
-        <translation>Tots els òrgans junts: %1.</translation>
     </message>
     <message>
         <source>All %1 slices were resampled to a distance of %2 mm; values between two slices are mixed from both</source>

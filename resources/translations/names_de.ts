@@ -6239,7 +6239,7 @@
     </message>
     <message>
         <source>It holds %1, not %2</source>
-        <translation>Sie enthält %1, nicht %2</translation>
+        <translation>Die Datei enthält %1, nicht %2</translation>
     </message>
     <message>
         <source>its unit %1 is not known; mm are assumed</source>
@@ -6296,6 +6296,223 @@
     <message>
         <source>a markup of another kind</source>
         <translation>eine Markierung anderer Art</translation>
+    </message>
+    <message>
+        <source>%1 is made for another organ (%2) than this one (%3): its numbers say nothing about it</source>
+        <translation>%1 ist für ein anderes Organ (%2) gemacht als dieses (%3): die Zahlen sagen nichts über dieses aus</translation>
+    </message>
+    <message>
+        <source>The motion was recorded of another organ (%1) than this one (%2): its numbers say nothing about it</source>
+        <translation>Die Bewegung wurde an einem anderen Organ (%1) aufgenommen als diesem (%2): die Zahlen sagen nichts über dieses aus</translation>
+    </message>
+    <message>
+        <source>right and left, front and back, head and feet are exchanged: mirrored</source>
+        <translation>rechts und links, vorn und hinten, Kopf und Füße sind vertauscht: gespiegelt</translation>
+    </message>
+    <message>
+        <source>head and feet are exchanged, and so are right and left: the patient is upside down</source>
+        <translation>Kopf und Füße sind vertauscht, ebenso rechts und links: der Patient steht auf dem Kopf</translation>
+    </message>
+    <message>
+        <source>right and left are exchanged, front and back are not: mirrored, unless head and feet are exchanged too</source>
+        <translation>rechts und links sind vertauscht, vorn und hinten nicht: gespiegelt, falls nicht auch Kopf und Füße vertauscht sind</translation>
+    </message>
+    <message>
+        <source>right and left are exchanged, front and back are not: mirrored, or situs inversus</source>
+        <translation>rechts und links sind vertauscht, vorn und hinten nicht: gespiegelt, oder Situs inversus</translation>
+    </message>
+    <message>
+        <source>head and feet are exchanged, and so are front and back: the patient is upside down</source>
+        <translation>Kopf und Füße sind vertauscht, ebenso vorn und hinten: der Patient steht auf dem Kopf</translation>
+    </message>
+    <message>
+        <source>head and feet are exchanged: the patient is upside down, or mirrored</source>
+        <translation>Kopf und Füße sind vertauscht: der Patient steht auf dem Kopf oder ist gespiegelt</translation>
+    </message>
+    <message>
+        <source>head and feet are exchanged, front and back are not: the slices seem to be in the opposite order, which mirrors the patient</source>
+        <translation>Kopf und Füße sind vertauscht, vorn und hinten nicht: die Schichten scheinen in umgekehrter Folge zu liegen, was den Patienten spiegelt</translation>
+    </message>
+    <message>
+        <source>front and back are exchanged: the files may be in RAS, mirrored, or upside down</source>
+        <translation>vorn und hinten sind vertauscht: die Dateien sind vielleicht in RAS, gespiegelt oder auf dem Kopf</translation>
+    </message>
+    <message>
+        <source>front and back are exchanged, right and left are not: mirrored, unless head and feet are exchanged too</source>
+        <translation>vorn und hinten sind vertauscht, rechts und links nicht: gespiegelt, falls nicht auch Kopf und Füße vertauscht sind</translation>
+    </message>
+    <message>
+        <source>front and back are exchanged, right and left are not: mirrored</source>
+        <translation>vorn und hinten sind vertauscht, rechts und links nicht: gespiegelt</translation>
+    </message>
+    <message>
+        <source>the head lies along the y axis: the files seem to come from a program in which y is up</source>
+        <translation>der Kopf liegt entlang der y-Achse: die Dateien scheinen aus einem Programm zu stammen, in dem y nach oben zeigt</translation>
+    </message>
+    <message>
+        <source>the organs do not lie as in a body whose axes are LPS: other axes, or not of one patient</source>
+        <translation>die Organe liegen nicht wie in einem Körper mit den Achsen LPS: andere Achsen, oder nicht von einem Patienten</translation>
+    </message>
+    <message>
+        <source>organs whose names say left or right lie on that side, but the others lie on the side opposite to the usual one: situs inversus, or wrong names</source>
+        <translation>Organe, deren Namen links oder rechts nennen, liegen auf dieser Seite, die anderen aber auf der ungewöhnlichen: Situs inversus, oder falsche Namen</translation>
+    </message>
+    <message>
+        <source>organs whose names say left or right lie on the opposite side, but the others lie as usual: left and right seem to be exchanged in the names</source>
+        <translation>Organe, deren Namen links oder rechts nennen, liegen auf der anderen Seite, die übrigen aber wie gewöhnlich: in den Namen scheinen links und rechts vertauscht zu sein</translation>
+    </message>
+    <message numerus="yes">
+        <source>by the other organs, %n {organ lies|organs lie} on the opposite side of the patient: %2</source>
+        <translation>
+            <numerusform>nach den anderen Organen liegt %n Organ auf der gegenüberliegenden Seite des Patienten: %2</numerusform>
+            <numerusform>nach den anderen Organen liegen %n Organe auf der gegenüberliegenden Seite des Patienten: %2</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>by their volumes all organs are %1 times as large as life: the coordinates seem to be in %2</source>
+        <translation>nach ihren Volumina sind alle Organe %1-mal so groß wie in Wirklichkeit: die Koordinaten scheinen in %2 zu sein</translation>
+    </message>
+    <message>
+        <source>by their volumes all organs are %1 times as large as life: a child, an atlas that is not life-sized, or another unit</source>
+        <translation>nach ihren Volumina sind alle Organe %1-mal so groß wie in Wirklichkeit: ein Kind, ein Atlas, der nicht lebensgroß ist, oder eine andere Einheit</translation>
+    </message>
+    <message>
+        <source>among the other organs it lies on the side that its name says</source>
+        <translation>unter den anderen Organen liegt es auf der Seite, die sein Name nennt</translation>
+    </message>
+    <message>
+        <source>turns the surface by a quarter and a half turn, from a model in RAS whose y axis points to the head</source>
+        <translation>dreht die Oberfläche um eine viertel und eine halbe Drehung, von einem Modell in RAS, dessen y-Achse zum Kopf zeigt</translation>
+    </message>
+    <message>
+        <source>exchanges front and back, which mirrors the surface</source>
+        <translation>vertauscht vorn und hinten, was die Oberfläche spiegelt</translation>
+    </message>
+    <message>
+        <source>exchanges head and feet, which mirrors the surface</source>
+        <translation>vertauscht Kopf und Füße, was die Oberfläche spiegelt</translation>
+    </message>
+    <message>
+        <source>exchanges head and feet, and front and back, by half a turn</source>
+        <translation>vertauscht Kopf und Füße sowie vorn und hinten durch eine halbe Drehung</translation>
+    </message>
+    <message>
+        <source>exchanges head and feet, and right and left, by half a turn</source>
+        <translation>vertauscht Kopf und Füße sowie rechts und links durch eine halbe Drehung</translation>
+    </message>
+    <message>
+        <source>exchanges all three directions, which mirrors the surface</source>
+        <translation>vertauscht alle drei Richtungen, was die Oberfläche spiegelt</translation>
+    </message>
+    <message>
+        <source>Convert from Y up and RAS to LPS</source>
+        <translation>Von Y oben und RAS nach LPS umwandeln</translation>
+    </message>
+    <message>
+        <source>Mirror front and back</source>
+        <translation>Vorn und hinten spiegeln</translation>
+    </message>
+    <message>
+        <source>Mirror head and feet</source>
+        <translation>Kopf und Füße spiegeln</translation>
+    </message>
+    <message>
+        <source>Turn head and feet, front and back</source>
+        <translation>Kopf und Füße, vorn und hinten drehen</translation>
+    </message>
+    <message>
+        <source>Turn head and feet, right and left</source>
+        <translation>Kopf und Füße, rechts und links drehen</translation>
+    </message>
+    <message>
+        <source>Mirror all three directions</source>
+        <translation>Alle drei Richtungen spiegeln</translation>
+    </message>
+    <message numerus="yes">
+        <source>is cut by {the %2 edge|%n edges (%2)} of the image: its volume is too small</source>
+        <translation>
+            <numerusform>ist am Bildrand %2 abgeschnitten: sein Volumen ist zu klein</numerusform>
+            <numerusform>ist an %n Bildrändern (%2) abgeschnitten: sein Volumen ist zu klein</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>reaches {the %2 edge|%n edges (%2)} of the image, which may cut it off</source>
+        <translation>
+            <numerusform>reicht bis zum Bildrand %2, wo es abgeschnitten sein kann</numerusform>
+            <numerusform>reicht bis zu %n Bildrändern (%2), wo es abgeschnitten sein kann</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>rechts</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>links</translation>
+    </message>
+    <message>
+        <source>front</source>
+        <translation>vorn</translation>
+    </message>
+    <message>
+        <source>back</source>
+        <translation>hinten</translation>
+    </message>
+    <message>
+        <source>lower</source>
+        <translation>unten</translation>
+    </message>
+    <message>
+        <source>upper</source>
+        <translation>oben</translation>
+    </message>
+    <message>
+        <source>There are no organs whose coordinates could be converted</source>
+        <translation>Es gibt keine Organe, deren Koordinaten umgewandelt werden könnten</translation>
+    </message>
+    <message>
+        <source>open some first</source>
+        <translation>öffnen Sie zuerst welche</translation>
+    </message>
+    <message>
+        <source>Convert between RAS and LPS</source>
+        <translation>Zwischen RAS und LPS umwandeln</translation>
+    </message>
+    <message>
+        <source>Mirror left and right</source>
+        <translation>Links und rechts spiegeln</translation>
+    </message>
+    <message>
+        <source>Convert the unit</source>
+        <translation>Die Einheit umwandeln</translation>
+    </message>
+    <message>
+        <source>Convert the axes</source>
+        <translation>Die Achsen umwandeln</translation>
+    </message>
+    <message>
+        <source>converted after the import: %1</source>
+        <translation>nach dem Import umgewandelt: %1</translation>
+    </message>
+    <message>
+        <source>Scale by %1</source>
+        <translation>Um %1 skalieren</translation>
+    </message>
+    <message>
+        <source>scaled after the import by %1</source>
+        <translation>nach dem Import um %1 skaliert</translation>
+    </message>
+    <message>
+        <source>All organs together: %1.</source>
+        <translation>Alle Organe zusammen: %1.</translation>
+    </message>
+    <message>
+        <source>RAS or mirrored</source>
+        <translation>RAS oder gespiegelt</translation>
+    </message>
+    <message>
+        <source>head and feet exchanged</source>
+        <translation>Kopf und Füße vertauscht</translation>
     </message>
 </context>
 <context>
@@ -6509,215 +6726,6 @@
     <message>
         <source>Time in the cycle</source>
         <translation>Zeit im Zyklus</translation>
-    </message>
-    <message>
-        <source>%1 is made for another organ (%2) than this one (%3): its numbers say nothing about it</source>
-        <translation>%1 ist für ein anderes Organ (%2) gemacht als dieses (%3): die Zahlen sagen nichts über dieses aus</translation>
-    </message>
-    <message>
-        <source>The motion was recorded of another organ (%1) than this one (%2): its numbers say nothing about it</source>
-        <translation>Die Bewegung wurde an einem anderen Organ (%1) aufgenommen als diesem (%2): die Zahlen sagen nichts über dieses aus</translation>
-    </message>
-    <message>
-        <source>right and left, front and back, head and feet are exchanged: mirrored</source>
-        <translation>rechts und links, vorn und hinten, Kopf und Füße sind vertauscht: gespiegelt</translation>
-    </message>
-    <message>
-        <source>head and feet are exchanged, and so are right and left: the patient is upside down</source>
-        <translation>Kopf und Füße sind vertauscht, ebenso rechts und links: der Patient steht auf dem Kopf</translation>
-    </message>
-    <message>
-        <source>right and left are exchanged, front and back are not: mirrored, unless head and feet are exchanged too</source>
-        <translation>rechts und links sind vertauscht, vorn und hinten nicht: gespiegelt, falls nicht auch Kopf und Füße vertauscht sind</translation>
-    </message>
-    <message>
-        <source>right and left are exchanged, front and back are not: mirrored, or situs inversus</source>
-        <translation>rechts und links sind vertauscht, vorn und hinten nicht: gespiegelt, oder Situs inversus</translation>
-    </message>
-    <message>
-        <source>head and feet are exchanged, and so are front and back: the patient is upside down</source>
-        <translation>Kopf und Füße sind vertauscht, ebenso vorn und hinten: der Patient steht auf dem Kopf</translation>
-    </message>
-    <message>
-        <source>head and feet are exchanged: the patient is upside down, or mirrored</source>
-        <translation>Kopf und Füße sind vertauscht: der Patient steht auf dem Kopf oder ist gespiegelt</translation>
-    </message>
-    <message>
-        <source>head and feet are exchanged, front and back are not: the slices seem to be in the opposite order, which mirrors the patient</source>
-        <translation>Kopf und Füße sind vertauscht, vorn und hinten nicht: die Schichten scheinen in umgekehrter Folge zu liegen, was den Patienten spiegelt</translation>
-    </message>
-    <message>
-        <source>front and back are exchanged: the files may be in RAS, mirrored, or upside down</source>
-        <translation>vorn und hinten sind vertauscht: die Dateien sind vielleicht in RAS, gespiegelt oder auf dem Kopf</translation>
-    </message>
-    <message>
-        <source>front and back are exchanged, right and left are not: mirrored, unless head and feet are exchanged too</source>
-        <translation>vorn und hinten sind vertauscht, rechts und links nicht: gespiegelt, falls nicht auch Kopf und Füße vertauscht sind</translation>
-    </message>
-    <message>
-        <source>front and back are exchanged, right and left are not: mirrored</source>
-        <translation>vorn und hinten sind vertauscht, rechts und links nicht: gespiegelt</translation>
-    </message>
-    <message>
-        <source>the head lies along the y axis: the files seem to come from a program in which y is up</source>
-        <translation>der Kopf liegt entlang der y-Achse: die Dateien scheinen aus einem Programm zu stammen, in dem y nach oben zeigt</translation>
-    </message>
-    <message>
-        <source>the organs do not lie as in a body whose axes are LPS: other axes, or not of one patient</source>
-        <translation>die Organe liegen nicht wie in einem Körper mit den Achsen LPS: andere Achsen, oder nicht von einem Patienten</translation>
-    </message>
-    <message>
-        <source>organs whose names say left or right lie on that side, but the others lie on the side opposite to the usual one: situs inversus, or wrong names</source>
-        <translation>Organe, deren Namen links oder rechts nennen, liegen auf dieser Seite, die anderen aber auf der ungewöhnlichen: Situs inversus, oder falsche Namen</translation>
-    </message>
-    <message>
-        <source>organs whose names say left or right lie on the opposite side, but the others lie as usual: left and right seem to be exchanged in the names</source>
-        <translation>Organe, deren Namen links oder rechts nennen, liegen auf der anderen Seite, die übrigen aber wie gewöhnlich: in den Namen scheinen links und rechts vertauscht zu sein</translation>
-    </message>
-    <message numerus="yes">
-        <source>by the other organs, %n {organ lies|organs lie} on the opposite side of the patient: %2</source>
-        <translation>
-            <numerusform>nach den anderen Organen liegt %n Organ auf der gegenüberliegenden Seite des Patienten: %2</numerusform>
-            <numerusform>nach den anderen Organen liegen %n Organe auf der gegenüberliegenden Seite des Patienten: %2</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>by their volumes all organs are %1 times as large as life: the coordinates seem to be in %2</source>
-        <translation>nach ihren Volumina sind alle Organe %1-mal so groß wie in Wirklichkeit: die Koordinaten scheinen in %2 zu sein</translation>
-    </message>
-    <message>
-        <source>by their volumes all organs are %1 times as large as life: a child, an atlas that is not life-sized, or another unit</source>
-        <translation>nach ihren Volumina sind alle Organe %1-mal so groß wie in Wirklichkeit: ein Kind, ein Atlas, der nicht lebensgroß ist, oder eine andere Einheit</translation>
-    </message>
-    <message>
-        <source>among the other organs it lies on the side that its name says</source>
-        <translation>unter den anderen Organen liegt es auf der Seite, die sein Name nennt</translation>
-    </message>
-    <message>
-        <source>turns the surface by a quarter and a half turn, from a model in RAS whose y axis points to the head</source>
-        <translation>dreht die Oberfläche um eine viertel und eine halbe Drehung, von einem Modell in RAS, dessen y-Achse zum Kopf zeigt</translation>
-    </message>
-    <message>
-        <source>exchanges front and back, which mirrors the surface</source>
-        <translation>vertauscht vorn und hinten, was die Oberfläche spiegelt</translation>
-    </message>
-    <message>
-        <source>exchanges head and feet, which mirrors the surface</source>
-        <translation>vertauscht Kopf und Füße, was die Oberfläche spiegelt</translation>
-    </message>
-    <message>
-        <source>exchanges head and feet, and front and back, by half a turn</source>
-        <translation>vertauscht Kopf und Füße sowie vorn und hinten durch eine halbe Drehung</translation>
-    </message>
-    <message>
-        <source>exchanges head and feet, and right and left, by half a turn</source>
-        <translation>vertauscht Kopf und Füße sowie rechts und links durch eine halbe Drehung</translation>
-    </message>
-    <message>
-        <source>exchanges all three directions, which mirrors the surface</source>
-        <translation>vertauscht alle drei Richtungen, was die Oberfläche spiegelt</translation>
-    </message>
-    <message>
-        <source>Convert from Y up and RAS to LPS</source>
-        <translation>Von Y oben und RAS nach LPS umwandeln</translation>
-    </message>
-    <message>
-        <source>Mirror front and back</source>
-        <translation>Vorn und hinten spiegeln</translation>
-    </message>
-    <message>
-        <source>Mirror head and feet</source>
-        <translation>Kopf und Füße spiegeln</translation>
-    </message>
-    <message>
-        <source>Turn head and feet, front and back</source>
-        <translation>Kopf und Füße, vorn und hinten drehen</translation>
-    </message>
-    <message>
-        <source>Turn head and feet, right and left</source>
-        <translation>Kopf und Füße, rechts und links drehen</translation>
-    </message>
-    <message>
-        <source>Mirror all three directions</source>
-        <translation>Alle drei Richtungen spiegeln</translation>
-    </message>
-    <message numerus="yes">
-        <source>is cut by {the %2 edge|%n edges (%2)} of the image: its volume is too small</source>
-        <translation>
-            <numerusform>ist am Bildrand %2 abgeschnitten: sein Volumen ist zu klein</numerusform>
-            <numerusform>ist an %n Bildrändern (%2) abgeschnitten: sein Volumen ist zu klein</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>reaches {the %2 edge|%n edges (%2)} of the image, which may cut it off</source>
-        <translation>
-            <numerusform>reicht bis zum Bildrand %2, wo es abgeschnitten sein kann</numerusform>
-            <numerusform>reicht bis zu %n Bildrändern (%2), wo es abgeschnitten sein kann</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>right</source>
-        <translation>rechts</translation>
-    </message>
-    <message>
-        <source>left</source>
-        <translation>links</translation>
-    </message>
-    <message>
-        <source>front</source>
-        <translation>vorn</translation>
-    </message>
-    <message>
-        <source>back</source>
-        <translation>hinten</translation>
-    </message>
-    <message>
-        <source>lower</source>
-        <translation>unten</translation>
-    </message>
-    <message>
-        <source>upper</source>
-        <translation>oben</translation>
-    </message>
-    <message>
-        <source>There are no organs whose coordinates could be converted</source>
-        <translation>Es gibt keine Organe, deren Koordinaten umgewandelt werden könnten</translation>
-    </message>
-    <message>
-        <source>open some first</source>
-        <translation>öffnen Sie zuerst welche</translation>
-    </message>
-    <message>
-        <source>Convert between RAS and LPS</source>
-        <translation>Zwischen RAS und LPS umwandeln</translation>
-    </message>
-    <message>
-        <source>Mirror left and right</source>
-        <translation>Links und rechts spiegeln</translation>
-    </message>
-    <message>
-        <source>Convert the unit</source>
-        <translation>Die Einheit umwandeln</translation>
-    </message>
-    <message>
-        <source>Convert the axes</source>
-        <translation>Die Achsen umwandeln</translation>
-    </message>
-    <message>
-        <source>converted after the import: %1</source>
-        <translation>nach dem Import umgewandelt: %1</translation>
-    </message>
-    <message>
-        <source>Scale by %1</source>
-        <translation>Um %1 skalieren</translation>
-    </message>
-    <message>
-        <source>scaled after the import by %1</source>
-        <translation>nach dem Import um %1 skaliert</translation>
-    </message>
-    <message>
-        <source>All organs together: %1.</source>
-        <translation>Alle Organe zusammen: %1.</translation>
     </message>
     <message>
         <source>All %1 slices were resampled to a distance of %2 mm; values between two slices are mixed from both</source>

@@ -6239,7 +6239,7 @@
     </message>
     <message>
         <source>It holds %1, not %2</source>
-        <translation>Contiene %1, no %2</translation>
+        <translation>El archivo contiene %1, no %2</translation>
     </message>
     <message>
         <source>its unit %1 is not known; mm are assumed</source>
@@ -6296,6 +6296,223 @@
     <message>
         <source>a markup of another kind</source>
         <translation>una marca de otro tipo</translation>
+    </message>
+    <message>
+        <source>%1 is made for another organ (%2) than this one (%3): its numbers say nothing about it</source>
+        <translation>%1 está hecho para otro órgano (%2) y no para este (%3): sus cifras no dicen nada de él</translation>
+    </message>
+    <message>
+        <source>The motion was recorded of another organ (%1) than this one (%2): its numbers say nothing about it</source>
+        <translation>El movimiento se registró en otro órgano (%1) y no en este (%2): sus cifras no dicen nada de él</translation>
+    </message>
+    <message>
+        <source>right and left, front and back, head and feet are exchanged: mirrored</source>
+        <translation>derecha e izquierda, delante y detrás, cabeza y pies están intercambiados: reflejado</translation>
+    </message>
+    <message>
+        <source>head and feet are exchanged, and so are right and left: the patient is upside down</source>
+        <translation>cabeza y pies están intercambiados, y también derecha e izquierda: el paciente está boca abajo</translation>
+    </message>
+    <message>
+        <source>right and left are exchanged, front and back are not: mirrored, unless head and feet are exchanged too</source>
+        <translation>derecha e izquierda están intercambiadas, delante y detrás no: reflejado, salvo que también lo estén cabeza y pies</translation>
+    </message>
+    <message>
+        <source>right and left are exchanged, front and back are not: mirrored, or situs inversus</source>
+        <translation>derecha e izquierda están intercambiadas, delante y detrás no: reflejado, o situs inversus</translation>
+    </message>
+    <message>
+        <source>head and feet are exchanged, and so are front and back: the patient is upside down</source>
+        <translation>cabeza y pies están intercambiados, y también delante y detrás: el paciente está boca abajo</translation>
+    </message>
+    <message>
+        <source>head and feet are exchanged: the patient is upside down, or mirrored</source>
+        <translation>cabeza y pies están intercambiados: el paciente está boca abajo o reflejado</translation>
+    </message>
+    <message>
+        <source>head and feet are exchanged, front and back are not: the slices seem to be in the opposite order, which mirrors the patient</source>
+        <translation>cabeza y pies están intercambiados, delante y detrás no: los cortes parecen estar en orden inverso, lo que refleja al paciente</translation>
+    </message>
+    <message>
+        <source>front and back are exchanged: the files may be in RAS, mirrored, or upside down</source>
+        <translation>delante y detrás están intercambiados: los archivos pueden estar en RAS, reflejados o boca abajo</translation>
+    </message>
+    <message>
+        <source>front and back are exchanged, right and left are not: mirrored, unless head and feet are exchanged too</source>
+        <translation>delante y detrás están intercambiados, derecha e izquierda no: reflejado, salvo que también lo estén cabeza y pies</translation>
+    </message>
+    <message>
+        <source>front and back are exchanged, right and left are not: mirrored</source>
+        <translation>delante y detrás están intercambiados, derecha e izquierda no: reflejado</translation>
+    </message>
+    <message>
+        <source>the head lies along the y axis: the files seem to come from a program in which y is up</source>
+        <translation>la cabeza está a lo largo del eje y: los archivos parecen venir de un programa en el que y apunta hacia arriba</translation>
+    </message>
+    <message>
+        <source>the organs do not lie as in a body whose axes are LPS: other axes, or not of one patient</source>
+        <translation>los órganos no están como en un cuerpo con los ejes LPS: otros ejes, o no son de un mismo paciente</translation>
+    </message>
+    <message>
+        <source>organs whose names say left or right lie on that side, but the others lie on the side opposite to the usual one: situs inversus, or wrong names</source>
+        <translation>los órganos cuyo nombre dice izquierda o derecha están en ese lado, pero los demás están en el lado opuesto al habitual: situs inversus, o nombres equivocados</translation>
+    </message>
+    <message>
+        <source>organs whose names say left or right lie on the opposite side, but the others lie as usual: left and right seem to be exchanged in the names</source>
+        <translation>los órganos cuyo nombre dice izquierda o derecha están en el lado opuesto, pero los demás están como es habitual: izquierda y derecha parecen intercambiadas en los nombres</translation>
+    </message>
+    <message numerus="yes">
+        <source>by the other organs, %n {organ lies|organs lie} on the opposite side of the patient: %2</source>
+        <translation>
+            <numerusform>según los demás órganos, %n órgano está en el lado opuesto del paciente: %2</numerusform>
+            <numerusform>según los demás órganos, %n órganos están en el lado opuesto del paciente: %2</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>by their volumes all organs are %1 times as large as life: the coordinates seem to be in %2</source>
+        <translation>por sus volúmenes, todos los órganos son %1 veces el tamaño natural: las coordenadas parecen estar en %2</translation>
+    </message>
+    <message>
+        <source>by their volumes all organs are %1 times as large as life: a child, an atlas that is not life-sized, or another unit</source>
+        <translation>por sus volúmenes, todos los órganos son %1 veces el tamaño natural: un niño, un atlas que no es de tamaño natural, u otra unidad</translation>
+    </message>
+    <message>
+        <source>among the other organs it lies on the side that its name says</source>
+        <translation>entre los demás órganos está en el lado que dice su nombre</translation>
+    </message>
+    <message>
+        <source>turns the surface by a quarter and a half turn, from a model in RAS whose y axis points to the head</source>
+        <translation>gira la superficie un cuarto y media vuelta, desde un modelo en RAS cuyo eje y apunta a la cabeza</translation>
+    </message>
+    <message>
+        <source>exchanges front and back, which mirrors the surface</source>
+        <translation>intercambia delante y detrás, lo que refleja la superficie</translation>
+    </message>
+    <message>
+        <source>exchanges head and feet, which mirrors the surface</source>
+        <translation>intercambia cabeza y pies, lo que refleja la superficie</translation>
+    </message>
+    <message>
+        <source>exchanges head and feet, and front and back, by half a turn</source>
+        <translation>intercambia cabeza y pies, y delante y detrás, con media vuelta</translation>
+    </message>
+    <message>
+        <source>exchanges head and feet, and right and left, by half a turn</source>
+        <translation>intercambia cabeza y pies, y derecha e izquierda, con media vuelta</translation>
+    </message>
+    <message>
+        <source>exchanges all three directions, which mirrors the surface</source>
+        <translation>intercambia las tres direcciones, lo que refleja la superficie</translation>
+    </message>
+    <message>
+        <source>Convert from Y up and RAS to LPS</source>
+        <translation>Convertir de Y hacia arriba y RAS a LPS</translation>
+    </message>
+    <message>
+        <source>Mirror front and back</source>
+        <translation>Reflejar delante y detrás</translation>
+    </message>
+    <message>
+        <source>Mirror head and feet</source>
+        <translation>Reflejar cabeza y pies</translation>
+    </message>
+    <message>
+        <source>Turn head and feet, front and back</source>
+        <translation>Girar cabeza y pies, delante y detrás</translation>
+    </message>
+    <message>
+        <source>Turn head and feet, right and left</source>
+        <translation>Girar cabeza y pies, derecha e izquierda</translation>
+    </message>
+    <message>
+        <source>Mirror all three directions</source>
+        <translation>Reflejar las tres direcciones</translation>
+    </message>
+    <message numerus="yes">
+        <source>is cut by {the %2 edge|%n edges (%2)} of the image: its volume is too small</source>
+        <translation>
+            <numerusform>está cortado por el borde %2 de la imagen: su volumen es demasiado pequeño</numerusform>
+            <numerusform>está cortado por %n bordes (%2) de la imagen: su volumen es demasiado pequeño</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>reaches {the %2 edge|%n edges (%2)} of the image, which may cut it off</source>
+        <translation>
+            <numerusform>alcanza el borde %2 de la imagen, que puede cortarlo</numerusform>
+            <numerusform>alcanza %n bordes (%2) de la imagen, que puede cortarlo</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>derecho</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>izquierdo</translation>
+    </message>
+    <message>
+        <source>front</source>
+        <translation>anterior</translation>
+    </message>
+    <message>
+        <source>back</source>
+        <translation>posterior</translation>
+    </message>
+    <message>
+        <source>lower</source>
+        <translation>inferior</translation>
+    </message>
+    <message>
+        <source>upper</source>
+        <translation>superior</translation>
+    </message>
+    <message>
+        <source>There are no organs whose coordinates could be converted</source>
+        <translation>No hay órganos cuyas coordenadas se puedan convertir</translation>
+    </message>
+    <message>
+        <source>open some first</source>
+        <translation>abra alguno primero</translation>
+    </message>
+    <message>
+        <source>Convert between RAS and LPS</source>
+        <translation>Convertir entre RAS y LPS</translation>
+    </message>
+    <message>
+        <source>Mirror left and right</source>
+        <translation>Reflejar izquierda y derecha</translation>
+    </message>
+    <message>
+        <source>Convert the unit</source>
+        <translation>Convertir la unidad</translation>
+    </message>
+    <message>
+        <source>Convert the axes</source>
+        <translation>Convertir los ejes</translation>
+    </message>
+    <message>
+        <source>converted after the import: %1</source>
+        <translation>convertido después de importar: %1</translation>
+    </message>
+    <message>
+        <source>Scale by %1</source>
+        <translation>Escalar por %1</translation>
+    </message>
+    <message>
+        <source>scaled after the import by %1</source>
+        <translation>escalado después de importar por %1</translation>
+    </message>
+    <message>
+        <source>All organs together: %1.</source>
+        <translation>Todos los órganos juntos: %1.</translation>
+    </message>
+    <message>
+        <source>RAS or mirrored</source>
+        <translation>RAS o reflejado</translation>
+    </message>
+    <message>
+        <source>head and feet exchanged</source>
+        <translation>cabeza y pies intercambiados</translation>
     </message>
 </context>
 <context>
@@ -6509,215 +6726,6 @@
     <message>
         <source>Time in the cycle</source>
         <translation>Tiempo en el ciclo</translation>
-    </message>
-    <message>
-        <source>%1 is made for another organ (%2) than this one (%3): its numbers say nothing about it</source>
-        <translation>%1 está hecho para otro órgano (%2) y no para este (%3): sus cifras no dicen nada de él</translation>
-    </message>
-    <message>
-        <source>The motion was recorded of another organ (%1) than this one (%2): its numbers say nothing about it</source>
-        <translation>El movimiento se registró en otro órgano (%1) y no en este (%2): sus cifras no dicen nada de él</translation>
-    </message>
-    <message>
-        <source>right and left, front and back, head and feet are exchanged: mirrored</source>
-        <translation>derecha e izquierda, delante y detrás, cabeza y pies están intercambiados: reflejado</translation>
-    </message>
-    <message>
-        <source>head and feet are exchanged, and so are right and left: the patient is upside down</source>
-        <translation>cabeza y pies están intercambiados, y también derecha e izquierda: el paciente está boca abajo</translation>
-    </message>
-    <message>
-        <source>right and left are exchanged, front and back are not: mirrored, unless head and feet are exchanged too</source>
-        <translation>derecha e izquierda están intercambiadas, delante y detrás no: reflejado, salvo que también lo estén cabeza y pies</translation>
-    </message>
-    <message>
-        <source>right and left are exchanged, front and back are not: mirrored, or situs inversus</source>
-        <translation>derecha e izquierda están intercambiadas, delante y detrás no: reflejado, o situs inversus</translation>
-    </message>
-    <message>
-        <source>head and feet are exchanged, and so are front and back: the patient is upside down</source>
-        <translation>cabeza y pies están intercambiados, y también delante y detrás: el paciente está boca abajo</translation>
-    </message>
-    <message>
-        <source>head and feet are exchanged: the patient is upside down, or mirrored</source>
-        <translation>cabeza y pies están intercambiados: el paciente está boca abajo o reflejado</translation>
-    </message>
-    <message>
-        <source>head and feet are exchanged, front and back are not: the slices seem to be in the opposite order, which mirrors the patient</source>
-        <translation>cabeza y pies están intercambiados, delante y detrás no: los cortes parecen estar en orden inverso, lo que refleja al paciente</translation>
-    </message>
-    <message>
-        <source>front and back are exchanged: the files may be in RAS, mirrored, or upside down</source>
-        <translation>delante y detrás están intercambiados: los archivos pueden estar en RAS, reflejados o boca abajo</translation>
-    </message>
-    <message>
-        <source>front and back are exchanged, right and left are not: mirrored, unless head and feet are exchanged too</source>
-        <translation>delante y detrás están intercambiados, derecha e izquierda no: reflejado, salvo que también lo estén cabeza y pies</translation>
-    </message>
-    <message>
-        <source>front and back are exchanged, right and left are not: mirrored</source>
-        <translation>delante y detrás están intercambiados, derecha e izquierda no: reflejado</translation>
-    </message>
-    <message>
-        <source>the head lies along the y axis: the files seem to come from a program in which y is up</source>
-        <translation>la cabeza está a lo largo del eje y: los archivos parecen venir de un programa en el que y apunta hacia arriba</translation>
-    </message>
-    <message>
-        <source>the organs do not lie as in a body whose axes are LPS: other axes, or not of one patient</source>
-        <translation>los órganos no están como en un cuerpo con los ejes LPS: otros ejes, o no son de un mismo paciente</translation>
-    </message>
-    <message>
-        <source>organs whose names say left or right lie on that side, but the others lie on the side opposite to the usual one: situs inversus, or wrong names</source>
-        <translation>los órganos cuyo nombre dice izquierda o derecha están en ese lado, pero los demás están en el lado opuesto al habitual: situs inversus, o nombres equivocados</translation>
-    </message>
-    <message>
-        <source>organs whose names say left or right lie on the opposite side, but the others lie as usual: left and right seem to be exchanged in the names</source>
-        <translation>los órganos cuyo nombre dice izquierda o derecha están en el lado opuesto, pero los demás están como es habitual: izquierda y derecha parecen intercambiadas en los nombres</translation>
-    </message>
-    <message numerus="yes">
-        <source>by the other organs, %n {organ lies|organs lie} on the opposite side of the patient: %2</source>
-        <translation>
-            <numerusform>según los demás órganos, %n órgano está en el lado opuesto del paciente: %2</numerusform>
-            <numerusform>según los demás órganos, %n órganos están en el lado opuesto del paciente: %2</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>by their volumes all organs are %1 times as large as life: the coordinates seem to be in %2</source>
-        <translation>por sus volúmenes, todos los órganos son %1 veces el tamaño natural: las coordenadas parecen estar en %2</translation>
-    </message>
-    <message>
-        <source>by their volumes all organs are %1 times as large as life: a child, an atlas that is not life-sized, or another unit</source>
-        <translation>por sus volúmenes, todos los órganos son %1 veces el tamaño natural: un niño, un atlas que no es de tamaño natural, u otra unidad</translation>
-    </message>
-    <message>
-        <source>among the other organs it lies on the side that its name says</source>
-        <translation>entre los demás órganos está en el lado que dice su nombre</translation>
-    </message>
-    <message>
-        <source>turns the surface by a quarter and a half turn, from a model in RAS whose y axis points to the head</source>
-        <translation>gira la superficie un cuarto y media vuelta, desde un modelo en RAS cuyo eje y apunta a la cabeza</translation>
-    </message>
-    <message>
-        <source>exchanges front and back, which mirrors the surface</source>
-        <translation>intercambia delante y detrás, lo que refleja la superficie</translation>
-    </message>
-    <message>
-        <source>exchanges head and feet, which mirrors the surface</source>
-        <translation>intercambia cabeza y pies, lo que refleja la superficie</translation>
-    </message>
-    <message>
-        <source>exchanges head and feet, and front and back, by half a turn</source>
-        <translation>intercambia cabeza y pies, y delante y detrás, con media vuelta</translation>
-    </message>
-    <message>
-        <source>exchanges head and feet, and right and left, by half a turn</source>
-        <translation>intercambia cabeza y pies, y derecha e izquierda, con media vuelta</translation>
-    </message>
-    <message>
-        <source>exchanges all three directions, which mirrors the surface</source>
-        <translation>intercambia las tres direcciones, lo que refleja la superficie</translation>
-    </message>
-    <message>
-        <source>Convert from Y up and RAS to LPS</source>
-        <translation>Convertir de Y hacia arriba y RAS a LPS</translation>
-    </message>
-    <message>
-        <source>Mirror front and back</source>
-        <translation>Reflejar delante y detrás</translation>
-    </message>
-    <message>
-        <source>Mirror head and feet</source>
-        <translation>Reflejar cabeza y pies</translation>
-    </message>
-    <message>
-        <source>Turn head and feet, front and back</source>
-        <translation>Girar cabeza y pies, delante y detrás</translation>
-    </message>
-    <message>
-        <source>Turn head and feet, right and left</source>
-        <translation>Girar cabeza y pies, derecha e izquierda</translation>
-    </message>
-    <message>
-        <source>Mirror all three directions</source>
-        <translation>Reflejar las tres direcciones</translation>
-    </message>
-    <message numerus="yes">
-        <source>is cut by {the %2 edge|%n edges (%2)} of the image: its volume is too small</source>
-        <translation>
-            <numerusform>está cortado por el borde %2 de la imagen: su volumen es demasiado pequeño</numerusform>
-            <numerusform>está cortado por %n bordes (%2) de la imagen: su volumen es demasiado pequeño</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>reaches {the %2 edge|%n edges (%2)} of the image, which may cut it off</source>
-        <translation>
-            <numerusform>alcanza el borde %2 de la imagen, que puede cortarlo</numerusform>
-            <numerusform>alcanza %n bordes (%2) de la imagen, que puede cortarlo</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>right</source>
-        <translation>derecho</translation>
-    </message>
-    <message>
-        <source>left</source>
-        <translation>izquierdo</translation>
-    </message>
-    <message>
-        <source>front</source>
-        <translation>anterior</translation>
-    </message>
-    <message>
-        <source>back</source>
-        <translation>posterior</translation>
-    </message>
-    <message>
-        <source>lower</source>
-        <translation>inferior</translation>
-    </message>
-    <message>
-        <source>upper</source>
-        <translation>superior</translation>
-    </message>
-    <message>
-        <source>There are no organs whose coordinates could be converted</source>
-        <translation>No hay órganos cuyas coordenadas se puedan convertir</translation>
-    </message>
-    <message>
-        <source>open some first</source>
-        <translation>abra alguno primero</translation>
-    </message>
-    <message>
-        <source>Convert between RAS and LPS</source>
-        <translation>Convertir entre RAS y LPS</translation>
-    </message>
-    <message>
-        <source>Mirror left and right</source>
-        <translation>Reflejar izquierda y derecha</translation>
-    </message>
-    <message>
-        <source>Convert the unit</source>
-        <translation>Convertir la unidad</translation>
-    </message>
-    <message>
-        <source>Convert the axes</source>
-        <translation>Convertir los ejes</translation>
-    </message>
-    <message>
-        <source>converted after the import: %1</source>
-        <translation>convertido después de importar: %1</translation>
-    </message>
-    <message>
-        <source>Scale by %1</source>
-        <translation>Escalar por %1</translation>
-    </message>
-    <message>
-        <source>scaled after the import by %1</source>
-        <translation>escalado después de importar por %1</translation>
-    </message>
-    <message>
-        <source>All organs together: %1.</source>
-        <translation>Todos los órganos juntos: %1.</translation>
     </message>
     <message>
         <source>All %1 slices were resampled to a distance of %2 mm; values between two slices are mixed from both</source>

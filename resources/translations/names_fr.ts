@@ -6239,7 +6239,7 @@
     </message>
     <message>
         <source>It holds %1, not %2</source>
-        <translation>Il contient %1, pas %2</translation>
+        <translation>Le fichier contient %1, pas %2</translation>
     </message>
     <message>
         <source>its unit %1 is not known; mm are assumed</source>
@@ -6296,6 +6296,223 @@
     <message>
         <source>a markup of another kind</source>
         <translation>un marquage d’un autre type</translation>
+    </message>
+    <message>
+        <source>%1 is made for another organ (%2) than this one (%3): its numbers say nothing about it</source>
+        <translation>%1 est prévu pour un autre organe (%2) que celui-ci (%3) : ses valeurs ne disent rien de celui-ci</translation>
+    </message>
+    <message>
+        <source>The motion was recorded of another organ (%1) than this one (%2): its numbers say nothing about it</source>
+        <translation>Le mouvement a été enregistré sur un autre organe (%1) que celui-ci (%2) : ses valeurs ne disent rien de celui-ci</translation>
+    </message>
+    <message>
+        <source>right and left, front and back, head and feet are exchanged: mirrored</source>
+        <translation>droite et gauche, avant et arrière, tête et pieds sont échangés : en miroir</translation>
+    </message>
+    <message>
+        <source>head and feet are exchanged, and so are right and left: the patient is upside down</source>
+        <translation>tête et pieds sont échangés, ainsi que droite et gauche : le patient est à l’envers</translation>
+    </message>
+    <message>
+        <source>right and left are exchanged, front and back are not: mirrored, unless head and feet are exchanged too</source>
+        <translation>droite et gauche sont échangées, avant et arrière non : en miroir, à moins que tête et pieds ne soient échangés aussi</translation>
+    </message>
+    <message>
+        <source>right and left are exchanged, front and back are not: mirrored, or situs inversus</source>
+        <translation>droite et gauche sont échangées, avant et arrière non : en miroir, ou situs inversus</translation>
+    </message>
+    <message>
+        <source>head and feet are exchanged, and so are front and back: the patient is upside down</source>
+        <translation>tête et pieds sont échangés, ainsi que l’avant et l’arrière : le patient est à l’envers</translation>
+    </message>
+    <message>
+        <source>head and feet are exchanged: the patient is upside down, or mirrored</source>
+        <translation>tête et pieds sont échangés : le patient est à l’envers, ou en miroir</translation>
+    </message>
+    <message>
+        <source>head and feet are exchanged, front and back are not: the slices seem to be in the opposite order, which mirrors the patient</source>
+        <translation>tête et pieds sont échangés, avant et arrière non : les coupes semblent être dans l’ordre inverse, ce qui met le patient en miroir</translation>
+    </message>
+    <message>
+        <source>front and back are exchanged: the files may be in RAS, mirrored, or upside down</source>
+        <translation>avant et arrière sont échangés : les fichiers sont peut-être en RAS, en miroir ou à l’envers</translation>
+    </message>
+    <message>
+        <source>front and back are exchanged, right and left are not: mirrored, unless head and feet are exchanged too</source>
+        <translation>avant et arrière sont échangés, droite et gauche non : en miroir, à moins que tête et pieds ne soient échangés aussi</translation>
+    </message>
+    <message>
+        <source>front and back are exchanged, right and left are not: mirrored</source>
+        <translation>avant et arrière sont échangés, droite et gauche non : en miroir</translation>
+    </message>
+    <message>
+        <source>the head lies along the y axis: the files seem to come from a program in which y is up</source>
+        <translation>la tête est le long de l’axe y : les fichiers semblent venir d’un programme où y est vers le haut</translation>
+    </message>
+    <message>
+        <source>the organs do not lie as in a body whose axes are LPS: other axes, or not of one patient</source>
+        <translation>les organes ne sont pas placés comme dans un corps aux axes LPS : d’autres axes, ou pas d’un seul patient</translation>
+    </message>
+    <message>
+        <source>organs whose names say left or right lie on that side, but the others lie on the side opposite to the usual one: situs inversus, or wrong names</source>
+        <translation>les organes dont le nom dit gauche ou droite sont de ce côté, mais les autres sont du côté opposé au côté habituel : situs inversus, ou noms faux</translation>
+    </message>
+    <message>
+        <source>organs whose names say left or right lie on the opposite side, but the others lie as usual: left and right seem to be exchanged in the names</source>
+        <translation>les organes dont le nom dit gauche ou droite sont du côté opposé, mais les autres sont à leur place : gauche et droite semblent échangées dans les noms</translation>
+    </message>
+    <message numerus="yes">
+        <source>by the other organs, %n {organ lies|organs lie} on the opposite side of the patient: %2</source>
+        <translation>
+            <numerusform>d’après les autres organes, %n organe est du côté opposé du patient : %2</numerusform>
+            <numerusform>d’après les autres organes, %n organes sont du côté opposé du patient : %2</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>by their volumes all organs are %1 times as large as life: the coordinates seem to be in %2</source>
+        <translation>d’après leurs volumes, tous les organes font %1 fois la taille réelle : les coordonnées semblent être en %2</translation>
+    </message>
+    <message>
+        <source>by their volumes all organs are %1 times as large as life: a child, an atlas that is not life-sized, or another unit</source>
+        <translation>d’après leurs volumes, tous les organes font %1 fois la taille réelle : un enfant, un atlas qui n’est pas grandeur nature, ou une autre unité</translation>
+    </message>
+    <message>
+        <source>among the other organs it lies on the side that its name says</source>
+        <translation>parmi les autres organes, il est du côté que dit son nom</translation>
+    </message>
+    <message>
+        <source>turns the surface by a quarter and a half turn, from a model in RAS whose y axis points to the head</source>
+        <translation>tourne la surface d’un quart et d’un demi-tour, depuis un modèle en RAS dont l’axe y pointe vers la tête</translation>
+    </message>
+    <message>
+        <source>exchanges front and back, which mirrors the surface</source>
+        <translation>échange l’avant et l’arrière, ce qui met la surface en miroir</translation>
+    </message>
+    <message>
+        <source>exchanges head and feet, which mirrors the surface</source>
+        <translation>échange la tête et les pieds, ce qui met la surface en miroir</translation>
+    </message>
+    <message>
+        <source>exchanges head and feet, and front and back, by half a turn</source>
+        <translation>échange tête et pieds, avant et arrière, par un demi-tour</translation>
+    </message>
+    <message>
+        <source>exchanges head and feet, and right and left, by half a turn</source>
+        <translation>échange tête et pieds, droite et gauche, par un demi-tour</translation>
+    </message>
+    <message>
+        <source>exchanges all three directions, which mirrors the surface</source>
+        <translation>échange les trois directions, ce qui met la surface en miroir</translation>
+    </message>
+    <message>
+        <source>Convert from Y up and RAS to LPS</source>
+        <translation>Convertir de Y vers le haut et RAS en LPS</translation>
+    </message>
+    <message>
+        <source>Mirror front and back</source>
+        <translation>Mettre en miroir avant et arrière</translation>
+    </message>
+    <message>
+        <source>Mirror head and feet</source>
+        <translation>Mettre en miroir tête et pieds</translation>
+    </message>
+    <message>
+        <source>Turn head and feet, front and back</source>
+        <translation>Retourner tête et pieds, avant et arrière</translation>
+    </message>
+    <message>
+        <source>Turn head and feet, right and left</source>
+        <translation>Retourner tête et pieds, droite et gauche</translation>
+    </message>
+    <message>
+        <source>Mirror all three directions</source>
+        <translation>Mettre en miroir les trois directions</translation>
+    </message>
+    <message numerus="yes">
+        <source>is cut by {the %2 edge|%n edges (%2)} of the image: its volume is too small</source>
+        <translation>
+            <numerusform>est coupé par le bord %2 de l’image : son volume est trop petit</numerusform>
+            <numerusform>est coupé par %n bords (%2) de l’image : son volume est trop petit</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>reaches {the %2 edge|%n edges (%2)} of the image, which may cut it off</source>
+        <translation>
+            <numerusform>atteint le bord %2 de l’image, qui peut le couper</numerusform>
+            <numerusform>atteint %n bords (%2) de l’image, qui peut le couper</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>droit</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>gauche</translation>
+    </message>
+    <message>
+        <source>front</source>
+        <translation>avant</translation>
+    </message>
+    <message>
+        <source>back</source>
+        <translation>arrière</translation>
+    </message>
+    <message>
+        <source>lower</source>
+        <translation>inférieur</translation>
+    </message>
+    <message>
+        <source>upper</source>
+        <translation>supérieur</translation>
+    </message>
+    <message>
+        <source>There are no organs whose coordinates could be converted</source>
+        <translation>Il n’y a pas d’organes dont les coordonnées pourraient être converties</translation>
+    </message>
+    <message>
+        <source>open some first</source>
+        <translation>ouvrez-en d’abord</translation>
+    </message>
+    <message>
+        <source>Convert between RAS and LPS</source>
+        <translation>Convertir entre RAS et LPS</translation>
+    </message>
+    <message>
+        <source>Mirror left and right</source>
+        <translation>Mettre en miroir gauche et droite</translation>
+    </message>
+    <message>
+        <source>Convert the unit</source>
+        <translation>Convertir l’unité</translation>
+    </message>
+    <message>
+        <source>Convert the axes</source>
+        <translation>Convertir les axes</translation>
+    </message>
+    <message>
+        <source>converted after the import: %1</source>
+        <translation>converti après l’importation : %1</translation>
+    </message>
+    <message>
+        <source>Scale by %1</source>
+        <translation>Mettre à l’échelle par %1</translation>
+    </message>
+    <message>
+        <source>scaled after the import by %1</source>
+        <translation>mis à l’échelle après l’importation par %1</translation>
+    </message>
+    <message>
+        <source>All organs together: %1.</source>
+        <translation>Tous les organes ensemble : %1.</translation>
+    </message>
+    <message>
+        <source>RAS or mirrored</source>
+        <translation>RAS ou en miroir</translation>
+    </message>
+    <message>
+        <source>head and feet exchanged</source>
+        <translation>tête et pieds échangés</translation>
     </message>
 </context>
 <context>
@@ -6509,215 +6726,6 @@
     <message>
         <source>Time in the cycle</source>
         <translation>Temps dans le cycle</translation>
-    </message>
-    <message>
-        <source>%1 is made for another organ (%2) than this one (%3): its numbers say nothing about it</source>
-        <translation>%1 est prévu pour un autre organe (%2) que celui-ci (%3) : ses valeurs ne disent rien de celui-ci</translation>
-    </message>
-    <message>
-        <source>The motion was recorded of another organ (%1) than this one (%2): its numbers say nothing about it</source>
-        <translation>Le mouvement a été enregistré sur un autre organe (%1) que celui-ci (%2) : ses valeurs ne disent rien de celui-ci</translation>
-    </message>
-    <message>
-        <source>right and left, front and back, head and feet are exchanged: mirrored</source>
-        <translation>droite et gauche, avant et arrière, tête et pieds sont échangés : en miroir</translation>
-    </message>
-    <message>
-        <source>head and feet are exchanged, and so are right and left: the patient is upside down</source>
-        <translation>tête et pieds sont échangés, ainsi que droite et gauche : le patient est à l’envers</translation>
-    </message>
-    <message>
-        <source>right and left are exchanged, front and back are not: mirrored, unless head and feet are exchanged too</source>
-        <translation>droite et gauche sont échangées, avant et arrière non : en miroir, à moins que tête et pieds ne soient échangés aussi</translation>
-    </message>
-    <message>
-        <source>right and left are exchanged, front and back are not: mirrored, or situs inversus</source>
-        <translation>droite et gauche sont échangées, avant et arrière non : en miroir, ou situs inversus</translation>
-    </message>
-    <message>
-        <source>head and feet are exchanged, and so are front and back: the patient is upside down</source>
-        <translation>tête et pieds sont échangés, ainsi que l’avant et l’arrière : le patient est à l’envers</translation>
-    </message>
-    <message>
-        <source>head and feet are exchanged: the patient is upside down, or mirrored</source>
-        <translation>tête et pieds sont échangés : le patient est à l’envers, ou en miroir</translation>
-    </message>
-    <message>
-        <source>head and feet are exchanged, front and back are not: the slices seem to be in the opposite order, which mirrors the patient</source>
-        <translation>tête et pieds sont échangés, avant et arrière non : les coupes semblent être dans l’ordre inverse, ce qui met le patient en miroir</translation>
-    </message>
-    <message>
-        <source>front and back are exchanged: the files may be in RAS, mirrored, or upside down</source>
-        <translation>avant et arrière sont échangés : les fichiers sont peut-être en RAS, en miroir ou à l’envers</translation>
-    </message>
-    <message>
-        <source>front and back are exchanged, right and left are not: mirrored, unless head and feet are exchanged too</source>
-        <translation>avant et arrière sont échangés, droite et gauche non : en miroir, à moins que tête et pieds ne soient échangés aussi</translation>
-    </message>
-    <message>
-        <source>front and back are exchanged, right and left are not: mirrored</source>
-        <translation>avant et arrière sont échangés, droite et gauche non : en miroir</translation>
-    </message>
-    <message>
-        <source>the head lies along the y axis: the files seem to come from a program in which y is up</source>
-        <translation>la tête est le long de l’axe y : les fichiers semblent venir d’un programme où y est vers le haut</translation>
-    </message>
-    <message>
-        <source>the organs do not lie as in a body whose axes are LPS: other axes, or not of one patient</source>
-        <translation>les organes ne sont pas placés comme dans un corps aux axes LPS : d’autres axes, ou pas d’un seul patient</translation>
-    </message>
-    <message>
-        <source>organs whose names say left or right lie on that side, but the others lie on the side opposite to the usual one: situs inversus, or wrong names</source>
-        <translation>les organes dont le nom dit gauche ou droite sont de ce côté, mais les autres sont du côté opposé au côté habituel : situs inversus, ou noms faux</translation>
-    </message>
-    <message>
-        <source>organs whose names say left or right lie on the opposite side, but the others lie as usual: left and right seem to be exchanged in the names</source>
-        <translation>les organes dont le nom dit gauche ou droite sont du côté opposé, mais les autres sont à leur place : gauche et droite semblent échangées dans les noms</translation>
-    </message>
-    <message numerus="yes">
-        <source>by the other organs, %n {organ lies|organs lie} on the opposite side of the patient: %2</source>
-        <translation>
-            <numerusform>d’après les autres organes, %n organe est du côté opposé du patient : %2</numerusform>
-            <numerusform>d’après les autres organes, %n organes sont du côté opposé du patient : %2</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>by their volumes all organs are %1 times as large as life: the coordinates seem to be in %2</source>
-        <translation>d’après leurs volumes, tous les organes font %1 fois la taille réelle : les coordonnées semblent être en %2</translation>
-    </message>
-    <message>
-        <source>by their volumes all organs are %1 times as large as life: a child, an atlas that is not life-sized, or another unit</source>
-        <translation>d’après leurs volumes, tous les organes font %1 fois la taille réelle : un enfant, un atlas qui n’est pas grandeur nature, ou une autre unité</translation>
-    </message>
-    <message>
-        <source>among the other organs it lies on the side that its name says</source>
-        <translation>parmi les autres organes, il est du côté que dit son nom</translation>
-    </message>
-    <message>
-        <source>turns the surface by a quarter and a half turn, from a model in RAS whose y axis points to the head</source>
-        <translation>tourne la surface d’un quart et d’un demi-tour, depuis un modèle en RAS dont l’axe y pointe vers la tête</translation>
-    </message>
-    <message>
-        <source>exchanges front and back, which mirrors the surface</source>
-        <translation>échange l’avant et l’arrière, ce qui met la surface en miroir</translation>
-    </message>
-    <message>
-        <source>exchanges head and feet, which mirrors the surface</source>
-        <translation>échange la tête et les pieds, ce qui met la surface en miroir</translation>
-    </message>
-    <message>
-        <source>exchanges head and feet, and front and back, by half a turn</source>
-        <translation>échange tête et pieds, avant et arrière, par un demi-tour</translation>
-    </message>
-    <message>
-        <source>exchanges head and feet, and right and left, by half a turn</source>
-        <translation>échange tête et pieds, droite et gauche, par un demi-tour</translation>
-    </message>
-    <message>
-        <source>exchanges all three directions, which mirrors the surface</source>
-        <translation>échange les trois directions, ce qui met la surface en miroir</translation>
-    </message>
-    <message>
-        <source>Convert from Y up and RAS to LPS</source>
-        <translation>Convertir de Y vers le haut et RAS en LPS</translation>
-    </message>
-    <message>
-        <source>Mirror front and back</source>
-        <translation>Mettre en miroir avant et arrière</translation>
-    </message>
-    <message>
-        <source>Mirror head and feet</source>
-        <translation>Mettre en miroir tête et pieds</translation>
-    </message>
-    <message>
-        <source>Turn head and feet, front and back</source>
-        <translation>Retourner tête et pieds, avant et arrière</translation>
-    </message>
-    <message>
-        <source>Turn head and feet, right and left</source>
-        <translation>Retourner tête et pieds, droite et gauche</translation>
-    </message>
-    <message>
-        <source>Mirror all three directions</source>
-        <translation>Mettre en miroir les trois directions</translation>
-    </message>
-    <message numerus="yes">
-        <source>is cut by {the %2 edge|%n edges (%2)} of the image: its volume is too small</source>
-        <translation>
-            <numerusform>est coupé par le bord %2 de l’image : son volume est trop petit</numerusform>
-            <numerusform>est coupé par %n bords (%2) de l’image : son volume est trop petit</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>reaches {the %2 edge|%n edges (%2)} of the image, which may cut it off</source>
-        <translation>
-            <numerusform>atteint le bord %2 de l’image, qui peut le couper</numerusform>
-            <numerusform>atteint %n bords (%2) de l’image, qui peut le couper</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>right</source>
-        <translation>droit</translation>
-    </message>
-    <message>
-        <source>left</source>
-        <translation>gauche</translation>
-    </message>
-    <message>
-        <source>front</source>
-        <translation>avant</translation>
-    </message>
-    <message>
-        <source>back</source>
-        <translation>arrière</translation>
-    </message>
-    <message>
-        <source>lower</source>
-        <translation>inférieur</translation>
-    </message>
-    <message>
-        <source>upper</source>
-        <translation>supérieur</translation>
-    </message>
-    <message>
-        <source>There are no organs whose coordinates could be converted</source>
-        <translation>Il n’y a pas d’organes dont les coordonnées pourraient être converties</translation>
-    </message>
-    <message>
-        <source>open some first</source>
-        <translation>ouvrez-en d’abord</translation>
-    </message>
-    <message>
-        <source>Convert between RAS and LPS</source>
-        <translation>Convertir entre RAS et LPS</translation>
-    </message>
-    <message>
-        <source>Mirror left and right</source>
-        <translation>Mettre en miroir gauche et droite</translation>
-    </message>
-    <message>
-        <source>Convert the unit</source>
-        <translation>Convertir l’unité</translation>
-    </message>
-    <message>
-        <source>Convert the axes</source>
-        <translation>Convertir les axes</translation>
-    </message>
-    <message>
-        <source>converted after the import: %1</source>
-        <translation>converti après l’importation : %1</translation>
-    </message>
-    <message>
-        <source>Scale by %1</source>
-        <translation>Mettre à l’échelle par %1</translation>
-    </message>
-    <message>
-        <source>scaled after the import by %1</source>
-        <translation>mis à l’échelle après l’importation par %1</translation>
-    </message>
-    <message>
-        <source>All organs together: %1.</source>
-        <translation>Tous les organes ensemble : %1.</translation>
     </message>
     <message>
         <source>All %1 slices were resampled to a distance of %2 mm; values between two slices are mixed from both</source>

@@ -14,8 +14,8 @@
 #include "cli/session_input.h"
 #include "viscera/core/error.h"
 #include "viscera/core/file_facts.h"
+#include "viscera/document/axes_commands.h"
 #include "viscera/document/organ_commands.h"
-#include "viscera/document/patient.h"
 #include "viscera/presentation/unsuited_motion.h"
 #include "viscera/report/report_file.h"
 

@@ -30,7 +30,7 @@ constexpr double kNotLifeSized = 1.35;
 constexpr double kUnitFactor = 1.45;
 constexpr std::size_t kFewestVolumes = 2, kFewestAround = 4;
 constexpr std::size_t kOrgansNamed = 4;
-/// To say that the organs do not lie as in a body, without saying how, takes so much more.
+/// The vague sentence, that the organs do not lie as in a body, needs so much more evidence.
 constexpr double kVague = 2;
 
 /// An organ of the patient whose place is known.

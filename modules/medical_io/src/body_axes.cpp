@@ -16,7 +16,7 @@ constexpr double kMostCost = 16;
 constexpr double kOfRas = 0.5, kOfMirrored = 1, kOfOtherSigns = 3, kOfOtherAxes = 8;
 /// Within these an adult's body explains the distances.
 constexpr double kSmallestBody = 0.75, kLargestBody = 1.3;
-/// With fewer organs, distances do not tell a small body from another arrangement.
+/// Distances of fewer organs do not tell a small body from another arrangement.
 constexpr std::size_t kEnoughForSize = 5;
 /// Distances of few organs say little of the size: these are tried beside what they say.
 constexpr std::array kOtherSizes = {0.65, 0.8, 1.25, 1.5};

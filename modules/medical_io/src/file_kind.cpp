@@ -58,7 +58,7 @@ void refuse(const std::filesystem::path& file, FileKind wanted) {
 
 std::string usualEnding(const std::filesystem::path& file) {
   const Signature found = signatureOf(beginOf(file));
-  // Of the formats, NIfTI is the one that is packed as a whole.
+  // NIfTI is the format that programs pack as a whole.
   return found == Signature::gzip ? ".nii.gz" : std::string(usualEnding(found));
 }
 

@@ -8,8 +8,8 @@
 namespace viscera::medical_io {
 namespace {
 
-/// In its last two slices an organ that ends there has half the voxels or less: caps of balls have. One that
-/// goes on has nearly the same number.
+/// An organ that ends there has half the voxels or less in its last slices, as the cap of a ball has; an
+/// organ that goes on has nearly the same number.
 constexpr double kGoesOn = 0.6;
 
 /// The voxels of a segment in one slice across an axis.

@@ -111,10 +111,8 @@ bool isSegmentationClass(std::string_view classUid) {
 }
 
 std::string nameOfDicomClass(std::string_view classUid) {
-  if (const ObjectClass* known = classOf(classUid))
-    return std::string(known->name);
-  const char* name = dcmFindNameOfUID(std::string(classUid).c_str(), nullptr);
-  return name == nullptr ? std::string() : name;
+  const ObjectClass* known = classOf(classUid);
+  return known == nullptr ? std::string() : std::string(known->name);
 }
 
 void failAsDicomObject(const FileBytes& file, std::string_view classUid) {
@@ -126,7 +124,8 @@ void failAsDicomObject(const FileBytes& file, std::string_view classUid) {
   }
   const ObjectClass* known = classOf(classUid);
   const DicomKind kind = known == nullptr ? DicomKind::other : known->kind;
-  const std::string name = nameOfDicomClass(classUid);
+  const char* term = dcmFindNameOfUID(std::string(classUid).c_str(), nullptr);
+  const std::string name = known != nullptr ? std::string(known->name) : term != nullptr ? term : "";
   if (kind == DicomKind::segmentation || kind == DicomKind::surface)
     file.fail(phrase("%1; it looks like %2", Text("It is not a scan in a known format"), name),
               kind == DicomKind::surface ? "open it as a surface" : "open it as a label map");

@@ -22,8 +22,8 @@ DicomKind kindOfDicomClass(std::string_view classUid);
 /// Whether a class is one of the two of segmentations (PS3.3, A.51 and A.51 with label maps, of 2024).
 bool isSegmentationClass(std::string_view classUid);
 
-/// What DICOM calls objects of a class, the same in every language: "Ultrasound Image"; empty for an unknown
-/// class.
+/// What DICOM calls objects of a class, the same in every language: "Ultrasound Image"; empty for a
+/// class that has no name here.
 std::string nameOfDicomClass(std::string_view classUid);
 
 /// Throws `DataError` that names the kind of an object that is not read, and what can be done with it.

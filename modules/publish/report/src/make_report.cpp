@@ -11,7 +11,7 @@
 #include "sections.h"
 #include "viscera/core/error.h"
 #include "viscera/core/text.h"
-#include "viscera/document/patient.h"
+#include "viscera/document/axes_commands.h"
 #include "viscera/document/tables.h"
 #include "viscera/geometry/volume.h"
 #include "viscera/presentation/presenter.h"

@@ -15,8 +15,8 @@ namespace viscera::anatomy {
 struct BodyPlace {
   Part part;
   Vec3 center = Vec3::Zero(); ///< mm, LPS, from the middle of the first lumbar vertebra.
-  /// By how much the place differs from person to person and from image to image: one standard deviation, mm;
-  /// infinite along an axis that the name says nothing of.
+  /// The standard deviation of the place between persons and images, mm; infinite along an axis that the name
+  /// says nothing of.
   Vec3 spread = Vec3::Zero();
 
   /// Whether the name itself says the side.

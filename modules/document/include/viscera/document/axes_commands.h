@@ -3,11 +3,22 @@
 #include <string>
 #include <vector>
 
+#include "viscera/core/phrase.h"
 #include "viscera/document/command.h"
+#include "viscera/document/document.h"
+#include "viscera/medical_io/assess_patient.h"
 
-/// Commands that change the coordinates of a whole patient, for files that turn out to be in other axes or in
-/// another unit after they were imported.
+/// The axes of a whole patient: what is doubtful about them, and commands that change the coordinates, for
+/// files that turn out to be in other axes or in another unit after they were imported.
 namespace viscera::document {
+
+/// The organs at rest, for judging them together. Sample organs are left out: each is made in LPS, about an
+/// origin of its own. O(vertices).
+std::vector<medical_io::PlacedOrgan> placedOrgans(const OrganList& organs);
+
+/// What is doubtful about axes, sides and size of a patient (`medical_io::assessPatient`), a sentence each,
+/// for warnings and reports; without capital and full stop. O(vertices + organs^2).
+std::vector<Text> doubtsAboutPatient(const OrganList& organs);
 
 /// The repairs (`medical_io::surfaceRepairs`) that change coordinates, and so can be done to a whole
 /// document: "ras-to-lps", "mirror", "y-up", "flip-z", "unit-cm" and their like.

@@ -19,7 +19,7 @@ struct ImageCut {
   /// organ in an image that was cropped around it does.
   bool sure = false;
 
-  /// Without capital, full stop and subject: "is cut by the lower edge of the image: its volume is too
+  /// The text has no capital, full stop or subject: "is cut by the lower edge of the image: its volume is too
   /// small".
   Text text() const;
 };
