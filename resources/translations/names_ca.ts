@@ -6514,9 +6514,6 @@
         <source>head and feet exchanged</source>
         <translation>cap i peus intercanviats</translation>
     </message>
-</context>
-<context>
-    <name>viscera::app</name>
     <message>
         <source>Only partly possible: %1</source>
         <translation>Només és possible en part: %1</translation>
@@ -6533,6 +6530,116 @@
         <source>Sequences</source>
         <translation>Seqüències</translation>
     </message>
+    <message>
+        <source>All %1 slices were resampled to a distance of %2 mm; values between two slices are mixed from both</source>
+        <translation>Els %1 talls s’han remostrejat a una distància de %2 mm; els valors entre dos talls són una barreja de tots dos</translation>
+    </message>
+    <message>
+        <source>It does not say how thick its slice is; 1 mm is assumed, so volumes in it are not measured</source>
+        <translation>No diu quin gruix té el tall; se suposa 1 mm, de manera que els volums no hi són mesurats</translation>
+    </message>
+    <message>
+        <source>It does not say how large its pixels are; %1 mm were taken from its field of view, so check a length that you know</source>
+        <translation>No diu quina mida tenen els píxels; s’han pres %1 mm del camp de visió, comproveu doncs una longitud coneguda</translation>
+    </message>
+    <message>
+        <source>none of the %1 pieces is as small as that</source>
+        <translation>cap dels %1 trossos no és tan petit</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n of %2 pieces {goes|go}, of %3 mm and %4 ml at most</source>
+        <translation>
+            <numerusform>desapareix %n de %2 trossos, de %3 mm i %4 ml com a màxim</numerusform>
+            <numerusform>desapareixen %n de %2 trossos, de %3 mm i %4 ml com a màxim</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>drops the pieces that are smaller than a size; the largest one stays</source>
+        <translation>elimina els trossos més petits que una mida; el més gran es queda</translation>
+    </message>
+    <message>
+        <source>multiplies all coordinates by a factor</source>
+        <translation>multiplica totes les coordenades per un factor</translation>
+    </message>
+    <message>
+        <source>details of %1 mm take too much memory; %2 mm is the finest for its size</source>
+        <translation>els detalls de %1 mm ocupen massa memòria; %2 mm és el més fi per a la seva mida</translation>
+    </message>
+    <message>
+        <source>choose a coarser resolution</source>
+        <translation>trieu una resolució més gruixuda</translation>
+    </message>
+    <message>
+        <source>remeshing lost a detail: the old surface lies up to %1 mm from the new one</source>
+        <translation>el remallat ha perdut un detall: la superfície antiga és fins a %1 mm de la nova</translation>
+    </message>
+    <message>
+        <source>the handles cannot move by exactly %1 mm: %2</source>
+        <translation>els tiradors no es poden moure exactament %1 mm: %2</translation>
+    </message>
+    <message>
+        <source>move less far, or let more handles compensate</source>
+        <translation>moveu menys, o deixeu que compensin més tiradors</translation>
+    </message>
+    <message>
+        <source>This organ does not bend, so its tissue has no stress; let it bend as soft tissue</source>
+        <translation>Aquest òrgan no es doblega, així que el seu teixit no té tensió; deixeu que es doblegui com a teixit tou</translation>
+    </message>
+    <message>
+        <source>Move as a rigid body</source>
+        <translation>Mou com a cos rígid</translation>
+    </message>
+    <message>
+        <source>Keep in place</source>
+        <translation>Mantén al seu lloc</translation>
+    </message>
+    <message>
+        <source>Bend as soft tissue</source>
+        <translation>Doblega com a teixit tou</translation>
+    </message>
+    <message>
+        <source>Measure the distance of organs</source>
+        <translation>Mesura la distància d’òrgans</translation>
+    </message>
+    <message>
+        <source>The shortest distance is between two organs</source>
+        <translation>La distància més curta és entre dos òrgans</translation>
+    </message>
+    <message>
+        <source>select two organs</source>
+        <translation>seleccioneu dos òrgans</translation>
+    </message>
+    <message>
+        <source>shortest distance</source>
+        <translation>distància més curta</translation>
+    </message>
+    <message>
+        <source>There are %1 witness points of %2: the others would lie in cavities, which hold no tissue.</source>
+        <translation>Hi ha %1 punts testimoni de %2: els altres serien en cavitats, que no contenen teixit.</translation>
+    </message>
+    <message>
+        <source>The largest angle by which a direction is turned when the tissue is stretched; not a pressure.</source>
+        <translation>L’angle més gran que gira una direcció quan s’estira el teixit; no és una pressió.</translation>
+    </message>
+    <message>
+        <source>The volume of tissue now, as a part of that at rest; 1 is unchanged.</source>
+        <translation>El volum del teixit ara, respecte al de repòs; 1 és sense canvi.</translation>
+    </message>
+    <message>
+        <source>The length of tissue now, as a part of that at rest, in the direction that grows most.</source>
+        <translation>La longitud del teixit ara, respecte a la de repòs, en la direcció que més creix.</translation>
+    </message>
+    <message>
+        <source>The length of tissue now, as a part of that at rest, in the direction that shrinks most.</source>
+        <translation>La longitud del teixit ara, respecte a la de repòs, en la direcció que més s’encongeix.</translation>
+    </message>
+    <message>
+        <source>1 where the tissue is turned inside out.</source>
+        <translation>1 on el teixit està capgirat.</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app</name>
     <message>
         <source>Undo</source>
         <translation>Desfés</translation>
@@ -6726,113 +6833,6 @@
     <message>
         <source>Time in the cycle</source>
         <translation>Temps en el cicle</translation>
-    </message>
-    <message>
-        <source>All %1 slices were resampled to a distance of %2 mm; values between two slices are mixed from both</source>
-        <translation>Els %1 talls s’han remostrejat a una distància de %2 mm; els valors entre dos talls són una barreja de tots dos</translation>
-    </message>
-    <message>
-        <source>It does not say how thick its slice is; 1 mm is assumed, so volumes in it are not measured</source>
-        <translation>No diu quin gruix té el tall; se suposa 1 mm, de manera que els volums no hi són mesurats</translation>
-    </message>
-    <message>
-        <source>It does not say how large its pixels are; %1 mm were taken from its field of view, so check a length that you know</source>
-        <translation>No diu quina mida tenen els píxels; s’han pres %1 mm del camp de visió, comproveu doncs una longitud coneguda</translation>
-    </message>
-    <message>
-        <source>none of the %1 pieces is as small as that</source>
-        <translation>cap dels %1 trossos no és tan petit</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n of %2 pieces {goes|go}, of %3 mm and %4 ml at most</source>
-        <translation>
-            <numerusform>desapareix %n de %2 trossos, de %3 mm i %4 ml com a màxim</numerusform>
-            <numerusform>desapareixen %n de %2 trossos, de %3 mm i %4 ml com a màxim</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>drops the pieces that are smaller than a size; the largest one stays</source>
-        <translation>elimina els trossos més petits que una mida; el més gran es queda</translation>
-    </message>
-    <message>
-        <source>multiplies all coordinates by a factor</source>
-        <translation>multiplica totes les coordenades per un factor</translation>
-    </message>
-    <message>
-        <source>details of %1 mm take too much memory; %2 mm is the finest for its size</source>
-        <translation>els detalls de %1 mm ocupen massa memòria; %2 mm és el més fi per a la seva mida</translation>
-    </message>
-    <message>
-        <source>choose a coarser resolution</source>
-        <translation>trieu una resolució més gruixuda</translation>
-    </message>
-    <message>
-        <source>remeshing lost a detail: the old surface lies up to %1 mm from the new one</source>
-        <translation>el remallat ha perdut un detall: la superfície antiga és fins a %1 mm de la nova</translation>
-    </message>
-    <message>
-        <source>the handles cannot move by exactly %1 mm: %2</source>
-        <translation>els tiradors no es poden moure exactament %1 mm: %2</translation>
-    </message>
-    <message>
-        <source>move less far, or let more handles compensate</source>
-        <translation>moveu menys, o deixeu que compensin més tiradors</translation>
-    </message>
-    <message>
-        <source>This organ does not bend, so its tissue has no stress; let it bend as soft tissue</source>
-        <translation>Aquest òrgan no es doblega, així que el seu teixit no té tensió; deixeu que es doblegui com a teixit tou</translation>
-    </message>
-    <message>
-        <source>Move as a rigid body</source>
-        <translation>Mou com a cos rígid</translation>
-    </message>
-    <message>
-        <source>Keep in place</source>
-        <translation>Mantén al seu lloc</translation>
-    </message>
-    <message>
-        <source>Bend as soft tissue</source>
-        <translation>Doblega com a teixit tou</translation>
-    </message>
-    <message>
-        <source>Measure the distance of organs</source>
-        <translation>Mesura la distància d’òrgans</translation>
-    </message>
-    <message>
-        <source>The shortest distance is between two organs</source>
-        <translation>La distància més curta és entre dos òrgans</translation>
-    </message>
-    <message>
-        <source>select two organs</source>
-        <translation>seleccioneu dos òrgans</translation>
-    </message>
-    <message>
-        <source>shortest distance</source>
-        <translation>distància més curta</translation>
-    </message>
-    <message>
-        <source>There are %1 witness points of %2: the others would lie in cavities, which hold no tissue.</source>
-        <translation>Hi ha %1 punts testimoni de %2: els altres serien en cavitats, que no contenen teixit.</translation>
-    </message>
-    <message>
-        <source>The largest angle by which a direction is turned when the tissue is stretched; not a pressure.</source>
-        <translation>L’angle més gran que gira una direcció quan s’estira el teixit; no és una pressió.</translation>
-    </message>
-    <message>
-        <source>The volume of tissue now, as a part of that at rest; 1 is unchanged.</source>
-        <translation>El volum del teixit ara, respecte al de repòs; 1 és sense canvi.</translation>
-    </message>
-    <message>
-        <source>The length of tissue now, as a part of that at rest, in the direction that grows most.</source>
-        <translation>La longitud del teixit ara, respecte a la de repòs, en la direcció que més creix.</translation>
-    </message>
-    <message>
-        <source>The length of tissue now, as a part of that at rest, in the direction that shrinks most.</source>
-        <translation>La longitud del teixit ara, respecte a la de repòs, en la direcció que més s’encongeix.</translation>
-    </message>
-    <message>
-        <source>1 where the tissue is turned inside out.</source>
-        <translation>1 on el teixit està capgirat.</translation>
     </message>
 </context>
 </TS>

@@ -6514,9 +6514,6 @@
         <source>head and feet exchanged</source>
         <translation>Kopf und Füße vertauscht</translation>
     </message>
-</context>
-<context>
-    <name>viscera::app</name>
     <message>
         <source>Only partly possible: %1</source>
         <translation>Nur teilweise möglich: %1</translation>
@@ -6533,6 +6530,116 @@
         <source>Sequences</source>
         <translation>Sequenzen</translation>
     </message>
+    <message>
+        <source>All %1 slices were resampled to a distance of %2 mm; values between two slices are mixed from both</source>
+        <translation>Alle %1 Schichten wurden auf einen Abstand von %2 mm umgerechnet; Werte zwischen zwei Schichten sind aus beiden gemischt</translation>
+    </message>
+    <message>
+        <source>It does not say how thick its slice is; 1 mm is assumed, so volumes in it are not measured</source>
+        <translation>Sie sagt nicht, wie dick ihre Schicht ist; 1 mm wird angenommen, Volumen darin sind also nicht gemessen</translation>
+    </message>
+    <message>
+        <source>It does not say how large its pixels are; %1 mm were taken from its field of view, so check a length that you know</source>
+        <translation>Sie sagt nicht, wie groß ihre Pixel sind; %1 mm wurden ihrem Bildfeld entnommen, prüfen Sie also eine bekannte Länge</translation>
+    </message>
+    <message>
+        <source>none of the %1 pieces is as small as that</source>
+        <translation>keines der %1 Stücke ist so klein</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n of %2 pieces {goes|go}, of %3 mm and %4 ml at most</source>
+        <translation>
+            <numerusform>%n von %2 Stücken geht weg, höchstens %3 mm und %4 ml groß</numerusform>
+            <numerusform>%n von %2 Stücken gehen weg, höchstens %3 mm und %4 ml groß</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>drops the pieces that are smaller than a size; the largest one stays</source>
+        <translation>entfernt die Stücke unter einer Größe; das größte bleibt</translation>
+    </message>
+    <message>
+        <source>multiplies all coordinates by a factor</source>
+        <translation>multipliziert alle Koordinaten mit einem Faktor</translation>
+    </message>
+    <message>
+        <source>details of %1 mm take too much memory; %2 mm is the finest for its size</source>
+        <translation>Einzelheiten von %1 mm brauchen zu viel Speicher; %2 mm ist bei seiner Größe das Feinste</translation>
+    </message>
+    <message>
+        <source>choose a coarser resolution</source>
+        <translation>wählen Sie eine gröbere Auflösung</translation>
+    </message>
+    <message>
+        <source>remeshing lost a detail: the old surface lies up to %1 mm from the new one</source>
+        <translation>die neue Vernetzung hat eine Einzelheit verloren: Die alte Oberfläche liegt bis zu %1 mm von der neuen entfernt</translation>
+    </message>
+    <message>
+        <source>the handles cannot move by exactly %1 mm: %2</source>
+        <translation>die Griffe können sich nicht um genau %1 mm bewegen: %2</translation>
+    </message>
+    <message>
+        <source>move less far, or let more handles compensate</source>
+        <translation>bewegen Sie weniger weit, oder lassen Sie mehr Griffe ausgleichen</translation>
+    </message>
+    <message>
+        <source>This organ does not bend, so its tissue has no stress; let it bend as soft tissue</source>
+        <translation>Dieses Organ biegt sich nicht, also hat sein Gewebe keinen Stress; lassen Sie es sich als weiches Gewebe biegen</translation>
+    </message>
+    <message>
+        <source>Move as a rigid body</source>
+        <translation>Als starren Körper bewegen</translation>
+    </message>
+    <message>
+        <source>Keep in place</source>
+        <translation>An Ort und Stelle halten</translation>
+    </message>
+    <message>
+        <source>Bend as soft tissue</source>
+        <translation>Als weiches Gewebe biegen</translation>
+    </message>
+    <message>
+        <source>Measure the distance of organs</source>
+        <translation>Abstand von Organen messen</translation>
+    </message>
+    <message>
+        <source>The shortest distance is between two organs</source>
+        <translation>Der kürzeste Abstand liegt zwischen zwei Organen</translation>
+    </message>
+    <message>
+        <source>select two organs</source>
+        <translation>wählen Sie zwei Organe</translation>
+    </message>
+    <message>
+        <source>shortest distance</source>
+        <translation>kürzester Abstand</translation>
+    </message>
+    <message>
+        <source>There are %1 witness points of %2: the others would lie in cavities, which hold no tissue.</source>
+        <translation>Es gibt %1 von %2 Messpunkten: Die anderen lägen in Hohlräumen, die kein Gewebe enthalten.</translation>
+    </message>
+    <message>
+        <source>The largest angle by which a direction is turned when the tissue is stretched; not a pressure.</source>
+        <translation>Der größte Winkel, um den eine Richtung beim Dehnen des Gewebes gedreht wird; kein Druck.</translation>
+    </message>
+    <message>
+        <source>The volume of tissue now, as a part of that at rest; 1 is unchanged.</source>
+        <translation>Das Volumen des Gewebes jetzt, als Teil dessen in Ruhe; 1 ist unverändert.</translation>
+    </message>
+    <message>
+        <source>The length of tissue now, as a part of that at rest, in the direction that grows most.</source>
+        <translation>Die Länge des Gewebes jetzt, als Teil derer in Ruhe, in der Richtung, die am meisten wächst.</translation>
+    </message>
+    <message>
+        <source>The length of tissue now, as a part of that at rest, in the direction that shrinks most.</source>
+        <translation>Die Länge des Gewebes jetzt, als Teil derer in Ruhe, in der Richtung, die am meisten schrumpft.</translation>
+    </message>
+    <message>
+        <source>1 where the tissue is turned inside out.</source>
+        <translation>1, wo das Gewebe umgestülpt ist.</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app</name>
     <message>
         <source>Undo</source>
         <translation>Rückgängig</translation>
@@ -6726,113 +6833,6 @@
     <message>
         <source>Time in the cycle</source>
         <translation>Zeit im Zyklus</translation>
-    </message>
-    <message>
-        <source>All %1 slices were resampled to a distance of %2 mm; values between two slices are mixed from both</source>
-        <translation>Alle %1 Schichten wurden auf einen Abstand von %2 mm umgerechnet; Werte zwischen zwei Schichten sind aus beiden gemischt</translation>
-    </message>
-    <message>
-        <source>It does not say how thick its slice is; 1 mm is assumed, so volumes in it are not measured</source>
-        <translation>Sie sagt nicht, wie dick ihre Schicht ist; 1 mm wird angenommen, Volumen darin sind also nicht gemessen</translation>
-    </message>
-    <message>
-        <source>It does not say how large its pixels are; %1 mm were taken from its field of view, so check a length that you know</source>
-        <translation>Sie sagt nicht, wie groß ihre Pixel sind; %1 mm wurden ihrem Bildfeld entnommen, prüfen Sie also eine bekannte Länge</translation>
-    </message>
-    <message>
-        <source>none of the %1 pieces is as small as that</source>
-        <translation>keines der %1 Stücke ist so klein</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n of %2 pieces {goes|go}, of %3 mm and %4 ml at most</source>
-        <translation>
-            <numerusform>%n von %2 Stücken geht weg, höchstens %3 mm und %4 ml groß</numerusform>
-            <numerusform>%n von %2 Stücken gehen weg, höchstens %3 mm und %4 ml groß</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>drops the pieces that are smaller than a size; the largest one stays</source>
-        <translation>entfernt die Stücke unter einer Größe; das größte bleibt</translation>
-    </message>
-    <message>
-        <source>multiplies all coordinates by a factor</source>
-        <translation>multipliziert alle Koordinaten mit einem Faktor</translation>
-    </message>
-    <message>
-        <source>details of %1 mm take too much memory; %2 mm is the finest for its size</source>
-        <translation>Einzelheiten von %1 mm brauchen zu viel Speicher; %2 mm ist bei seiner Größe das Feinste</translation>
-    </message>
-    <message>
-        <source>choose a coarser resolution</source>
-        <translation>wählen Sie eine gröbere Auflösung</translation>
-    </message>
-    <message>
-        <source>remeshing lost a detail: the old surface lies up to %1 mm from the new one</source>
-        <translation>die neue Vernetzung hat eine Einzelheit verloren: Die alte Oberfläche liegt bis zu %1 mm von der neuen entfernt</translation>
-    </message>
-    <message>
-        <source>the handles cannot move by exactly %1 mm: %2</source>
-        <translation>die Griffe können sich nicht um genau %1 mm bewegen: %2</translation>
-    </message>
-    <message>
-        <source>move less far, or let more handles compensate</source>
-        <translation>bewegen Sie weniger weit, oder lassen Sie mehr Griffe ausgleichen</translation>
-    </message>
-    <message>
-        <source>This organ does not bend, so its tissue has no stress; let it bend as soft tissue</source>
-        <translation>Dieses Organ biegt sich nicht, also hat sein Gewebe keinen Stress; lassen Sie es sich als weiches Gewebe biegen</translation>
-    </message>
-    <message>
-        <source>Move as a rigid body</source>
-        <translation>Als starren Körper bewegen</translation>
-    </message>
-    <message>
-        <source>Keep in place</source>
-        <translation>An Ort und Stelle halten</translation>
-    </message>
-    <message>
-        <source>Bend as soft tissue</source>
-        <translation>Als weiches Gewebe biegen</translation>
-    </message>
-    <message>
-        <source>Measure the distance of organs</source>
-        <translation>Abstand von Organen messen</translation>
-    </message>
-    <message>
-        <source>The shortest distance is between two organs</source>
-        <translation>Der kürzeste Abstand liegt zwischen zwei Organen</translation>
-    </message>
-    <message>
-        <source>select two organs</source>
-        <translation>wählen Sie zwei Organe</translation>
-    </message>
-    <message>
-        <source>shortest distance</source>
-        <translation>kürzester Abstand</translation>
-    </message>
-    <message>
-        <source>There are %1 witness points of %2: the others would lie in cavities, which hold no tissue.</source>
-        <translation>Es gibt %1 von %2 Messpunkten: Die anderen lägen in Hohlräumen, die kein Gewebe enthalten.</translation>
-    </message>
-    <message>
-        <source>The largest angle by which a direction is turned when the tissue is stretched; not a pressure.</source>
-        <translation>Der größte Winkel, um den eine Richtung beim Dehnen des Gewebes gedreht wird; kein Druck.</translation>
-    </message>
-    <message>
-        <source>The volume of tissue now, as a part of that at rest; 1 is unchanged.</source>
-        <translation>Das Volumen des Gewebes jetzt, als Teil dessen in Ruhe; 1 ist unverändert.</translation>
-    </message>
-    <message>
-        <source>The length of tissue now, as a part of that at rest, in the direction that grows most.</source>
-        <translation>Die Länge des Gewebes jetzt, als Teil derer in Ruhe, in der Richtung, die am meisten wächst.</translation>
-    </message>
-    <message>
-        <source>The length of tissue now, as a part of that at rest, in the direction that shrinks most.</source>
-        <translation>Die Länge des Gewebes jetzt, als Teil derer in Ruhe, in der Richtung, die am meisten schrumpft.</translation>
-    </message>
-    <message>
-        <source>1 where the tissue is turned inside out.</source>
-        <translation>1, wo das Gewebe umgestülpt ist.</translation>
     </message>
 </context>
 </TS>

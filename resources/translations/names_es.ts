@@ -6514,9 +6514,6 @@
         <source>head and feet exchanged</source>
         <translation>cabeza y pies intercambiados</translation>
     </message>
-</context>
-<context>
-    <name>viscera::app</name>
     <message>
         <source>Only partly possible: %1</source>
         <translation>Solo es posible en parte: %1</translation>
@@ -6533,6 +6530,116 @@
         <source>Sequences</source>
         <translation>Secuencias</translation>
     </message>
+    <message>
+        <source>All %1 slices were resampled to a distance of %2 mm; values between two slices are mixed from both</source>
+        <translation>Los %1 cortes se remuestrearon a una distancia de %2 mm; los valores entre dos cortes son una mezcla de ambos</translation>
+    </message>
+    <message>
+        <source>It does not say how thick its slice is; 1 mm is assumed, so volumes in it are not measured</source>
+        <translation>No dice qué grosor tiene su corte; se supone 1 mm, por lo que sus volúmenes no están medidos</translation>
+    </message>
+    <message>
+        <source>It does not say how large its pixels are; %1 mm were taken from its field of view, so check a length that you know</source>
+        <translation>No dice qué tamaño tienen sus píxeles; se tomaron %1 mm de su campo de visión, así que compruebe una longitud conocida</translation>
+    </message>
+    <message>
+        <source>none of the %1 pieces is as small as that</source>
+        <translation>ninguno de los %1 trozos es tan pequeño</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n of %2 pieces {goes|go}, of %3 mm and %4 ml at most</source>
+        <translation>
+            <numerusform>desaparece %n de %2 trozos, de %3 mm y %4 ml como máximo</numerusform>
+            <numerusform>desaparecen %n de %2 trozos, de %3 mm y %4 ml como máximo</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>drops the pieces that are smaller than a size; the largest one stays</source>
+        <translation>elimina los trozos menores que un tamaño; el mayor se queda</translation>
+    </message>
+    <message>
+        <source>multiplies all coordinates by a factor</source>
+        <translation>multiplica todas las coordenadas por un factor</translation>
+    </message>
+    <message>
+        <source>details of %1 mm take too much memory; %2 mm is the finest for its size</source>
+        <translation>los detalles de %1 mm ocupan demasiada memoria; %2 mm es lo más fino para su tamaño</translation>
+    </message>
+    <message>
+        <source>choose a coarser resolution</source>
+        <translation>elija una resolución más gruesa</translation>
+    </message>
+    <message>
+        <source>remeshing lost a detail: the old surface lies up to %1 mm from the new one</source>
+        <translation>el remallado perdió un detalle: la superficie antigua está hasta a %1 mm de la nueva</translation>
+    </message>
+    <message>
+        <source>the handles cannot move by exactly %1 mm: %2</source>
+        <translation>los tiradores no pueden moverse exactamente %1 mm: %2</translation>
+    </message>
+    <message>
+        <source>move less far, or let more handles compensate</source>
+        <translation>mueva menos, o deje que compensen más tiradores</translation>
+    </message>
+    <message>
+        <source>This organ does not bend, so its tissue has no stress; let it bend as soft tissue</source>
+        <translation>Este órgano no se dobla, así que su tejido no tiene estrés; deje que se doble como tejido blando</translation>
+    </message>
+    <message>
+        <source>Move as a rigid body</source>
+        <translation>Mover como cuerpo rígido</translation>
+    </message>
+    <message>
+        <source>Keep in place</source>
+        <translation>Mantener en su sitio</translation>
+    </message>
+    <message>
+        <source>Bend as soft tissue</source>
+        <translation>Doblar como tejido blando</translation>
+    </message>
+    <message>
+        <source>Measure the distance of organs</source>
+        <translation>Medir la distancia de órganos</translation>
+    </message>
+    <message>
+        <source>The shortest distance is between two organs</source>
+        <translation>La distancia más corta es entre dos órganos</translation>
+    </message>
+    <message>
+        <source>select two organs</source>
+        <translation>seleccione dos órganos</translation>
+    </message>
+    <message>
+        <source>shortest distance</source>
+        <translation>distancia más corta</translation>
+    </message>
+    <message>
+        <source>There are %1 witness points of %2: the others would lie in cavities, which hold no tissue.</source>
+        <translation>Hay %1 puntos testigo de %2: los demás quedarían en cavidades, que no contienen tejido.</translation>
+    </message>
+    <message>
+        <source>The largest angle by which a direction is turned when the tissue is stretched; not a pressure.</source>
+        <translation>El mayor ángulo que gira una dirección al estirarse el tejido; no es una presión.</translation>
+    </message>
+    <message>
+        <source>The volume of tissue now, as a part of that at rest; 1 is unchanged.</source>
+        <translation>El volumen del tejido ahora, respecto al de reposo; 1 es sin cambio.</translation>
+    </message>
+    <message>
+        <source>The length of tissue now, as a part of that at rest, in the direction that grows most.</source>
+        <translation>La longitud del tejido ahora, respecto a la de reposo, en la dirección que más crece.</translation>
+    </message>
+    <message>
+        <source>The length of tissue now, as a part of that at rest, in the direction that shrinks most.</source>
+        <translation>La longitud del tejido ahora, respecto a la de reposo, en la dirección que más encoge.</translation>
+    </message>
+    <message>
+        <source>1 where the tissue is turned inside out.</source>
+        <translation>1 donde el tejido está vuelto del revés.</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app</name>
     <message>
         <source>Undo</source>
         <translation>Deshacer</translation>
@@ -6726,113 +6833,6 @@
     <message>
         <source>Time in the cycle</source>
         <translation>Tiempo en el ciclo</translation>
-    </message>
-    <message>
-        <source>All %1 slices were resampled to a distance of %2 mm; values between two slices are mixed from both</source>
-        <translation>Los %1 cortes se remuestrearon a una distancia de %2 mm; los valores entre dos cortes son una mezcla de ambos</translation>
-    </message>
-    <message>
-        <source>It does not say how thick its slice is; 1 mm is assumed, so volumes in it are not measured</source>
-        <translation>No dice qué grosor tiene su corte; se supone 1 mm, por lo que sus volúmenes no están medidos</translation>
-    </message>
-    <message>
-        <source>It does not say how large its pixels are; %1 mm were taken from its field of view, so check a length that you know</source>
-        <translation>No dice qué tamaño tienen sus píxeles; se tomaron %1 mm de su campo de visión, así que compruebe una longitud conocida</translation>
-    </message>
-    <message>
-        <source>none of the %1 pieces is as small as that</source>
-        <translation>ninguno de los %1 trozos es tan pequeño</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n of %2 pieces {goes|go}, of %3 mm and %4 ml at most</source>
-        <translation>
-            <numerusform>desaparece %n de %2 trozos, de %3 mm y %4 ml como máximo</numerusform>
-            <numerusform>desaparecen %n de %2 trozos, de %3 mm y %4 ml como máximo</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>drops the pieces that are smaller than a size; the largest one stays</source>
-        <translation>elimina los trozos menores que un tamaño; el mayor se queda</translation>
-    </message>
-    <message>
-        <source>multiplies all coordinates by a factor</source>
-        <translation>multiplica todas las coordenadas por un factor</translation>
-    </message>
-    <message>
-        <source>details of %1 mm take too much memory; %2 mm is the finest for its size</source>
-        <translation>los detalles de %1 mm ocupan demasiada memoria; %2 mm es lo más fino para su tamaño</translation>
-    </message>
-    <message>
-        <source>choose a coarser resolution</source>
-        <translation>elija una resolución más gruesa</translation>
-    </message>
-    <message>
-        <source>remeshing lost a detail: the old surface lies up to %1 mm from the new one</source>
-        <translation>el remallado perdió un detalle: la superficie antigua está hasta a %1 mm de la nueva</translation>
-    </message>
-    <message>
-        <source>the handles cannot move by exactly %1 mm: %2</source>
-        <translation>los tiradores no pueden moverse exactamente %1 mm: %2</translation>
-    </message>
-    <message>
-        <source>move less far, or let more handles compensate</source>
-        <translation>mueva menos, o deje que compensen más tiradores</translation>
-    </message>
-    <message>
-        <source>This organ does not bend, so its tissue has no stress; let it bend as soft tissue</source>
-        <translation>Este órgano no se dobla, así que su tejido no tiene estrés; deje que se doble como tejido blando</translation>
-    </message>
-    <message>
-        <source>Move as a rigid body</source>
-        <translation>Mover como cuerpo rígido</translation>
-    </message>
-    <message>
-        <source>Keep in place</source>
-        <translation>Mantener en su sitio</translation>
-    </message>
-    <message>
-        <source>Bend as soft tissue</source>
-        <translation>Doblar como tejido blando</translation>
-    </message>
-    <message>
-        <source>Measure the distance of organs</source>
-        <translation>Medir la distancia de órganos</translation>
-    </message>
-    <message>
-        <source>The shortest distance is between two organs</source>
-        <translation>La distancia más corta es entre dos órganos</translation>
-    </message>
-    <message>
-        <source>select two organs</source>
-        <translation>seleccione dos órganos</translation>
-    </message>
-    <message>
-        <source>shortest distance</source>
-        <translation>distancia más corta</translation>
-    </message>
-    <message>
-        <source>There are %1 witness points of %2: the others would lie in cavities, which hold no tissue.</source>
-        <translation>Hay %1 puntos testigo de %2: los demás quedarían en cavidades, que no contienen tejido.</translation>
-    </message>
-    <message>
-        <source>The largest angle by which a direction is turned when the tissue is stretched; not a pressure.</source>
-        <translation>El mayor ángulo que gira una dirección al estirarse el tejido; no es una presión.</translation>
-    </message>
-    <message>
-        <source>The volume of tissue now, as a part of that at rest; 1 is unchanged.</source>
-        <translation>El volumen del tejido ahora, respecto al de reposo; 1 es sin cambio.</translation>
-    </message>
-    <message>
-        <source>The length of tissue now, as a part of that at rest, in the direction that grows most.</source>
-        <translation>La longitud del tejido ahora, respecto a la de reposo, en la dirección que más crece.</translation>
-    </message>
-    <message>
-        <source>The length of tissue now, as a part of that at rest, in the direction that shrinks most.</source>
-        <translation>La longitud del tejido ahora, respecto a la de reposo, en la dirección que más encoge.</translation>
-    </message>
-    <message>
-        <source>1 where the tissue is turned inside out.</source>
-        <translation>1 donde el tejido está vuelto del revés.</translation>
     </message>
 </context>
 </TS>

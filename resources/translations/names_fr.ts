@@ -6514,9 +6514,6 @@
         <source>head and feet exchanged</source>
         <translation>tête et pieds échangés</translation>
     </message>
-</context>
-<context>
-    <name>viscera::app</name>
     <message>
         <source>Only partly possible: %1</source>
         <translation>Possible en partie seulement&#xa0;: %1</translation>
@@ -6533,6 +6530,116 @@
         <source>Sequences</source>
         <translation>Séquences</translation>
     </message>
+    <message>
+        <source>All %1 slices were resampled to a distance of %2 mm; values between two slices are mixed from both</source>
+        <translation>Les %1 coupes ont été rééchantillonnées à une distance de %2 mm; les valeurs entre deux coupes sont un mélange des deux</translation>
+    </message>
+    <message>
+        <source>It does not say how thick its slice is; 1 mm is assumed, so volumes in it are not measured</source>
+        <translation>Il ne dit pas quelle est l’épaisseur de sa coupe; 1 mm est supposé, les volumes n’y sont donc pas mesurés</translation>
+    </message>
+    <message>
+        <source>It does not say how large its pixels are; %1 mm were taken from its field of view, so check a length that you know</source>
+        <translation>Il ne dit pas quelle est la taille de ses pixels; %1 mm ont été tirés de son champ de vue, vérifiez donc une longueur connue</translation>
+    </message>
+    <message>
+        <source>none of the %1 pieces is as small as that</source>
+        <translation>aucun des %1 morceaux n’est aussi petit</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n of %2 pieces {goes|go}, of %3 mm and %4 ml at most</source>
+        <translation>
+            <numerusform>%n morceau sur %2 disparaît, de %3 mm et %4 ml au plus</numerusform>
+            <numerusform>%n morceaux sur %2 disparaissent, de %3 mm et %4 ml au plus</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>drops the pieces that are smaller than a size; the largest one stays</source>
+        <translation>supprime les morceaux plus petits qu’une taille; le plus grand reste</translation>
+    </message>
+    <message>
+        <source>multiplies all coordinates by a factor</source>
+        <translation>multiplie toutes les coordonnées par un facteur</translation>
+    </message>
+    <message>
+        <source>details of %1 mm take too much memory; %2 mm is the finest for its size</source>
+        <translation>des détails de %1 mm prennent trop de mémoire; %2 mm est le plus fin pour sa taille</translation>
+    </message>
+    <message>
+        <source>choose a coarser resolution</source>
+        <translation>choisissez une résolution plus grossière</translation>
+    </message>
+    <message>
+        <source>remeshing lost a detail: the old surface lies up to %1 mm from the new one</source>
+        <translation>le remaillage a perdu un détail: l’ancienne surface est jusqu’à %1 mm de la nouvelle</translation>
+    </message>
+    <message>
+        <source>the handles cannot move by exactly %1 mm: %2</source>
+        <translation>les poignées ne peuvent pas bouger d’exactement %1 mm&#xa0;: %2</translation>
+    </message>
+    <message>
+        <source>move less far, or let more handles compensate</source>
+        <translation>bougez moins loin, ou laissez compenser plus de poignées</translation>
+    </message>
+    <message>
+        <source>This organ does not bend, so its tissue has no stress; let it bend as soft tissue</source>
+        <translation>Cet organe ne se plie pas, son tissu n’a donc pas de contrainte&#xa0;; laissez-le se plier comme un tissu mou</translation>
+    </message>
+    <message>
+        <source>Move as a rigid body</source>
+        <translation>Bouger en corps rigide</translation>
+    </message>
+    <message>
+        <source>Keep in place</source>
+        <translation>Garder en place</translation>
+    </message>
+    <message>
+        <source>Bend as soft tissue</source>
+        <translation>Plier comme un tissu mou</translation>
+    </message>
+    <message>
+        <source>Measure the distance of organs</source>
+        <translation>Mesurer la distance d’organes</translation>
+    </message>
+    <message>
+        <source>The shortest distance is between two organs</source>
+        <translation>La distance la plus courte est entre deux organes</translation>
+    </message>
+    <message>
+        <source>select two organs</source>
+        <translation>sélectionnez deux organes</translation>
+    </message>
+    <message>
+        <source>shortest distance</source>
+        <translation>distance la plus courte</translation>
+    </message>
+    <message>
+        <source>There are %1 witness points of %2: the others would lie in cavities, which hold no tissue.</source>
+        <translation>Il y a %1 points témoins sur %2&#xa0;: les autres seraient dans des cavités, qui ne contiennent pas de tissu.</translation>
+    </message>
+    <message>
+        <source>The largest angle by which a direction is turned when the tissue is stretched; not a pressure.</source>
+        <translation>Le plus grand angle dont une direction tourne quand le tissu est étiré&#xa0;; pas une pression.</translation>
+    </message>
+    <message>
+        <source>The volume of tissue now, as a part of that at rest; 1 is unchanged.</source>
+        <translation>Le volume du tissu maintenant, rapporté à celui au repos&#xa0;; 1&#xa0;: inchangé.</translation>
+    </message>
+    <message>
+        <source>The length of tissue now, as a part of that at rest, in the direction that grows most.</source>
+        <translation>La longueur du tissu maintenant, rapportée à celle au repos, dans la direction qui grandit le plus.</translation>
+    </message>
+    <message>
+        <source>The length of tissue now, as a part of that at rest, in the direction that shrinks most.</source>
+        <translation>La longueur du tissu maintenant, rapportée à celle au repos, dans la direction qui rétrécit le plus.</translation>
+    </message>
+    <message>
+        <source>1 where the tissue is turned inside out.</source>
+        <translation>1 là où le tissu est retourné.</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app</name>
     <message>
         <source>Undo</source>
         <translation>Annuler</translation>
@@ -6726,113 +6833,6 @@
     <message>
         <source>Time in the cycle</source>
         <translation>Temps dans le cycle</translation>
-    </message>
-    <message>
-        <source>All %1 slices were resampled to a distance of %2 mm; values between two slices are mixed from both</source>
-        <translation>Les %1 coupes ont été rééchantillonnées à une distance de %2 mm; les valeurs entre deux coupes sont un mélange des deux</translation>
-    </message>
-    <message>
-        <source>It does not say how thick its slice is; 1 mm is assumed, so volumes in it are not measured</source>
-        <translation>Il ne dit pas quelle est l’épaisseur de sa coupe; 1 mm est supposé, les volumes n’y sont donc pas mesurés</translation>
-    </message>
-    <message>
-        <source>It does not say how large its pixels are; %1 mm were taken from its field of view, so check a length that you know</source>
-        <translation>Il ne dit pas quelle est la taille de ses pixels; %1 mm ont été tirés de son champ de vue, vérifiez donc une longueur connue</translation>
-    </message>
-    <message>
-        <source>none of the %1 pieces is as small as that</source>
-        <translation>aucun des %1 morceaux n’est aussi petit</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n of %2 pieces {goes|go}, of %3 mm and %4 ml at most</source>
-        <translation>
-            <numerusform>%n morceau sur %2 disparaît, de %3 mm et %4 ml au plus</numerusform>
-            <numerusform>%n morceaux sur %2 disparaissent, de %3 mm et %4 ml au plus</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>drops the pieces that are smaller than a size; the largest one stays</source>
-        <translation>supprime les morceaux plus petits qu’une taille; le plus grand reste</translation>
-    </message>
-    <message>
-        <source>multiplies all coordinates by a factor</source>
-        <translation>multiplie toutes les coordonnées par un facteur</translation>
-    </message>
-    <message>
-        <source>details of %1 mm take too much memory; %2 mm is the finest for its size</source>
-        <translation>des détails de %1 mm prennent trop de mémoire; %2 mm est le plus fin pour sa taille</translation>
-    </message>
-    <message>
-        <source>choose a coarser resolution</source>
-        <translation>choisissez une résolution plus grossière</translation>
-    </message>
-    <message>
-        <source>remeshing lost a detail: the old surface lies up to %1 mm from the new one</source>
-        <translation>le remaillage a perdu un détail: l’ancienne surface est jusqu’à %1 mm de la nouvelle</translation>
-    </message>
-    <message>
-        <source>the handles cannot move by exactly %1 mm: %2</source>
-        <translation>les poignées ne peuvent pas bouger d’exactement %1 mm&#xa0;: %2</translation>
-    </message>
-    <message>
-        <source>move less far, or let more handles compensate</source>
-        <translation>bougez moins loin, ou laissez compenser plus de poignées</translation>
-    </message>
-    <message>
-        <source>This organ does not bend, so its tissue has no stress; let it bend as soft tissue</source>
-        <translation>Cet organe ne se plie pas, son tissu n’a donc pas de contrainte&#xa0;; laissez-le se plier comme un tissu mou</translation>
-    </message>
-    <message>
-        <source>Move as a rigid body</source>
-        <translation>Bouger en corps rigide</translation>
-    </message>
-    <message>
-        <source>Keep in place</source>
-        <translation>Garder en place</translation>
-    </message>
-    <message>
-        <source>Bend as soft tissue</source>
-        <translation>Plier comme un tissu mou</translation>
-    </message>
-    <message>
-        <source>Measure the distance of organs</source>
-        <translation>Mesurer la distance d’organes</translation>
-    </message>
-    <message>
-        <source>The shortest distance is between two organs</source>
-        <translation>La distance la plus courte est entre deux organes</translation>
-    </message>
-    <message>
-        <source>select two organs</source>
-        <translation>sélectionnez deux organes</translation>
-    </message>
-    <message>
-        <source>shortest distance</source>
-        <translation>distance la plus courte</translation>
-    </message>
-    <message>
-        <source>There are %1 witness points of %2: the others would lie in cavities, which hold no tissue.</source>
-        <translation>Il y a %1 points témoins sur %2&#xa0;: les autres seraient dans des cavités, qui ne contiennent pas de tissu.</translation>
-    </message>
-    <message>
-        <source>The largest angle by which a direction is turned when the tissue is stretched; not a pressure.</source>
-        <translation>Le plus grand angle dont une direction tourne quand le tissu est étiré&#xa0;; pas une pression.</translation>
-    </message>
-    <message>
-        <source>The volume of tissue now, as a part of that at rest; 1 is unchanged.</source>
-        <translation>Le volume du tissu maintenant, rapporté à celui au repos&#xa0;; 1&#xa0;: inchangé.</translation>
-    </message>
-    <message>
-        <source>The length of tissue now, as a part of that at rest, in the direction that grows most.</source>
-        <translation>La longueur du tissu maintenant, rapportée à celle au repos, dans la direction qui grandit le plus.</translation>
-    </message>
-    <message>
-        <source>The length of tissue now, as a part of that at rest, in the direction that shrinks most.</source>
-        <translation>La longueur du tissu maintenant, rapportée à celle au repos, dans la direction qui rétrécit le plus.</translation>
-    </message>
-    <message>
-        <source>1 where the tissue is turned inside out.</source>
-        <translation>1 là où le tissu est retourné.</translation>
     </message>
 </context>
 </TS>
