@@ -84,6 +84,10 @@ void StressMode::makeActions() {
                        model_.setPeakShown(on);
                        syncActions();
                      });
+  addSwitches();
+}
+
+void StressMode::addSwitches() {
   const auto toggle = [this](const char* id, const Actions::Description& description,
                              bool StressLook::*member) {
     actions_.addToggle(id, description, model_.look().*member, [this, member](bool on) {

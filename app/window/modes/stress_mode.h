@@ -49,6 +49,7 @@ public:
 
 private:
   void makeActions();
+  void addSwitches(); ///< Those of the look.
   void syncActions();
 
   Actions& actions_;
