@@ -115,9 +115,7 @@ void addStrain(std::vector<Norm>& rows) {
   constexpr auto kLeft = "Left ventricle";
   constexpr auto kPeople = "67 healthy adults, by feature tracking in magnetic resonance over the whole "
                            "ventricle (CVI42); other programs differ by several points";
-  constexpr auto kSource =
-      "Lim 2021, doi 10.1007/s00330-020-07539-5 (PMC8128822); other vendors: Kawel-Boehm "
-      "2020, doi 10.1186/s12968-020-00683-3";
+  constexpr auto kSource = "Lim 2021, doi 10.1007/s00330-020-07539-5";
   rows.push_back(
       ofEverybody("lv.gls", kLeft, "global longitudinal strain", "%", {-17.0, 1.8}, kPeople, kSource));
   rows.push_back(
