@@ -58,6 +58,7 @@ from .files import (
     write_surface,
 )
 from .motion import sequence, sequence_names, track
+from .heart_strain import contour_strain, strain
 from .catalogue import PluginReport, load_plugins, system, systems
 
 __all__ = [
@@ -91,6 +92,7 @@ __all__ = [
     "circulate",
     "circulation_parameters",
     "circulation_response",
+    "contour_strain",
     "enclosing_handles",
     "grid_witnesses",
     "groups_along_axis",
@@ -108,6 +110,7 @@ __all__ = [
     "scenarios",
     "sequence",
     "sequence_names",
+    "strain",
     "sweep",
     "system",
     "systems",
