@@ -15,6 +15,7 @@
 #include <vtkPen.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
+#include <vtkStdString.h>
 #include <vtkTextProperty.h>
 #include <vtkWeakPointer.h>
 
