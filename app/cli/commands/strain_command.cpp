@@ -19,19 +19,20 @@
 #include "viscera/core/atomic_file.h"
 #include "viscera/core/error.h"
 #include "viscera/core/json_reader.h"
-#include "viscera/document/open_files.h"
 #include "viscera/document/rig.h"
+#include "viscera/document/session_file.h"
 #include "viscera/live/motion_runner.h"
 #include "viscera/live/patient_motion.h"
 #include "viscera/live/sequence_file.h"
 #include "viscera/live/sequence_setup.h"
 #include "viscera/live/strain_reading.h"
+#include "viscera/live/witness_sampling.h"
 
 namespace viscera::app::cli {
 namespace {
 
-constexpr double kMsPerSecond = 1000, kSecondsPerMinute = 60;
-constexpr int kFewestHandles = 12, kMostHandles = 1000;
+constexpr double kMsOfASecond = 1000, kSecondsOfAMinute = 60;
+constexpr int kFewestTracking = 12, kMostTracking = 1000;
 constexpr int kFewestInstants = 4, kMostInstants = 500;
 constexpr double kTrackingShare = 0.6; ///< Of the progress.
 
@@ -66,7 +67,7 @@ private:
 };
 
 /// "LV=1,2" taken apart; "LV" alone names a surface.
-live::LabelledSurface surfaceFrom(const std::string& text) {
+live::LabelledSurface seriesSurface(const std::string& text) {
   const std::size_t equal = text.find('=');
   live::LabelledSurface surface{text.substr(0, equal), {}};
   for (std::size_t at = equal; at != std::string::npos && at < text.size();) {
@@ -122,7 +123,7 @@ void StrainCommand::addOptions(CLI::App& options) {
   options.add_flag("--once", once_, "The series is not a whole cycle: its last phase does not lead back");
   options.add_option("--tracked-handles", trackedHandles_, "How many handles track a series")
       ->type_name("N")
-      ->check(CLI::Range(kFewestHandles, kMostHandles));
+      ->check(CLI::Range(kFewestTracking, kMostTracking));
   options.add_option("--instants", instants_, "Of a sequence without keys: how many instants of its cycle")
       ->type_name("N")
       ->check(CLI::Range(kFewestInstants, kMostInstants))
@@ -193,9 +194,9 @@ live::MovedOrgans StrainCommand::tracked(Progress& progress, const CommandContex
   live::SeriesRequest request;
   request.inputs.assign(motion_.begin(), motion_.end());
   for (const std::string& surface : surfaces_)
-    request.surfaces.push_back(surfaceFrom(surface));
+    request.surfaces.push_back(seriesSurface(surface));
   if (periodMs_ > 0)
-    request.periodSeconds = periodMs_ / kMsPerSecond;
+    request.periodSeconds = periodMs_ / kMsOfASecond;
   for (const std::size_t phase : leftOut_) {
     if (phase == 0)
       throw UsageError("There is no phase 0", "--leave-out", "phases are counted from 1");
@@ -242,7 +243,7 @@ live::MovedOrgans StrainCommand::played(CommandContext& context, std::vector<Tex
   if (moved.seconds.empty()) {
     moved.corresponding = true; // A motion that is computed moves material points.
     for (int i = 0; i < instants_; ++i)
-      moved.seconds.push_back(i * kSecondsPerMinute / runner.ratePerMinute() / instants_);
+      moved.seconds.push_back(i * kSecondsOfAMinute / runner.ratePerMinute() / instants_);
   }
   for (const double seconds : moved.seconds) {
     context.progress.throwIfCancelled();

@@ -17,7 +17,7 @@ using nlohmann::ordered_json;
 using strain::ContourStrain;
 using strain::SegmentStrain;
 
-constexpr double kPercent = 100, kMilliseconds = 1000;
+constexpr double kPercentOfPart = 100, kMsOfSecond = 1000;
 constexpr std::pair<const char*, StrainDirection> kDirections[] = {
     {"longitudinal", StrainDirection::longitudinal},
     {"circumferential", StrainDirection::circumferential},
@@ -48,8 +48,8 @@ ordered_json optionalJson(const std::optional<double>& value) {
 }
 
 ordered_json contourJson(const ContourStrain& contour) {
-  ordered_json json = {{"peakPercent", numberOrNull(kPercent * contour.peak.value)},
-                       {"timeMs", kMilliseconds * contour.peak.seconds}};
+  ordered_json json = {{"peakPercent", numberOrNull(kPercentOfPart * contour.peak.value)},
+                       {"timeMs", kMsOfSecond * contour.peak.seconds}};
   if (contour.referenceMm > 0)
     json["referenceMm"] = contour.referenceMm;
   return json;
@@ -79,7 +79,7 @@ double thickeningOf(const SegmentStrain& segment, std::size_t reference) {
   if (segment.thicknessMm.empty() || !(segment.thicknessMm[reference] > 0))
     return std::nan("");
   const double most = *std::max_element(segment.thicknessMm.begin(), segment.thicknessMm.end());
-  return kPercent * (most / segment.thicknessMm[reference] - 1);
+  return kPercentOfPart * (most / segment.thicknessMm[reference] - 1);
 }
 
 ordered_json segmentJson(const StrainReading& reading, const strain::Segment& place) {
@@ -90,7 +90,7 @@ ordered_json segmentJson(const StrainReading& reading, const strain::Segment& pl
     time[name] = optionalJson(strainValue(reading, place.number, direction, StrainMoment::timeToPeak));
   }
   const auto area = std::min_element(segment.area.begin(), segment.area.end());
-  peak["area"] = area == segment.area.end() ? ordered_json(nullptr) : numberOrNull(kPercent * *area);
+  peak["area"] = area == segment.area.end() ? ordered_json(nullptr) : numberOrNull(kPercentOfPart * *area);
   return {{"number", place.number},
           {"name", place.name},
           {"peak", std::move(peak)},
@@ -103,9 +103,9 @@ ordered_json segmentJson(const StrainReading& reading, const strain::Segment& pl
 }
 
 ordered_json phaseJson(const strain::HeartStrain& strain, std::size_t phase) {
-  ordered_json json = {{"timeMs", kMilliseconds * strain.seconds[phase]}};
+  ordered_json json = {{"timeMs", kMsOfSecond * strain.seconds[phase]}};
   const auto add = [&](const char* key, const std::optional<ContourStrain>& contour) {
-    json[key] = contour ? numberOrNull(kPercent * contour->curve[phase]) : ordered_json(nullptr);
+    json[key] = contour ? numberOrNull(kPercentOfPart * contour->curve[phase]) : ordered_json(nullptr);
   };
   add("glsPercent", strain.gls);
   add("gcsPercent", strain.gcs);
@@ -114,15 +114,15 @@ ordered_json phaseJson(const strain::HeartStrain& strain, std::size_t phase) {
   add("laReservoirPercent", strain.leftReservoir);
   for (const auto* contours : {&strain.longitudinal, &strain.circumferential})
     for (const ContourStrain& contour : *contours)
-      json["contours"][contour.name] = numberOrNull(kPercent * contour.curve[phase]);
+      json["contours"][contour.name] = numberOrNull(kPercentOfPart * contour.curve[phase]);
   for (const ContourStrain& area : strain.areas)
-    json["areaPercent"][area.name] = numberOrNull(kPercent * area.curve[phase]);
+    json["areaPercent"][area.name] = numberOrNull(kPercentOfPart * area.curve[phase]);
   if (!strain.twistDegrees.empty())
     json["twistDegrees"] = strain.twistDegrees[phase];
   json["segments"] = ordered_json::array();
   for (const SegmentStrain& segment : strain.segments) {
     const auto at = [phase](const std::vector<double>& curve) {
-      return curve.empty() ? ordered_json(nullptr) : numberOrNull(kPercent * curve[phase]);
+      return curve.empty() ? ordered_json(nullptr) : numberOrNull(kPercentOfPart * curve[phase]);
     };
     json["segments"].push_back(
         {{"longitudinal", at(segment.longitudinal)},
@@ -152,24 +152,24 @@ ordered_json definitionJson(const StrainReading& reading) {
 }
 
 /// Degrees with the sign of the largest twist.
-double largestOf(const std::vector<double>& values) {
+double largestTurn(const std::vector<double>& values) {
   const auto most = std::max_element(values.begin(), values.end(),
                                      [](double a, double b) { return std::abs(a) < std::abs(b); });
   return most == values.end() ? std::nan("") : *most;
 }
 
 /// One column of the table.
-struct Column {
+struct StrainColumn {
   std::string name;
   std::vector<double> values;
   double factor = 1;
 };
 
-std::vector<Column> columnsOf(const strain::HeartStrain& strain) {
-  std::vector<Column> columns = {{"time_s", strain.seconds}};
+std::vector<StrainColumn> strainColumns(const strain::HeartStrain& strain) {
+  std::vector<StrainColumn> columns = {{"time_s", strain.seconds}};
   const auto add = [&](const std::string& name, const std::optional<ContourStrain>& contour) {
     if (contour)
-      columns.push_back({name + "_percent", contour->curve, kPercent});
+      columns.push_back({name + "_percent", contour->curve, kPercentOfPart});
   };
   add("gls", strain.gls);
   add("gcs", strain.gcs);
@@ -185,10 +185,10 @@ std::vector<Column> columnsOf(const strain::HeartStrain& strain) {
     columns.push_back({"twist_degrees", strain.twistDegrees});
   for (const SegmentStrain& segment : strain.segments) {
     const std::string name = "segment" + std::to_string(segment.number);
-    columns.push_back({name + "_longitudinal_percent", segment.longitudinal, kPercent});
-    columns.push_back({name + "_circumferential_percent", segment.circumferential, kPercent});
+    columns.push_back({name + "_longitudinal_percent", segment.longitudinal, kPercentOfPart});
+    columns.push_back({name + "_circumferential_percent", segment.circumferential, kPercentOfPart});
     if (!segment.radial.empty())
-      columns.push_back({name + "_radial_percent", segment.radial, kPercent});
+      columns.push_back({name + "_radial_percent", segment.radial, kPercentOfPart});
     if (!segment.thicknessMm.empty())
       columns.push_back({name + "_thickness_mm", segment.thicknessMm});
   }
@@ -204,11 +204,11 @@ std::optional<double> strainValue(const StrainReading& reading, int segment, Str
   if (!each.enough || curve.empty() || !std::isfinite(curve.front()))
     return std::nullopt;
   if (moment == StrainMoment::instant)
-    return phase < curve.size() ? std::optional(kPercent * curve[phase]) : std::nullopt;
+    return phase < curve.size() ? std::optional(kPercentOfPart * curve[phase]) : std::nullopt;
   const strain::Peak peak = direction == StrainDirection::radial
                                 ? strain::longestOf(curve, reading.strain.seconds)
                                 : strain::shortestOf(curve, reading.strain.seconds);
-  return moment == StrainMoment::peak ? kPercent * peak.value : kMilliseconds * peak.seconds;
+  return moment == StrainMoment::peak ? kPercentOfPart * peak.value : kMsOfSecond * peak.seconds;
 }
 
 std::string strainJson(const StrainReading& reading) {
@@ -227,13 +227,13 @@ std::string strainJson(const StrainReading& reading) {
   json["laReservoir"] = contourJson(strain.leftReservoir);
   json["areaStrain"] = ordered_json::object();
   for (const ContourStrain& area : strain.areas)
-    json["areaStrain"][area.name] = {{"peakPercent", kPercent * area.peak.value},
-                                     {"timeMs", kMilliseconds * area.peak.seconds},
+    json["areaStrain"][area.name] = {{"peakPercent", kPercentOfPart * area.peak.value},
+                                     {"timeMs", kMsOfSecond * area.peak.seconds},
                                      {"referenceMm2", area.referenceMm}};
-  json["twistDegrees"] = numberOrNull(largestOf(strain.twistDegrees));
-  json["torsionDegreesPerCm"] = numberOrNull(largestOf(strain.torsionDegreesPerCm));
-  json["dispersionMs"] = {{"longitudinal", kMilliseconds * strain.dispersionLongitudinal},
-                          {"circumferential", kMilliseconds * strain.dispersionCircumferential}};
+  json["twistDegrees"] = numberOrNull(largestTurn(strain.twistDegrees));
+  json["torsionDegreesPerCm"] = numberOrNull(largestTurn(strain.torsionDegreesPerCm));
+  json["dispersionMs"] = {{"longitudinal", kMsOfSecond * strain.dispersionLongitudinal},
+                          {"circumferential", kMsOfSecond * strain.dispersionCircumferential}};
   json["axes"] = {{"baseMm", placeJson(strain.axes.base())},
                   {"apexMm", placeJson(strain.axes.apex())},
                   {"towardsInsertion", placeJson(strain.axes.towardsInsertion())},
@@ -252,14 +252,14 @@ std::string strainJson(const StrainReading& reading) {
 }
 
 void writeStrainTable(const std::filesystem::path& file, const StrainReading& reading) {
-  const std::vector<Column> columns = columnsOf(reading.strain);
+  const std::vector<StrainColumn> columns = strainColumns(reading.strain);
   std::string text;
-  for (const Column& column : columns)
+  for (const StrainColumn& column : columns)
     text += (text.empty() ? "" : ",") + column.name;
   text += '\n';
   for (std::size_t phase = 0; phase < reading.strain.seconds.size(); ++phase) {
     std::string row;
-    for (const Column& column : columns) {
+    for (const StrainColumn& column : columns) {
       const double value = phase < column.values.size() ? column.factor * column.values[phase] : std::nan("");
       row += (&column == &columns.front() ? "" : ",") +
              (std::isfinite(value) ? significant(value, 9) : std::string());

@@ -14,7 +14,7 @@ namespace {
 using live::StrainDirection;
 using live::StrainMoment;
 
-constexpr double kPercent = 100, kMilliseconds = 1000;
+constexpr double kPercentOfPart = 100, kMsOfSecond = 1000;
 /// Ends of the scales of colours, per cent.
 constexpr double kShortening = 30, kThickening = 60, kDifference = 15;
 
@@ -65,7 +65,7 @@ scene::PanelCurve panelCurve(const std::string& name, const Vec3& color, const s
                              const std::vector<double>& parts) {
   scene::PanelCurve curve{name, color, seconds, {}, 2.2F, false};
   for (const double part : parts)
-    curve.y.push_back(kPercent * part);
+    curve.y.push_back(kPercentOfPart * part);
   return curve;
 }
 
@@ -83,7 +83,7 @@ scene::BullsEyeFigure strainBullsEye(const live::StrainReading& reading, StrainD
     figure.title += ", time to peak";
     figure.unit = "ms";
     figure.colors = scene::colorMapByName("cividis");
-    figure.range = {0, std::max(1.0, kMilliseconds * reading.strain.seconds.back())};
+    figure.range = {0, std::max(1.0, kMsOfSecond * reading.strain.seconds.back())};
   }
   for (const strain::Segment& segment : strain::segments()) {
     scene::BullsEyeSector& sector = figure.sectors[static_cast<std::size_t>(segment.number - 1)];
