@@ -22,6 +22,8 @@ constexpr Eigen::Index kFewestTriangles = 4;
 constexpr int kFewestRimEdges = 7;
 /// How far the middle of a fan lies from the mean of its rim, as a part of the fan's radius.
 constexpr double kFanTolerance = 1e-4;
+/// Smaller fans close no valve: a part of the surface's area.
+constexpr double kSmallestCap = 0.007;
 /// The cosine of the angle between the normal of a triangle of a flat cap and the direction of the base.
 constexpr double kCapCosine = 0.766;
 /// A flat cap lies within this part of the cavity's extent from its end.
@@ -59,6 +61,7 @@ ValveCaps fanCaps(const TriangleMesh& mesh, const Facets& facets) {
   ValveCaps caps;
   caps.triangles.assign(static_cast<std::size_t>(mesh.triangles.rows()), false);
   const geometry::VertexTriangles around = geometry::vertexTriangles(mesh.points.rows(), mesh.triangles);
+  const double total = facets.normals.rowwise().norm().sum();
   double largest = 0;
   for (std::size_t vertex = 0; vertex + 1 < around.first.size(); ++vertex) {
     const int edges = around.first[vertex + 1] - around.first[vertex];
@@ -77,11 +80,12 @@ ValveCaps fanCaps(const TriangleMesh& mesh, const Facets& facets) {
     if ((middle - mean).norm() > kFanTolerance * radius)
       continue;
     Vec3 area = Vec3::Zero();
-    for (std::int32_t i = around.first[vertex]; i < around.first[vertex + 1]; ++i) {
-      const std::int32_t t = around.items[static_cast<std::size_t>(i)];
-      caps.triangles[static_cast<std::size_t>(t)] = true;
-      area += facets.normals.row(t).transpose();
-    }
+    for (std::int32_t i = around.first[vertex]; i < around.first[vertex + 1]; ++i)
+      area += facets.normals.row(around.items[static_cast<std::size_t>(i)]).transpose();
+    if (area.norm() < kSmallestCap * total)
+      continue; // A vertex of a smooth, flat place.
+    for (std::int32_t i = around.first[vertex]; i < around.first[vertex + 1]; ++i)
+      caps.triangles[static_cast<std::size_t>(around.items[static_cast<std::size_t>(i)])] = true;
     ++caps.caps;
     if (area.norm() > largest) {
       largest = area.norm();
