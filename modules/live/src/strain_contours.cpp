@@ -54,11 +54,10 @@ std::vector<std::int32_t> verticesIn(const ordered_json& list, const std::string
   return vertices;
 }
 
-std::string knownName(const std::string& name, const std::string& place, const JsonReader& reader) {
+/// The program's name of a contour; another one stays.
+std::string ownNameOf(const std::string& name) {
   const std::string known = contourNamed(name);
-  if (known.empty())
-    reader.fail(diagnostic("is no contour"), place);
-  return known;
+  return known.empty() ? name : known;
 }
 
 } // namespace
@@ -86,7 +85,7 @@ std::vector<ListedContour> readContours(const std::filesystem::path& file) {
       const std::string place = "contours[" + std::to_string(i) + "]";
       const ordered_json& entry = (*list)[i];
       ListedContour contour;
-      contour.name = knownName(reader.textOf(entry, "name", place), place + ".name", reader);
+      contour.name = ownNameOf(reader.textOf(entry, "name", place));
       contour.surface = textIn(entry, "surface");
       contour.vertices =
           verticesIn(reader.field(entry, "vertices", place), place + ".vertices", first, reader);
@@ -97,7 +96,7 @@ std::vector<ListedContour> readContours(const std::filesystem::path& file) {
   }
   for (const auto& [key, value] : object.items())
     if (key != "firstIndex")
-      contours.push_back({knownName(key, key, reader), key == "rvfw" ? "RV" : "",
+      contours.push_back({ownNameOf(key), contourNamed(key) == "rightFreeWall" ? "RV" : "",
                           verticesIn(value, key, first, reader), false});
   return contours;
 }

@@ -112,7 +112,7 @@ ordered_json phaseJson(const strain::HeartStrain& strain, std::size_t phase) {
   add("grsPercent", strain.grs);
   add("rvFreeWallPercent", strain.rightFreeWall);
   add("laReservoirPercent", strain.leftReservoir);
-  for (const auto* contours : {&strain.longitudinal, &strain.circumferential})
+  for (const auto* contours : {&strain.longitudinal, &strain.circumferential, &strain.others})
     for (const ContourStrain& contour : *contours)
       json["contours"][contour.name] = numberOrNull(kPercentOfPart * contour.curve[phase]);
   for (const ContourStrain& area : strain.areas)
@@ -174,7 +174,7 @@ std::vector<StrainColumn> strainColumns(const strain::HeartStrain& strain) {
   add("gls", strain.gls);
   add("gcs", strain.gcs);
   add("grs", strain.grs);
-  for (const auto* contours : {&strain.longitudinal, &strain.circumferential})
+  for (const auto* contours : {&strain.longitudinal, &strain.circumferential, &strain.others})
     for (const ContourStrain& contour : *contours)
       add(contour.name, contour);
   add("rvFreeWall", strain.rightFreeWall);
@@ -225,6 +225,9 @@ std::string strainJson(const StrainReading& reading) {
                       {"radial", contourJson(strain.grs)}};
   json["rvFreeWall"] = contourJson(strain.rightFreeWall);
   json["laReservoir"] = contourJson(strain.leftReservoir);
+  json["contours"] = ordered_json::object();
+  for (const ContourStrain& contour : strain.others)
+    json["contours"][contour.name] = contourJson(contour);
   json["areaStrain"] = ordered_json::object();
   for (const ContourStrain& area : strain.areas)
     json["areaStrain"][area.name] = {{"peakPercent", kPercentOfPart * area.peak.value},

@@ -165,14 +165,17 @@ TEST(StrainReading, ContoursOfOtherProgramsAreByTheNumbersOfTheirFiles) {
   ASSERT_EQ(lists.size(), 3U);
   EXPECT_EQ(lists[2].name, "rightFreeWall");
   EXPECT_EQ(lists[2].surface, "RV");
-  std::ofstream(file) << R"({"tail": [1, 2]})";
+  std::ofstream(file) << R"({"tail": "here"})";
   EXPECT_THROW(readContours(file), DataError);
 
   Progress progress;
   MovedOrgans moved = heart();
   moved.organs.erase(moved.organs.begin());
   StrainOptions options;
-  options.contours = {{"base", "", {0, 1, 2, 3}, false}};
+  options.contours = {{"base", "", {0, 1, 2, 3}, false}, {"septum", "RV", {0, 1, 2}, false}};
+  const StrainReading both = readStrain(moved, options, progress);
+  ASSERT_EQ(both.strain.others.size(), 1U);
+  EXPECT_EQ(both.strain.others.front().name, "septum");
   const double direct = readStrain(moved, options, progress).strain.circumferential.front().referenceMm;
   // In the file every point came twice.
   for (const SequenceOrgan& organ : moved.organs) {

@@ -72,6 +72,9 @@ public:
     result_.gcs = mean("gcs", result_.circumferential);
     result_.rightFreeWall = rightFreeWall();
     result_.leftReservoir = reservoir();
+    for (const ListedContour& listed : listed_)
+      if (!hasPlace(listed.name))
+        result_.others.push_back(strainOf(listed));
   }
 
   void areas() {
@@ -276,25 +279,37 @@ private:
     return nullptr;
   }
 
+  ContourStrain strainOf(const ListedContour& listed) const {
+    const MovingSurface* surface = surfaceNamed(listed.surface);
+    if (!surface)
+      throw DataError(phrase("There is no surface \"%1\"", listed.surface), listed.name,
+                      "name one of the surfaces of the heart");
+    for (const std::int32_t vertex : listed.vertices)
+      if (vertex < 0 || vertex >= surface->rest.rows())
+        throw DataError(
+            diagnostic("There is no vertex %1", vertex), listed.name,
+            diagnostic("vertices of %1 are counted from 0 to %2", surface->name, surface->rest.rows() - 1));
+    if (listed.vertices.size() < 2)
+      throw DataError(diagnostic("A contour has two vertices at least"), listed.name);
+    return contourStrain(listed.name, MaterialContour::through(listed.vertices, listed.closed),
+                         surface->phases, heart_.seconds, heart_.reference);
+  }
+
   std::optional<ContourStrain> listedNamed(const std::string& name) const {
-    for (const ListedContour& listed : listed_) {
-      if (listed.name != name)
-        continue;
-      const MovingSurface* surface = surfaceNamed(listed.surface);
-      if (!surface)
-        throw DataError(phrase("There is no surface \"%1\"", listed.surface), listed.name,
-                        "name one of the surfaces of the heart");
-      for (const std::int32_t vertex : listed.vertices)
-        if (vertex < 0 || vertex >= surface->rest.rows())
-          throw DataError(
-              diagnostic("There is no vertex %1", vertex), listed.name,
-              diagnostic("vertices of %1 are counted from 0 to %2", surface->name, surface->rest.rows() - 1));
-      if (listed.vertices.size() < 2)
-        throw DataError(diagnostic("A contour has two vertices at least"), listed.name);
-      return contourStrain(name, MaterialContour::through(listed.vertices, listed.closed), surface->phases,
-                           heart_.seconds, heart_.reference);
-    }
+    for (const ListedContour& listed : listed_)
+      if (listed.name == name)
+        return strainOf(listed);
     return std::nullopt;
+  }
+
+  static bool hasPlace(const std::string& name) {
+    for (const View& view : kViews)
+      if (name == view.name)
+        return true;
+    for (const Level& level : kLevels)
+      if (name == level.name)
+        return true;
+    return name == "rightFreeWall" || name == "leftReservoir";
   }
 
   void addLongitudinal(const View& view, const MovingSurface& left) {

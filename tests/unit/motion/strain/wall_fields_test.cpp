@@ -72,7 +72,6 @@ TEST(WallFields, DoNotDependOnTheNumberOfThreads) {
 TEST(WallFields, RefuseTissueThatIsNotBetweenTheSurfaces) {
   const FoundWall wall;
   const geometry::TriangleMesh far = tests::closedTube(300, 0, 90, 12, 4);
-  const geometry::TriangleMesh line = tests::closedTube(0.01, 0, 90, 12, 4);
   Progress progress;
   EXPECT_THROW(wallPoints(wall.mesh, {&wall.inner, &far, nullptr}, wall.axes, {}, progress), DataError);
 }

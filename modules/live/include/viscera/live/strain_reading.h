@@ -100,7 +100,8 @@ void writeStrainTable(const std::filesystem::path& file, const StrainReading& re
 /// Reads contours from a JSON file (docs/strain.md): `{"contours": [{"name": "fourChamber", "surface": "LV",
 /// "vertices": [...], "closed": false}]}`, or short, for the left ventricle, `{"fourChamber": [...]}`.
 /// Vertices are counted from 0, or from "firstIndex". Names may be those of other programs: "4ch", "mid",
-/// "rvfw". Throws `NoInputError`, and `DataError` that names the contour.
+/// "rvfw"; contours of further names are measured beside the others. Throws `NoInputError`, and `DataError`
+/// that names the contour.
 std::vector<strain::ListedContour> readContours(const std::filesystem::path& file);
 
 /// The name that `strain::HeartStrain` has for a contour of this or another program's name; empty for others.

@@ -87,7 +87,8 @@ struct HeartStrain {
   std::optional<ContourStrain> materialLongitudinal, materialCircumferential; ///< Means over the wall.
   std::optional<ContourStrain> rightFreeWall;
   std::optional<ContourStrain> leftReservoir;
-  std::vector<ContourStrain> areas; ///< Of each surface without its valves.
+  std::vector<ContourStrain> others; ///< Listed contours of other names.
+  std::vector<ContourStrain> areas;  ///< Of each surface without its valves.
 
   std::array<SegmentStrain, kSegments> segments; ///< By number; the first is number 1.
   std::vector<double> twistDegrees;        ///< Apex against base, seen from the apex; empty: not measured.
@@ -100,8 +101,8 @@ struct HeartStrain {
 
 /// A contour through vertices of one of the surfaces, instead of one that is found.
 struct ListedContour {
-  std::string name;    ///< As the contours of `HeartStrain`: "fourChamber", "base", "rightFreeWall".
-  std::string surface; ///< Name of a surface.
+  std::string name; ///< As the contours of `HeartStrain`: "fourChamber", "base", "rightFreeWall"; or another.
+  std::string surface;                ///< Name of a surface.
   std::vector<std::int32_t> vertices; ///< Rows of its points, in order.
   bool closed = false;
 };
