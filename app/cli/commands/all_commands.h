@@ -18,6 +18,7 @@ std::unique_ptr<Command> stressCommand();
 std::unique_ptr<Command> playCommand();
 std::unique_ptr<Command> circulateCommand();
 std::unique_ptr<Command> trackCommand();
+std::unique_ptr<Command> strainCommand();
 std::unique_ptr<Command> lessonCommand();
 std::unique_ptr<Command> segmentCommand();
 std::unique_ptr<Command> probeCommand();

@@ -110,6 +110,19 @@ void addWalls(std::vector<Norm>& rows) {
                         "10.1186/1532-429X-11-S1-P61)"));
 }
 
+/// Vendors and numbers of slices differ: the method belongs to the range.
+void addStrain(std::vector<Norm>& rows) {
+  constexpr auto kLeft = "Left ventricle";
+  constexpr auto kPeople = "67 healthy adults, by feature tracking in magnetic resonance over the whole "
+                           "ventricle (CVI42); other programs differ by several points";
+  constexpr auto kSource = "Lim 2021, doi 10.1007/s00330-020-07539-5";
+  rows.push_back(
+      ofEverybody("lv.gls", kLeft, "global longitudinal strain", "%", {-17.0, 1.8}, kPeople, kSource));
+  rows.push_back(
+      ofEverybody("lv.gcs", kLeft, "global circumferential strain", "%", {-17.6, 1.8}, kPeople, kSource));
+  rows.push_back(ofEverybody("lv.grs", kLeft, "global radial strain", "%", {29.1, 4.8}, kPeople, kSource));
+}
+
 void addCirculation(std::vector<Norm>& rows) {
   constexpr auto kAdults = "healthy adults at rest";
   const auto add = [&](const char* id, const char* subject, const char* quantity, const char* unit,
@@ -195,6 +208,7 @@ std::vector<Norm> makeTable() {
   addVentricles(rows);
   addTimes(rows);
   addWalls(rows);
+  addStrain(rows);
   addCirculation(rows);
   addOrgans(rows);
   addStomach(rows);

@@ -85,16 +85,10 @@ void WitnessGradients::evaluate(std::span<const Points> poses, std::span<StressM
   assert(poses.size() == maps.size() && count >= 0 && count <= witnesses_);
   std::vector<Points> local;
   for (std::size_t i = 0; i < poses.size(); ++i) {
-    const Points& pose = poses[i];
-    if (pose.rows() != handles_)
-      throw DataError(
-          misuse("a pose of %1 handles does not fit witness points of %2", pose.rows(), handles_));
+    local.push_back(localPose(poses[i]));
     for (Values* values :
          {&maps[i].rotationalStress, &maps[i].volumeRatio, &maps[i].stretchMax, &maps[i].stretchMin})
       values->resize(count);
-    // About a fixed handle: the gradients add up to zero, so the origin cancels, and the sums stay small.
-    local.push_back(lifted(pose));
-    local.back().topRows(handles_).rowwise() -= pose.row(0);
   }
   parallelRanges((count + kTile - 1) / kTile, kTilesATime, threads,
                  [&](Eigen::Index begin, Eigen::Index end) {
@@ -106,24 +100,55 @@ void WitnessGradients::evaluate(std::span<const Points> poses, std::span<StressM
     map.folded = static_cast<int>((map.volumeRatio.array() <= 0).count());
 }
 
+Points WitnessGradients::localPose(const Points& pose) const {
+  if (pose.rows() != handles_)
+    throw DataError(misuse("a pose of %1 handles does not fit witness points of %2", pose.rows(), handles_));
+  Points local = lifted(pose);
+  local.topRows(handles_).rowwise() -= pose.row(0);
+  return local;
+}
+
+void WitnessGradients::deformationGradients(const Points& pose, std::vector<Eigen::Matrix3d>& gradients,
+                                            Threads threads) const {
+  const Points local = localPose(pose);
+  gradients.resize(static_cast<std::size_t>(witnesses_));
+  parallelRanges((witnesses_ + kTile - 1) / kTile, kTilesATime, threads,
+                 [&](Eigen::Index begin, Eigen::Index end) {
+                   for (Eigen::Index tile = begin; tile < end; ++tile)
+                     gradientsOfTile(tile, local, witnesses_,
+                                     [&](Eigen::Index witness, const Eigen::Matrix3d& gradient) {
+                                       gradients[static_cast<std::size_t>(witness)] = gradient;
+                                     });
+                 });
+}
+
 /// The thesis' `M = sum_i v'_i (grad a_i)^T` for 16 witnesses: what an axis' weights make of the pose is the
 /// matrix' column of that axis.
-void WitnessGradients::evaluateTile(Eigen::Index tile, const Points& local, StressMap& map) const {
+template <class Take>
+void WitnessGradients::gradientsOfTile(Eigen::Index tile, const Points& local, Eigen::Index count,
+                                       const Take& take) const {
   double columns[3][3 * kTile];
   for (Eigen::Index axis = 0; axis < 3; ++axis)
     data_.multiplyTile(3 * tile + axis, local, columns[axis]);
-  for (Eigen::Index lane = 0; lane < kTile && tile * kTile + lane < map.rotationalStress.size(); ++lane) {
+  for (Eigen::Index lane = 0; lane < kTile && tile * kTile + lane < count; ++lane) {
     const Eigen::Index w = tile * kTile + lane;
     Eigen::Matrix3d gradient = Eigen::Matrix3d::Identity();
     if (!failed_[static_cast<std::size_t>(w)])
       for (Eigen::Index axis = 0; axis < 3; ++axis)
         gradient.col(axis) = Eigen::Map<const Vec3>(columns[axis] + 3 * lane);
-    const LocalDistortion distortion = localDistortion(gradient);
-    map.rotationalStress[w] = distortion.rotationalStress;
-    map.volumeRatio[w] = distortion.volumeRatio;
-    map.stretchMax[w] = distortion.stretchMax;
-    map.stretchMin[w] = distortion.stretchMin;
+    take(w, gradient);
   }
+}
+
+void WitnessGradients::evaluateTile(Eigen::Index tile, const Points& local, StressMap& map) const {
+  gradientsOfTile(tile, local, map.rotationalStress.size(),
+                  [&map](Eigen::Index w, const Eigen::Matrix3d& gradient) {
+                    const LocalDistortion distortion = localDistortion(gradient);
+                    map.rotationalStress[w] = distortion.rotationalStress;
+                    map.volumeRatio[w] = distortion.volumeRatio;
+                    map.stretchMax[w] = distortion.stretchMax;
+                    map.stretchMin[w] = distortion.stretchMin;
+                  });
 }
 
 std::shared_ptr<const WitnessGradients>

@@ -15,5 +15,6 @@ void addCirculation(pybind11::module_& module);
 
 /// Part of `_motion`.
 void addPatientMotion(pybind11::module_& module);
+void addStrain(pybind11::module_& module);
 
 } // namespace viscera::python

@@ -64,6 +64,7 @@ from .files import (
     write_surface,
 )
 from .motion import sequence, sequence_names, track
+from .heart_strain import contour_strain, strain
 from .catalogue import PluginReport, load_plugins, system, systems
 
 __all__ = [
@@ -97,6 +98,7 @@ __all__ = [
     "circulate",
     "circulation_parameters",
     "circulation_response",
+    "contour_strain",
     "enclosing_handles",
     "grid_witnesses",
     "groups_along_axis",
@@ -117,6 +119,7 @@ __all__ = [
     "sequence",
     "sequence_names",
     "sides_of_plane",
+    "strain",
     "surface_gap",
     "surface_repairs",
     "sweep",

@@ -29,6 +29,23 @@ def fitted_sequence(
 ) -> Sequence: ...
 def sequence_of_file(path: str) -> Sequence: ...
 def load_plugins(search_path: ListOf[str]) -> list[tuple[str, list[System], str]]: ...
+def strain_json(
+    motion: ListOf[str],
+    kind: str,
+    surfaces: ListOf[tuple[str, ListOf[str]]],
+    period: Optional[float],
+    leave_out: ListOf[int],
+    loop: bool,
+    handles: int,
+    instants: int,
+    names: Mapping[str, str],
+    landmarks: Mapping[str, ArrayLike],
+    reference: int,
+    witnesses: int,
+    contours: ListOf[tuple[str, str, ListOf[int], bool]],
+    threads: int,
+    progress: Optional[Progress],
+) -> str: ...
 def track(
     phases: ListOf[str],
     surfaces: ListOf[tuple[str, ListOf[str]]],

@@ -84,6 +84,8 @@ void mergePoints(TidySeries& tidy) {
   }
   for (std::int32_t& corner : series.triangles.reshaped())
     corner = name[static_cast<std::size_t>(corner)];
+  for (const std::int32_t same : first)
+    series.rowOfGiven.push_back(name[static_cast<std::size_t>(same)]);
 }
 
 /// Closes the holes of the first phase, and the same ones in the others.

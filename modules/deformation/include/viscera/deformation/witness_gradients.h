@@ -53,6 +53,11 @@ public:
   /// The deformation gradient of one witness at `pose` (`handles x 3`, mm). O(handles).
   Eigen::Matrix3d deformationGradient(Eigen::Index witness, const Points& pose) const;
 
+  /// Those of all witnesses, into `gradients` (resized); the identity where a witness has failed. O(witnesses
+  /// x handles); bitwise independent of the number of threads. Throws `DataError` for a pose of another size.
+  void deformationGradients(const Points& pose, std::vector<Eigen::Matrix3d>& gradients,
+                            Threads threads = {}) const;
+
   /// The derivative of one handle's coordinate at one witness, 1/mm. For lifted poses this is only a part of
   /// the handle's effect.
   Vec3 gradient(Eigen::Index witness, Eigen::Index handle) const {
@@ -78,6 +83,12 @@ private:
     return (3 * (witness / kTile) + axis) * kTile + witness % kTile;
   }
   Points lifted(const Points& pose) const { return lift_ ? lift_->lift(pose) : pose; }
+  /// The pose about its first handle: the gradients add up to zero, so the origin cancels, and the sums stay
+  /// small. Throws `DataError` for a pose of another size.
+  Points localPose(const Points& pose) const;
+  /// Calls `take(witness, gradient)` for the first `count` witnesses' share of a tile.
+  template <class Take>
+  void gradientsOfTile(Eigen::Index tile, const Points& local, Eigen::Index count, const Take& take) const;
   void evaluateTile(Eigen::Index tile, const Points& local, StressMap& map) const;
 
   Eigen::Index witnesses_;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
@@ -14,6 +15,9 @@ struct SurfaceSeries {
   std::string name;
   Triangles triangles;        ///< `m x 3`.
   std::vector<Points> phases; ///< `n x 3` mm LPS, one for each phase.
+  /// For each point that the surface had before `tidySeries` its row now, -1 where no triangle had it; empty
+  /// before.
+  std::vector<std::int32_t> rowOfGiven = {};
 
   geometry::TriangleMesh at(std::size_t phase) const { return {phases[phase], triangles, {}}; }
 };

@@ -1,0 +1,115 @@
+#include "cli/strain_findings.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include <vtkImageData.h>
+#include <vtkRenderWindow.h>
+
+#include "cli/listing.h"
+#include "viscera/anatomy/norms.h"
+#include "viscera/presentation/strain_figure.h"
+#include "viscera/scene/picture.h"
+#include "viscera/scene/surfaceless_window.h"
+
+namespace viscera::app::cli {
+namespace {
+
+using live::StrainDirection;
+using live::StrainMoment;
+using strain::ContourStrain;
+using strain::SegmentStrain;
+
+constexpr double kPercentOfPart = 100, kMsOfSecond = 1000;
+constexpr std::pair<const char*, StrainDirection> kStrainDirections[] = {
+    {"longitudinal", StrainDirection::longitudinal},
+    {"circumferential", StrainDirection::circumferential},
+    {"radial", StrainDirection::radial}};
+
+/// Degrees with the sign of the largest twist.
+double largestTurn(const std::vector<double>& values) {
+  const auto most = std::max_element(values.begin(), values.end(),
+                                     [](double a, double b) { return std::abs(a) < std::abs(b); });
+  return most == values.end() ? std::nan("") : *most;
+}
+
+std::string healthyRange(const char* id) {
+  const anatomy::Norm& norm = anatomy::norm(id);
+  const anatomy::Range range = anatomy::rangeOf(norm);
+  return " (healthy adults " + fixed(range.low, 1) + " to " + fixed(range.high, 1) + ")";
+}
+
+/// A picture that `draw` fills a window with.
+template <class Figure>
+vtkSmartPointer<vtkImageData> figurePicture(const PictureSize& size, bool dark, Figure& figure) {
+  scene::SurfacelessWindow window(size.width, size.height);
+  figure.setWindow(window.window());
+  figure.setTheme(dark ? scene::darkTheme() : scene::lightTheme());
+  figure.update();
+  vtkSmartPointer<vtkImageData> picture = scene::grabPicture(window.window());
+  figure.setWindow(nullptr);
+  return picture;
+}
+
+} // namespace
+
+std::string strainText(const live::StrainReading& reading) {
+  const strain::HeartStrain& strain = reading.strain;
+  Listing listing;
+  const auto percent = [](const ContourStrain& contour) {
+    return fixed(kPercentOfPart * contour.peak.value, 1) + " % at " +
+           fixed(kMsOfSecond * contour.peak.seconds, 0) + " ms";
+  };
+  const auto add = [&](const char* label, const std::optional<ContourStrain>& contour,
+                       const std::string& range) {
+    if (contour)
+      listing.add(label, percent(*contour) + range);
+  };
+  add("GLS", strain.gls, healthyRange("lv.gls"));
+  for (const ContourStrain& contour : strain.longitudinal)
+    listing.add("  " + contour.name, percent(contour));
+  add("GCS", strain.gcs, healthyRange("lv.gcs"));
+  for (const ContourStrain& contour : strain.circumferential)
+    listing.add("  " + contour.name, percent(contour));
+  add("GRS", strain.grs, healthyRange("lv.grs"));
+  add("RV free wall", strain.rightFreeWall, "");
+  add("LA reservoir", strain.leftReservoir, "");
+  for (const ContourStrain& area : strain.areas)
+    listing.add("area of " + area.name, percent(area));
+  if (!strain.twistDegrees.empty())
+    listing.add("twist", fixed(largestTurn(strain.twistDegrees), 1) + " degrees, " +
+                             fixed(largestTurn(strain.torsionDegreesPerCm), 2) + " a cm");
+  listing.add("dispersion", fixed(kMsOfSecond * strain.dispersionLongitudinal, 0) + " ms along, " +
+                                fixed(kMsOfSecond * strain.dispersionCircumferential, 0) + " ms around");
+  for (const strain::Segment& place : strain::segments()) {
+    const SegmentStrain& segment = strain.segment(place.number);
+    std::string text;
+    for (const auto& [name, direction] : kStrainDirections)
+      if (const auto value = live::strainValue(reading, place.number, direction, StrainMoment::peak))
+        text += (text.empty() ? "" : ", ") + fixed(*value, 1) + " % " + name;
+    text += text.empty() ? "too few points" : "";
+    if (!reading.reliable(segment))
+      text += "; not to be relied on";
+    listing.add(std::to_string(place.number) + " " + std::string(place.name), text);
+  }
+  return listing.text();
+}
+
+void drawStrain(const std::filesystem::path& file, const live::StrainReading& reading,
+                const PictureSize& size, bool dark) {
+  std::vector<scene::BullsEyeFigure> figures;
+  for (const auto& [name, direction] : kStrainDirections)
+    if (direction != StrainDirection::radial || reading.strain.wall)
+      figures.push_back(presentation::strainBullsEye(reading, direction, StrainMoment::peak));
+  const PictureSize half{size.width, size.height / 2};
+  scene::BullsEyes eyes;
+  eyes.setFigures(std::move(figures));
+  scene::CurvePanels panels;
+  panels.setPanels({presentation::strainPanel(reading)});
+  scene::writeSmallPng(
+      file, scene::contactSheet({figurePicture(half, dark, eyes), figurePicture(half, dark, panels)}, 1));
+}
+
+} // namespace viscera::app::cli

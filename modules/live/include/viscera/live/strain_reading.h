@@ -1,0 +1,110 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "viscera/coordinates/coordinate_system.h"
+#include "viscera/coordinates/registry.h"
+#include "viscera/core/parallel.h"
+#include "viscera/core/phrase.h"
+#include "viscera/core/progress.h"
+#include "viscera/live/patient_motion.h"
+#include "viscera/live/sequence_file.h"
+#include "viscera/strain/heart_strain.h"
+
+/// Reads the strain of a heart from its motion.
+namespace viscera::live {
+
+/// Surfaces in motion: the poses of their handles at some instants, and how handles move them.
+struct MovedOrgans {
+  std::vector<SequenceOrgan> organs;                           ///< At rest.
+  coordinates::HandleSet handles;                              ///< At rest.
+  std::shared_ptr<const coordinates::CoordinateSystem> system; ///< Never null.
+  coordinates::ParameterValues parameters;
+  std::vector<double> seconds; ///< Ascending.
+  std::vector<Points> poses;   ///< One for each instant.
+  /// The measured points of each surface in each phase, `[organ][phase]`, where points correspond; else
+  /// empty: the surfaces are where the handles move them.
+  std::vector<std::vector<Points>> measured;
+  /// For each surface the row of each point of its file, as `tracking::SurfaceSeries::rowOfGiven`; may be
+  /// empty.
+  std::vector<std::vector<std::int32_t>> rowOfGiven;
+  /// Whether material points are known; empty where the motion does not say.
+  std::optional<bool> corresponding;
+};
+
+/// The organs of a sequence file at its keys. Throws `UsageError` for a system that does not exist and for a
+/// file without organs.
+MovedOrgans movedOrgans(const SequenceFile& file, const coordinates::Registry& systems);
+
+/// The organs of a tracked series, with the measured surfaces where points correspond.
+MovedOrgans movedOrgans(const MotionSeries& series, const PatientMotion& found,
+                        const coordinates::Registry& systems);
+
+/// What is measured, and by which surfaces.
+struct StrainOptions {
+  /// Names of surfaces: cavity of the left and of the right ventricle, epicardium (or whole heart), cavity of
+  /// the left atrium. Those that are empty are found by their names and places.
+  std::string left, right, outer, atrium;
+  strain::AxisLandmarks landmarks;
+  std::size_t reference = 0; ///< The phase without strain.
+  int witnesses = 40'000;    ///< In the outer surface, cavities included.
+  std::vector<strain::ListedContour>
+      contours; ///< Vertices as in the files; surfaces by name, or "" for the left.
+};
+
+/// The strain of a heart with what it was read from.
+struct StrainReading {
+  explicit StrainReading(const strain::FoundAxes& axes) : strain(axes) {}
+
+  strain::HeartStrain strain;
+  std::string left, right, outer, atrium; ///< Names of surfaces; empty: there is none.
+  int witnesses = 0;                      ///< In the left ventricle's wall.
+  std::optional<bool> corresponding;      ///< As in `MovedOrgans`.
+  std::vector<Text> warnings;
+
+  /// Whether a segment's numbers may be read: enough witness points, and material points that are known.
+  bool reliable(const strain::SegmentStrain& segment) const {
+    return segment.enough && corresponding.value_or(true);
+  }
+};
+
+/// Measures strain. Where there is an outer surface around the left ventricle, its wall is filled with
+/// witness points, whose deformation gradients are analytic; else segments are those of the endocardium
+/// alone. Throws `DataError` for organs without a left ventricle and what `strain::heartStrain`, binding and
+/// `UsageError` what wrong names throw; `Cancelled`. Seconds; for any thread.
+StrainReading readStrain(const MovedOrgans& organs, const StrainOptions& options, Progress& progress,
+                         Threads threads = {});
+
+/// The direction of the strain of a segment.
+enum class StrainDirection { longitudinal, circumferential, radial };
+
+/// What is taken from a segment's curve.
+enum class StrainMoment { peak, instant, timeToPeak };
+
+/// The value of a segment, 1 to 17: per cent, or ms of a time to peak; `phase` counts for an instant only.
+/// None for a segment with too few points, and across the wall where no wall is known.
+std::optional<double> strainValue(const StrainReading& reading, int segment, StrainDirection direction,
+                                  StrainMoment moment, std::size_t phase = 0);
+
+/// Everything as one JSON object: the keys of `viscera strain --json` (docs/strain.md).
+std::string strainJson(const StrainReading& reading);
+
+/// All curves as a table (.csv), a row for each phase: per cent, mm and degrees. Throws `CannotCreateError`.
+void writeStrainTable(const std::filesystem::path& file, const StrainReading& reading);
+
+/// Reads contours from a JSON file (docs/strain.md): `{"contours": [{"name": "fourChamber", "surface": "LV",
+/// "vertices": [...], "closed": false}]}`, or short, for the left ventricle, `{"fourChamber": [...]}`.
+/// Vertices are counted from 0, or from "firstIndex". Names may be those of other programs: "4ch", "mid",
+/// "rvfw"; contours of further names are measured beside the others. Throws `NoInputError`, and `DataError`
+/// that names the contour.
+std::vector<strain::ListedContour> readContours(const std::filesystem::path& file);
+
+/// The name that `strain::HeartStrain` has for a contour of this or another program's name; empty for others.
+std::string contourNamed(const std::string& name);
+
+} // namespace viscera::live

@@ -1,0 +1,135 @@
+#include "viscera/presentation/strain_figure.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+#include <utility>
+
+#include "viscera/strain/aha_segments.h"
+
+namespace viscera::presentation {
+namespace {
+
+using live::StrainDirection;
+using live::StrainMoment;
+
+constexpr double kPercentOfPart = 100, kMsOfSecond = 1000;
+/// Ends of the scales of colours, per cent.
+constexpr double kShortening = 30, kThickening = 60, kDifference = 15;
+
+const char* titleOf(StrainDirection direction) {
+  switch (direction) {
+  case StrainDirection::longitudinal:
+    return "Longitudinal strain";
+  case StrainDirection::circumferential:
+    return "Circumferential strain";
+  case StrainDirection::radial:
+    return "Radial strain";
+  }
+  return "";
+}
+
+/// Red to one side, blue to the other, white at zero: safe for people who do not tell red from green. Of
+/// shortening, which is negative, the low end is red, as clinics draw strain.
+scene::ColorMap strainColors(bool lowIsRed) {
+  constexpr int kHalf = 128;
+  const Vec3 white(255, 255, 255), red(178, 24, 43), blue(33, 102, 172);
+  scene::ColorMap map;
+  map.name = "strain";
+  map.colors.resize(2 * kHalf + 1, 3);
+  for (int i = -kHalf; i <= kHalf; ++i) {
+    const bool isRed = (i < 0) == lowIsRed;
+    const double part = std::pow(std::abs(i) / static_cast<double>(kHalf), 0.85);
+    const Vec3 color = (1 - part) * white + part * (isRed ? red : blue);
+    map.colors.row(i + kHalf) = color.array().round().cast<std::uint8_t>().matrix().transpose();
+  }
+  return map;
+}
+
+scene::BullsEyeFigure emptyFigure() {
+  scene::BullsEyeFigure figure;
+  figure.unit = "%";
+  figure.sides = {"lateral", "anterior", "septal", "inferior"};
+  for (const strain::Segment& segment : strain::segments()) {
+    scene::BullsEyeSector sector;
+    sector.ring = segment.ring;
+    sector.fromDegrees = segment.fromDegrees;
+    sector.toDegrees = segment.toDegrees;
+    figure.sectors.push_back(sector);
+  }
+  return figure;
+}
+
+scene::PanelCurve panelCurve(const std::string& name, const Vec3& color, const std::vector<double>& seconds,
+                             const std::vector<double>& parts) {
+  scene::PanelCurve curve{name, color, seconds, {}, 2.2F, false};
+  for (const double part : parts)
+    curve.y.push_back(kPercentOfPart * part);
+  return curve;
+}
+
+} // namespace
+
+scene::BullsEyeFigure strainBullsEye(const live::StrainReading& reading, StrainDirection direction,
+                                     StrainMoment moment, std::size_t phase) {
+  scene::BullsEyeFigure figure = emptyFigure();
+  figure.title = titleOf(direction);
+  const bool radial = direction == StrainDirection::radial;
+  const double end = radial ? kThickening : kShortening;
+  figure.range = {-end, end};
+  figure.colors = strainColors(!radial);
+  if (moment == StrainMoment::timeToPeak) {
+    figure.title += ", time to peak";
+    figure.unit = "ms";
+    figure.colors = scene::colorMapByName("cividis");
+    figure.range = {0, std::max(1.0, kMsOfSecond * reading.strain.seconds.back())};
+  }
+  for (const strain::Segment& segment : strain::segments()) {
+    scene::BullsEyeSector& sector = figure.sectors[static_cast<std::size_t>(segment.number - 1)];
+    sector.value = live::strainValue(reading, segment.number, direction, moment, phase);
+    sector.hatched = !reading.reliable(reading.strain.segment(segment.number));
+  }
+  return figure;
+}
+
+scene::BullsEyeFigure strainDifference(const live::StrainReading& reading, const live::StrainReading& before,
+                                       StrainDirection direction) {
+  scene::BullsEyeFigure figure = strainBullsEye(reading, direction, StrainMoment::peak);
+  figure.title += ", difference";
+  figure.range = {-kDifference, kDifference};
+  for (const strain::Segment& segment : strain::segments()) {
+    scene::BullsEyeSector& sector = figure.sectors[static_cast<std::size_t>(segment.number - 1)];
+    const std::optional<double> other =
+        live::strainValue(before, segment.number, direction, StrainMoment::peak);
+    sector.value = sector.value && other ? std::optional(*sector.value - *other) : std::nullopt;
+    sector.hatched = sector.hatched || !before.reliable(before.strain.segment(segment.number));
+  }
+  return figure;
+}
+
+scene::CurvePanel strainPanel(const live::StrainReading& reading) {
+  const strain::HeartStrain& strain = reading.strain;
+  scene::CurvePanel panel;
+  panel.xTitle = "Time (s)";
+  panel.yTitle = "Strain (%)";
+  panel.legend = true;
+  panel.left = 0.09;
+  panel.right = 0.97;
+  panel.bottom = 0.17;
+  panel.top = 0.95;
+  // Safe for people who do not tell red from green (Okabe and Ito).
+  const auto add = [&](const std::string& name, const Vec3& color,
+                       const std::optional<strain::ContourStrain>& contour) {
+    if (contour)
+      panel.curves.push_back(panelCurve(name, color, strain.seconds, contour->curve));
+  };
+  add("GLS", Vec3(0.84, 0.37, 0.0), strain.gls);
+  add("GCS", Vec3(0.0, 0.45, 0.70), strain.gcs);
+  add("GRS", Vec3(0.0, 0.62, 0.45), strain.grs);
+  add("RV free wall", Vec3(0.80, 0.24, 0.48), strain.rightFreeWall);
+  add("Left atrium", Vec3(0.90, 0.62, 0.0), strain.leftReservoir);
+  return panel;
+}
+
+} // namespace viscera::presentation
