@@ -6637,6 +6637,129 @@
         <source>1 where the tissue is turned inside out.</source>
         <translation>1 on el teixit està capgirat.</translation>
     </message>
+    <message>
+        <source>global longitudinal strain</source>
+        <translation>deformació longitudinal global</translation>
+    </message>
+    <message>
+        <source>global circumferential strain</source>
+        <translation>deformació circumferencial global</translation>
+    </message>
+    <message>
+        <source>global radial strain</source>
+        <translation>deformació radial global</translation>
+    </message>
+    <message>
+        <source>67 healthy adults, by feature tracking in magnetic resonance over the whole ventricle (CVI42); other programs differ by several points</source>
+        <translation>67 adults sans, per seguiment de trets en ressonància magnètica de tot el ventricle (CVI42); altres programes difereixen en diversos punts</translation>
+    </message>
+    <message>
+        <source>The surface encloses nothing</source>
+        <translation>La superfície no tanca res</translation>
+    </message>
+    <message>
+        <source>choose the surface of its cavity</source>
+        <translation>trieu la superfície de la seva cavitat</translation>
+    </message>
+    <message>
+        <source>The base and the apex are the same place</source>
+        <translation>La base i l’àpex són el mateix lloc</translation>
+    </message>
+    <message>
+        <source>choose two other points</source>
+        <translation>trieu dos altres punts</translation>
+    </message>
+    <message>
+        <source>The insertion of the right ventricle lies on the long axis</source>
+        <translation>La inserció del ventricle dret és a l’eix llarg</translation>
+    </message>
+    <message>
+        <source>choose a point of the wall</source>
+        <translation>trieu un punt de la paret</translation>
+    </message>
+    <message>
+        <source>The wall cannot be divided into layers</source>
+        <translation>La paret no es pot dividir en capes</translation>
+    </message>
+    <message>
+        <source>use fewer witness points</source>
+        <translation>useu menys punts testimoni</translation>
+    </message>
+    <message>
+        <source>The tissue does not reach from the cavity to the outer surface</source>
+        <translation>El teixit no arriba de la cavitat a la superfície exterior</translation>
+    </message>
+    <message>
+        <source>choose the surfaces of one heart</source>
+        <translation>trieu les superfícies d’un mateix cor</translation>
+    </message>
+    <message>
+        <source>name one of the surfaces of the heart</source>
+        <translation>anomeneu una de les superfícies del cor</translation>
+    </message>
+    <message>
+        <source>There is no phase %1</source>
+        <translation>No hi ha cap fase %1</translation>
+    </message>
+    <message>
+        <source>phases are counted from 1 to %1</source>
+        <translation>les fases es compten d’1 a %1</translation>
+    </message>
+    <message>
+        <source>layers of the wall</source>
+        <translation>capes de la paret</translation>
+    </message>
+    <message>
+        <source>strain</source>
+        <translation>deformació</translation>
+    </message>
+    <message>
+        <source>surfaces in motion</source>
+        <translation>superfícies en moviment</translation>
+    </message>
+    <message>
+        <source>No surface is a left ventricle by its name</source>
+        <translation>Cap superfície és pel seu nom un ventricle esquerre</translation>
+    </message>
+    <message>
+        <source>name its cavity with --lv</source>
+        <translation>anomeneu la seva cavitat amb --lv</translation>
+    </message>
+    <message>
+        <source>there are: %1</source>
+        <translation>hi ha: %1</translation>
+    </message>
+    <message>
+        <source>It holds no organ</source>
+        <translation>No conté cap òrgan</translation>
+    </message>
+    <message>
+        <source>name one with --organ</source>
+        <translation>anomeneu-ne un amb --organ</translation>
+    </message>
+    <message>
+        <source>Without the right ventricle the numbers of segments mean nothing: give its surface, or a point where it meets the left one in front</source>
+        <translation>Sense el ventricle dret els números dels segments no volen dir res: doneu la seva superfície, o un punt on s’uneix a l’esquerre per davant</translation>
+    </message>
+    <message>
+        <source>Material points are not known in this motion: lengths of contours can be read, segments cannot</source>
+        <translation>En aquest moviment no es coneixen els punts materials: es poden llegir longituds de contorns, no els segments</translation>
+    </message>
+    <message>
+        <source>The left ventricle is fullest in phase %1, and strain is measured from phase %2</source>
+        <translation>El ventricle esquerre és més ple a la fase %1, i la deformació es mesura des de la fase %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {segment has|segments have} too few points to be read</source>
+        <translation>
+            <numerusform>%n segment té massa pocs punts per llegir-se</numerusform>
+            <numerusform>%n segments tenen massa pocs punts per llegir-se</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>see docs/strain.md for the form of such a file</source>
+        <translation>vegeu docs/strain.md per a la forma d’un fitxer així</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app</name>
@@ -6833,129 +6956,6 @@
     <message>
         <source>Time in the cycle</source>
         <translation>Temps en el cicle</translation>
-    </message>
-    <message>
-        <source>global longitudinal strain</source>
-        <translation>deformació longitudinal global</translation>
-    </message>
-    <message>
-        <source>global circumferential strain</source>
-        <translation>deformació circumferencial global</translation>
-    </message>
-    <message>
-        <source>global radial strain</source>
-        <translation>deformació radial global</translation>
-    </message>
-    <message>
-        <source>67 healthy adults, by feature tracking in magnetic resonance over the whole ventricle (CVI42); other programs differ by several points</source>
-        <translation>67 adults sans, per seguiment de trets en ressonància magnètica de tot el ventricle (CVI42); altres programes difereixen en diversos punts</translation>
-    </message>
-    <message>
-        <source>The surface encloses nothing</source>
-        <translation>La superfície no tanca res</translation>
-    </message>
-    <message>
-        <source>choose the surface of its cavity</source>
-        <translation>trieu la superfície de la seva cavitat</translation>
-    </message>
-    <message>
-        <source>The base and the apex are the same place</source>
-        <translation>La base i l’àpex són el mateix lloc</translation>
-    </message>
-    <message>
-        <source>choose two other points</source>
-        <translation>trieu dos altres punts</translation>
-    </message>
-    <message>
-        <source>The insertion of the right ventricle lies on the long axis</source>
-        <translation>La inserció del ventricle dret és a l’eix llarg</translation>
-    </message>
-    <message>
-        <source>choose a point of the wall</source>
-        <translation>trieu un punt de la paret</translation>
-    </message>
-    <message>
-        <source>The wall cannot be divided into layers</source>
-        <translation>La paret no es pot dividir en capes</translation>
-    </message>
-    <message>
-        <source>use fewer witness points</source>
-        <translation>useu menys punts testimoni</translation>
-    </message>
-    <message>
-        <source>The tissue does not reach from the cavity to the outer surface</source>
-        <translation>El teixit no arriba de la cavitat a la superfície exterior</translation>
-    </message>
-    <message>
-        <source>choose the surfaces of one heart</source>
-        <translation>trieu les superfícies d’un mateix cor</translation>
-    </message>
-    <message>
-        <source>name one of the surfaces of the heart</source>
-        <translation>anomeneu una de les superfícies del cor</translation>
-    </message>
-    <message>
-        <source>There is no phase %1</source>
-        <translation>No hi ha cap fase %1</translation>
-    </message>
-    <message>
-        <source>phases are counted from 1 to %1</source>
-        <translation>les fases es compten d’1 a %1</translation>
-    </message>
-    <message>
-        <source>layers of the wall</source>
-        <translation>capes de la paret</translation>
-    </message>
-    <message>
-        <source>strain</source>
-        <translation>deformació</translation>
-    </message>
-    <message>
-        <source>surfaces in motion</source>
-        <translation>superfícies en moviment</translation>
-    </message>
-    <message>
-        <source>No surface is a left ventricle by its name</source>
-        <translation>Cap superfície és pel seu nom un ventricle esquerre</translation>
-    </message>
-    <message>
-        <source>name its cavity with --lv</source>
-        <translation>anomeneu la seva cavitat amb --lv</translation>
-    </message>
-    <message>
-        <source>there are: %1</source>
-        <translation>hi ha: %1</translation>
-    </message>
-    <message>
-        <source>It holds no organ</source>
-        <translation>No conté cap òrgan</translation>
-    </message>
-    <message>
-        <source>name one with --organ</source>
-        <translation>anomeneu-ne un amb --organ</translation>
-    </message>
-    <message>
-        <source>Without the right ventricle the numbers of segments mean nothing: give its surface, or a point where it meets the left one in front</source>
-        <translation>Sense el ventricle dret els números dels segments no volen dir res: doneu la seva superfície, o un punt on s’uneix a l’esquerre per davant</translation>
-    </message>
-    <message>
-        <source>Material points are not known in this motion: lengths of contours can be read, segments cannot</source>
-        <translation>En aquest moviment no es coneixen els punts materials: es poden llegir longituds de contorns, no els segments</translation>
-    </message>
-    <message>
-        <source>The left ventricle is fullest in phase %1, and strain is measured from phase %2</source>
-        <translation>El ventricle esquerre és més ple a la fase %1, i la deformació es mesura des de la fase %2</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n {segment has|segments have} too few points to be read</source>
-        <translation>
-            <numerusform>%n segment té massa pocs punts per llegir-se</numerusform>
-            <numerusform>%n segments tenen massa pocs punts per llegir-se</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>see docs/strain.md for the form of such a file</source>
-        <translation>vegeu docs/strain.md per a la forma d’un fitxer així</translation>
     </message>
 </context>
 </TS>

@@ -6637,6 +6637,129 @@
         <source>1 where the tissue is turned inside out.</source>
         <translation>1, wo das Gewebe umgestülpt ist.</translation>
     </message>
+    <message>
+        <source>global longitudinal strain</source>
+        <translation>globale longitudinale Dehnung</translation>
+    </message>
+    <message>
+        <source>global circumferential strain</source>
+        <translation>globale zirkumferenzielle Dehnung</translation>
+    </message>
+    <message>
+        <source>global radial strain</source>
+        <translation>globale radiale Dehnung</translation>
+    </message>
+    <message>
+        <source>67 healthy adults, by feature tracking in magnetic resonance over the whole ventricle (CVI42); other programs differ by several points</source>
+        <translation>67 gesunde Erwachsene, mit Feature Tracking in der Magnetresonanz über den ganzen Ventrikel (CVI42); andere Programme weichen um mehrere Punkte ab</translation>
+    </message>
+    <message>
+        <source>The surface encloses nothing</source>
+        <translation>Die Oberfläche umschließt nichts</translation>
+    </message>
+    <message>
+        <source>choose the surface of its cavity</source>
+        <translation>wählen Sie die Oberfläche seiner Höhle</translation>
+    </message>
+    <message>
+        <source>The base and the apex are the same place</source>
+        <translation>Basis und Spitze sind derselbe Ort</translation>
+    </message>
+    <message>
+        <source>choose two other points</source>
+        <translation>wählen Sie zwei andere Punkte</translation>
+    </message>
+    <message>
+        <source>The insertion of the right ventricle lies on the long axis</source>
+        <translation>Der Ansatz des rechten Ventrikels liegt auf der langen Achse</translation>
+    </message>
+    <message>
+        <source>choose a point of the wall</source>
+        <translation>wählen Sie einen Punkt der Wand</translation>
+    </message>
+    <message>
+        <source>The wall cannot be divided into layers</source>
+        <translation>Die Wand lässt sich nicht in Schichten teilen</translation>
+    </message>
+    <message>
+        <source>use fewer witness points</source>
+        <translation>nehmen Sie weniger Messpunkte</translation>
+    </message>
+    <message>
+        <source>The tissue does not reach from the cavity to the outer surface</source>
+        <translation>Das Gewebe reicht nicht von der Höhle bis zur äußeren Oberfläche</translation>
+    </message>
+    <message>
+        <source>choose the surfaces of one heart</source>
+        <translation>wählen Sie die Oberflächen eines Herzens</translation>
+    </message>
+    <message>
+        <source>name one of the surfaces of the heart</source>
+        <translation>nennen Sie eine der Oberflächen des Herzens</translation>
+    </message>
+    <message>
+        <source>There is no phase %1</source>
+        <translation>Es gibt keine Phase %1</translation>
+    </message>
+    <message>
+        <source>phases are counted from 1 to %1</source>
+        <translation>Phasen zählen von 1 bis %1</translation>
+    </message>
+    <message>
+        <source>layers of the wall</source>
+        <translation>Schichten der Wand</translation>
+    </message>
+    <message>
+        <source>strain</source>
+        <translation>Dehnung</translation>
+    </message>
+    <message>
+        <source>surfaces in motion</source>
+        <translation>Oberflächen in Bewegung</translation>
+    </message>
+    <message>
+        <source>No surface is a left ventricle by its name</source>
+        <translation>Keine Oberfläche ist dem Namen nach ein linker Ventrikel</translation>
+    </message>
+    <message>
+        <source>name its cavity with --lv</source>
+        <translation>nennen Sie seine Höhle mit --lv</translation>
+    </message>
+    <message>
+        <source>there are: %1</source>
+        <translation>es gibt: %1</translation>
+    </message>
+    <message>
+        <source>It holds no organ</source>
+        <translation>Sie enthält kein Organ</translation>
+    </message>
+    <message>
+        <source>name one with --organ</source>
+        <translation>nennen Sie eines mit --organ</translation>
+    </message>
+    <message>
+        <source>Without the right ventricle the numbers of segments mean nothing: give its surface, or a point where it meets the left one in front</source>
+        <translation>Ohne den rechten Ventrikel bedeuten die Nummern der Segmente nichts: geben Sie seine Oberfläche an, oder einen Punkt, an dem er vorn auf den linken trifft</translation>
+    </message>
+    <message>
+        <source>Material points are not known in this motion: lengths of contours can be read, segments cannot</source>
+        <translation>Materielle Punkte sind in dieser Bewegung nicht bekannt: Längen von Konturen lassen sich ablesen, Segmente nicht</translation>
+    </message>
+    <message>
+        <source>The left ventricle is fullest in phase %1, and strain is measured from phase %2</source>
+        <translation>Der linke Ventrikel ist in Phase %1 am vollsten, und die Dehnung wird ab Phase %2 gemessen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {segment has|segments have} too few points to be read</source>
+        <translation>
+            <numerusform>%n Segment hat zu wenige Punkte, um abgelesen zu werden</numerusform>
+            <numerusform>%n Segmente haben zu wenige Punkte, um abgelesen zu werden</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>see docs/strain.md for the form of such a file</source>
+        <translation>siehe docs/strain.md zur Form einer solchen Datei</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app</name>
@@ -6833,129 +6956,6 @@
     <message>
         <source>Time in the cycle</source>
         <translation>Zeit im Zyklus</translation>
-    </message>
-    <message>
-        <source>global longitudinal strain</source>
-        <translation>globale longitudinale Dehnung</translation>
-    </message>
-    <message>
-        <source>global circumferential strain</source>
-        <translation>globale zirkumferenzielle Dehnung</translation>
-    </message>
-    <message>
-        <source>global radial strain</source>
-        <translation>globale radiale Dehnung</translation>
-    </message>
-    <message>
-        <source>67 healthy adults, by feature tracking in magnetic resonance over the whole ventricle (CVI42); other programs differ by several points</source>
-        <translation>67 gesunde Erwachsene, mit Feature Tracking in der Magnetresonanz über den ganzen Ventrikel (CVI42); andere Programme weichen um mehrere Punkte ab</translation>
-    </message>
-    <message>
-        <source>The surface encloses nothing</source>
-        <translation>Die Oberfläche umschließt nichts</translation>
-    </message>
-    <message>
-        <source>choose the surface of its cavity</source>
-        <translation>wählen Sie die Oberfläche seiner Höhle</translation>
-    </message>
-    <message>
-        <source>The base and the apex are the same place</source>
-        <translation>Basis und Spitze sind derselbe Ort</translation>
-    </message>
-    <message>
-        <source>choose two other points</source>
-        <translation>wählen Sie zwei andere Punkte</translation>
-    </message>
-    <message>
-        <source>The insertion of the right ventricle lies on the long axis</source>
-        <translation>Der Ansatz des rechten Ventrikels liegt auf der langen Achse</translation>
-    </message>
-    <message>
-        <source>choose a point of the wall</source>
-        <translation>wählen Sie einen Punkt der Wand</translation>
-    </message>
-    <message>
-        <source>The wall cannot be divided into layers</source>
-        <translation>Die Wand lässt sich nicht in Schichten teilen</translation>
-    </message>
-    <message>
-        <source>use fewer witness points</source>
-        <translation>nehmen Sie weniger Messpunkte</translation>
-    </message>
-    <message>
-        <source>The tissue does not reach from the cavity to the outer surface</source>
-        <translation>Das Gewebe reicht nicht von der Höhle bis zur äußeren Oberfläche</translation>
-    </message>
-    <message>
-        <source>choose the surfaces of one heart</source>
-        <translation>wählen Sie die Oberflächen eines Herzens</translation>
-    </message>
-    <message>
-        <source>name one of the surfaces of the heart</source>
-        <translation>nennen Sie eine der Oberflächen des Herzens</translation>
-    </message>
-    <message>
-        <source>There is no phase %1</source>
-        <translation>Es gibt keine Phase %1</translation>
-    </message>
-    <message>
-        <source>phases are counted from 1 to %1</source>
-        <translation>Phasen zählen von 1 bis %1</translation>
-    </message>
-    <message>
-        <source>layers of the wall</source>
-        <translation>Schichten der Wand</translation>
-    </message>
-    <message>
-        <source>strain</source>
-        <translation>Dehnung</translation>
-    </message>
-    <message>
-        <source>surfaces in motion</source>
-        <translation>Oberflächen in Bewegung</translation>
-    </message>
-    <message>
-        <source>No surface is a left ventricle by its name</source>
-        <translation>Keine Oberfläche ist dem Namen nach ein linker Ventrikel</translation>
-    </message>
-    <message>
-        <source>name its cavity with --lv</source>
-        <translation>nennen Sie seine Höhle mit --lv</translation>
-    </message>
-    <message>
-        <source>there are: %1</source>
-        <translation>es gibt: %1</translation>
-    </message>
-    <message>
-        <source>It holds no organ</source>
-        <translation>Sie enthält kein Organ</translation>
-    </message>
-    <message>
-        <source>name one with --organ</source>
-        <translation>nennen Sie eines mit --organ</translation>
-    </message>
-    <message>
-        <source>Without the right ventricle the numbers of segments mean nothing: give its surface, or a point where it meets the left one in front</source>
-        <translation>Ohne den rechten Ventrikel bedeuten die Nummern der Segmente nichts: geben Sie seine Oberfläche an, oder einen Punkt, an dem er vorn auf den linken trifft</translation>
-    </message>
-    <message>
-        <source>Material points are not known in this motion: lengths of contours can be read, segments cannot</source>
-        <translation>Materielle Punkte sind in dieser Bewegung nicht bekannt: Längen von Konturen lassen sich ablesen, Segmente nicht</translation>
-    </message>
-    <message>
-        <source>The left ventricle is fullest in phase %1, and strain is measured from phase %2</source>
-        <translation>Der linke Ventrikel ist in Phase %1 am vollsten, und die Dehnung wird ab Phase %2 gemessen</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n {segment has|segments have} too few points to be read</source>
-        <translation>
-            <numerusform>%n Segment hat zu wenige Punkte, um abgelesen zu werden</numerusform>
-            <numerusform>%n Segmente haben zu wenige Punkte, um abgelesen zu werden</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>see docs/strain.md for the form of such a file</source>
-        <translation>siehe docs/strain.md zur Form einer solchen Datei</translation>
     </message>
 </context>
 </TS>

@@ -6637,6 +6637,129 @@
         <source>1 where the tissue is turned inside out.</source>
         <translation>1 donde el tejido está vuelto del revés.</translation>
     </message>
+    <message>
+        <source>global longitudinal strain</source>
+        <translation>deformación longitudinal global</translation>
+    </message>
+    <message>
+        <source>global circumferential strain</source>
+        <translation>deformación circunferencial global</translation>
+    </message>
+    <message>
+        <source>global radial strain</source>
+        <translation>deformación radial global</translation>
+    </message>
+    <message>
+        <source>67 healthy adults, by feature tracking in magnetic resonance over the whole ventricle (CVI42); other programs differ by several points</source>
+        <translation>67 adultos sanos, por seguimiento de rasgos en resonancia magnética de todo el ventrículo (CVI42); otros programas difieren en varios puntos</translation>
+    </message>
+    <message>
+        <source>The surface encloses nothing</source>
+        <translation>La superficie no encierra nada</translation>
+    </message>
+    <message>
+        <source>choose the surface of its cavity</source>
+        <translation>elija la superficie de su cavidad</translation>
+    </message>
+    <message>
+        <source>The base and the apex are the same place</source>
+        <translation>La base y el ápex son el mismo lugar</translation>
+    </message>
+    <message>
+        <source>choose two other points</source>
+        <translation>elija otros dos puntos</translation>
+    </message>
+    <message>
+        <source>The insertion of the right ventricle lies on the long axis</source>
+        <translation>La inserción del ventrículo derecho está en el eje largo</translation>
+    </message>
+    <message>
+        <source>choose a point of the wall</source>
+        <translation>elija un punto de la pared</translation>
+    </message>
+    <message>
+        <source>The wall cannot be divided into layers</source>
+        <translation>La pared no se puede dividir en capas</translation>
+    </message>
+    <message>
+        <source>use fewer witness points</source>
+        <translation>use menos puntos testigo</translation>
+    </message>
+    <message>
+        <source>The tissue does not reach from the cavity to the outer surface</source>
+        <translation>El tejido no llega de la cavidad a la superficie exterior</translation>
+    </message>
+    <message>
+        <source>choose the surfaces of one heart</source>
+        <translation>elija las superficies de un mismo corazón</translation>
+    </message>
+    <message>
+        <source>name one of the surfaces of the heart</source>
+        <translation>nombre una de las superficies del corazón</translation>
+    </message>
+    <message>
+        <source>There is no phase %1</source>
+        <translation>No hay ninguna fase %1</translation>
+    </message>
+    <message>
+        <source>phases are counted from 1 to %1</source>
+        <translation>las fases se cuentan de 1 a %1</translation>
+    </message>
+    <message>
+        <source>layers of the wall</source>
+        <translation>capas de la pared</translation>
+    </message>
+    <message>
+        <source>strain</source>
+        <translation>deformación</translation>
+    </message>
+    <message>
+        <source>surfaces in motion</source>
+        <translation>superficies en movimiento</translation>
+    </message>
+    <message>
+        <source>No surface is a left ventricle by its name</source>
+        <translation>Ninguna superficie es por su nombre un ventrículo izquierdo</translation>
+    </message>
+    <message>
+        <source>name its cavity with --lv</source>
+        <translation>nombre su cavidad con --lv</translation>
+    </message>
+    <message>
+        <source>there are: %1</source>
+        <translation>hay: %1</translation>
+    </message>
+    <message>
+        <source>It holds no organ</source>
+        <translation>No contiene ningún órgano</translation>
+    </message>
+    <message>
+        <source>name one with --organ</source>
+        <translation>nombre uno con --organ</translation>
+    </message>
+    <message>
+        <source>Without the right ventricle the numbers of segments mean nothing: give its surface, or a point where it meets the left one in front</source>
+        <translation>Sin el ventrículo derecho los números de los segmentos no significan nada: dé su superficie, o un punto donde se une al izquierdo por delante</translation>
+    </message>
+    <message>
+        <source>Material points are not known in this motion: lengths of contours can be read, segments cannot</source>
+        <translation>En este movimiento no se conocen los puntos materiales: se pueden leer longitudes de contornos, no los segmentos</translation>
+    </message>
+    <message>
+        <source>The left ventricle is fullest in phase %1, and strain is measured from phase %2</source>
+        <translation>El ventrículo izquierdo está más lleno en la fase %1, y la deformación se mide desde la fase %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {segment has|segments have} too few points to be read</source>
+        <translation>
+            <numerusform>%n segmento tiene demasiado pocos puntos para leerse</numerusform>
+            <numerusform>%n segmentos tienen demasiado pocos puntos para leerse</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>see docs/strain.md for the form of such a file</source>
+        <translation>vea docs/strain.md para la forma de tal archivo</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app</name>
@@ -6833,129 +6956,6 @@
     <message>
         <source>Time in the cycle</source>
         <translation>Tiempo en el ciclo</translation>
-    </message>
-    <message>
-        <source>global longitudinal strain</source>
-        <translation>deformación longitudinal global</translation>
-    </message>
-    <message>
-        <source>global circumferential strain</source>
-        <translation>deformación circunferencial global</translation>
-    </message>
-    <message>
-        <source>global radial strain</source>
-        <translation>deformación radial global</translation>
-    </message>
-    <message>
-        <source>67 healthy adults, by feature tracking in magnetic resonance over the whole ventricle (CVI42); other programs differ by several points</source>
-        <translation>67 adultos sanos, por seguimiento de rasgos en resonancia magnética de todo el ventrículo (CVI42); otros programas difieren en varios puntos</translation>
-    </message>
-    <message>
-        <source>The surface encloses nothing</source>
-        <translation>La superficie no encierra nada</translation>
-    </message>
-    <message>
-        <source>choose the surface of its cavity</source>
-        <translation>elija la superficie de su cavidad</translation>
-    </message>
-    <message>
-        <source>The base and the apex are the same place</source>
-        <translation>La base y el ápex son el mismo lugar</translation>
-    </message>
-    <message>
-        <source>choose two other points</source>
-        <translation>elija otros dos puntos</translation>
-    </message>
-    <message>
-        <source>The insertion of the right ventricle lies on the long axis</source>
-        <translation>La inserción del ventrículo derecho está en el eje largo</translation>
-    </message>
-    <message>
-        <source>choose a point of the wall</source>
-        <translation>elija un punto de la pared</translation>
-    </message>
-    <message>
-        <source>The wall cannot be divided into layers</source>
-        <translation>La pared no se puede dividir en capas</translation>
-    </message>
-    <message>
-        <source>use fewer witness points</source>
-        <translation>use menos puntos testigo</translation>
-    </message>
-    <message>
-        <source>The tissue does not reach from the cavity to the outer surface</source>
-        <translation>El tejido no llega de la cavidad a la superficie exterior</translation>
-    </message>
-    <message>
-        <source>choose the surfaces of one heart</source>
-        <translation>elija las superficies de un mismo corazón</translation>
-    </message>
-    <message>
-        <source>name one of the surfaces of the heart</source>
-        <translation>nombre una de las superficies del corazón</translation>
-    </message>
-    <message>
-        <source>There is no phase %1</source>
-        <translation>No hay ninguna fase %1</translation>
-    </message>
-    <message>
-        <source>phases are counted from 1 to %1</source>
-        <translation>las fases se cuentan de 1 a %1</translation>
-    </message>
-    <message>
-        <source>layers of the wall</source>
-        <translation>capas de la pared</translation>
-    </message>
-    <message>
-        <source>strain</source>
-        <translation>deformación</translation>
-    </message>
-    <message>
-        <source>surfaces in motion</source>
-        <translation>superficies en movimiento</translation>
-    </message>
-    <message>
-        <source>No surface is a left ventricle by its name</source>
-        <translation>Ninguna superficie es por su nombre un ventrículo izquierdo</translation>
-    </message>
-    <message>
-        <source>name its cavity with --lv</source>
-        <translation>nombre su cavidad con --lv</translation>
-    </message>
-    <message>
-        <source>there are: %1</source>
-        <translation>hay: %1</translation>
-    </message>
-    <message>
-        <source>It holds no organ</source>
-        <translation>No contiene ningún órgano</translation>
-    </message>
-    <message>
-        <source>name one with --organ</source>
-        <translation>nombre uno con --organ</translation>
-    </message>
-    <message>
-        <source>Without the right ventricle the numbers of segments mean nothing: give its surface, or a point where it meets the left one in front</source>
-        <translation>Sin el ventrículo derecho los números de los segmentos no significan nada: dé su superficie, o un punto donde se une al izquierdo por delante</translation>
-    </message>
-    <message>
-        <source>Material points are not known in this motion: lengths of contours can be read, segments cannot</source>
-        <translation>En este movimiento no se conocen los puntos materiales: se pueden leer longitudes de contornos, no los segmentos</translation>
-    </message>
-    <message>
-        <source>The left ventricle is fullest in phase %1, and strain is measured from phase %2</source>
-        <translation>El ventrículo izquierdo está más lleno en la fase %1, y la deformación se mide desde la fase %2</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n {segment has|segments have} too few points to be read</source>
-        <translation>
-            <numerusform>%n segmento tiene demasiado pocos puntos para leerse</numerusform>
-            <numerusform>%n segmentos tienen demasiado pocos puntos para leerse</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>see docs/strain.md for the form of such a file</source>
-        <translation>vea docs/strain.md para la forma de tal archivo</translation>
     </message>
 </context>
 </TS>

@@ -6637,6 +6637,129 @@
         <source>1 where the tissue is turned inside out.</source>
         <translation>1 là où le tissu est retourné.</translation>
     </message>
+    <message>
+        <source>global longitudinal strain</source>
+        <translation>déformation longitudinale globale</translation>
+    </message>
+    <message>
+        <source>global circumferential strain</source>
+        <translation>déformation circonférentielle globale</translation>
+    </message>
+    <message>
+        <source>global radial strain</source>
+        <translation>déformation radiale globale</translation>
+    </message>
+    <message>
+        <source>67 healthy adults, by feature tracking in magnetic resonance over the whole ventricle (CVI42); other programs differ by several points</source>
+        <translation>67 adultes sains, par suivi de traits en résonance magnétique sur tout le ventricule (CVI42); d’autres programmes s’en écartent de plusieurs points</translation>
+    </message>
+    <message>
+        <source>The surface encloses nothing</source>
+        <translation>La surface n’enferme rien</translation>
+    </message>
+    <message>
+        <source>choose the surface of its cavity</source>
+        <translation>choisissez la surface de sa cavité</translation>
+    </message>
+    <message>
+        <source>The base and the apex are the same place</source>
+        <translation>La base et l’apex sont au même endroit</translation>
+    </message>
+    <message>
+        <source>choose two other points</source>
+        <translation>choisissez deux autres points</translation>
+    </message>
+    <message>
+        <source>The insertion of the right ventricle lies on the long axis</source>
+        <translation>L’insertion du ventricule droit est sur le grand axe</translation>
+    </message>
+    <message>
+        <source>choose a point of the wall</source>
+        <translation>choisissez un point de la paroi</translation>
+    </message>
+    <message>
+        <source>The wall cannot be divided into layers</source>
+        <translation>La paroi ne peut pas être divisée en couches</translation>
+    </message>
+    <message>
+        <source>use fewer witness points</source>
+        <translation>utilisez moins de points témoins</translation>
+    </message>
+    <message>
+        <source>The tissue does not reach from the cavity to the outer surface</source>
+        <translation>Le tissu ne va pas de la cavité à la surface extérieure</translation>
+    </message>
+    <message>
+        <source>choose the surfaces of one heart</source>
+        <translation>choisissez les surfaces d’un même cœur</translation>
+    </message>
+    <message>
+        <source>name one of the surfaces of the heart</source>
+        <translation>nommez une des surfaces du cœur</translation>
+    </message>
+    <message>
+        <source>There is no phase %1</source>
+        <translation>Il n’y a pas de phase %1</translation>
+    </message>
+    <message>
+        <source>phases are counted from 1 to %1</source>
+        <translation>les phases sont comptées de 1 à %1</translation>
+    </message>
+    <message>
+        <source>layers of the wall</source>
+        <translation>couches de la paroi</translation>
+    </message>
+    <message>
+        <source>strain</source>
+        <translation>déformation</translation>
+    </message>
+    <message>
+        <source>surfaces in motion</source>
+        <translation>surfaces en mouvement</translation>
+    </message>
+    <message>
+        <source>No surface is a left ventricle by its name</source>
+        <translation>Aucune surface n’est par son nom un ventricule gauche</translation>
+    </message>
+    <message>
+        <source>name its cavity with --lv</source>
+        <translation>nommez sa cavité avec --lv</translation>
+    </message>
+    <message>
+        <source>there are: %1</source>
+        <translation>il y a: %1</translation>
+    </message>
+    <message>
+        <source>It holds no organ</source>
+        <translation>Elle ne contient aucun organe</translation>
+    </message>
+    <message>
+        <source>name one with --organ</source>
+        <translation>nommez-en un avec --organ</translation>
+    </message>
+    <message>
+        <source>Without the right ventricle the numbers of segments mean nothing: give its surface, or a point where it meets the left one in front</source>
+        <translation>Sans le ventricule droit, les numéros des segments ne veulent rien dire: donnez sa surface, ou un point où il rejoint le gauche en avant</translation>
+    </message>
+    <message>
+        <source>Material points are not known in this motion: lengths of contours can be read, segments cannot</source>
+        <translation>Les points matériels ne sont pas connus dans ce mouvement: les longueurs des contours se lisent, pas les segments</translation>
+    </message>
+    <message>
+        <source>The left ventricle is fullest in phase %1, and strain is measured from phase %2</source>
+        <translation>Le ventricule gauche est le plus rempli à la phase %1, et la déformation est mesurée depuis la phase %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {segment has|segments have} too few points to be read</source>
+        <translation>
+            <numerusform>%n segment a trop peu de points pour être lus</numerusform>
+            <numerusform>%n segments ont trop peu de points pour être lus</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>see docs/strain.md for the form of such a file</source>
+        <translation>voyez docs/strain.md pour la forme d’un tel fichier</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app</name>
@@ -6833,129 +6956,6 @@
     <message>
         <source>Time in the cycle</source>
         <translation>Temps dans le cycle</translation>
-    </message>
-    <message>
-        <source>global longitudinal strain</source>
-        <translation>déformation longitudinale globale</translation>
-    </message>
-    <message>
-        <source>global circumferential strain</source>
-        <translation>déformation circonférentielle globale</translation>
-    </message>
-    <message>
-        <source>global radial strain</source>
-        <translation>déformation radiale globale</translation>
-    </message>
-    <message>
-        <source>67 healthy adults, by feature tracking in magnetic resonance over the whole ventricle (CVI42); other programs differ by several points</source>
-        <translation>67 adultes sains, par suivi de traits en résonance magnétique sur tout le ventricule (CVI42); d’autres programmes s’en écartent de plusieurs points</translation>
-    </message>
-    <message>
-        <source>The surface encloses nothing</source>
-        <translation>La surface n’enferme rien</translation>
-    </message>
-    <message>
-        <source>choose the surface of its cavity</source>
-        <translation>choisissez la surface de sa cavité</translation>
-    </message>
-    <message>
-        <source>The base and the apex are the same place</source>
-        <translation>La base et l’apex sont au même endroit</translation>
-    </message>
-    <message>
-        <source>choose two other points</source>
-        <translation>choisissez deux autres points</translation>
-    </message>
-    <message>
-        <source>The insertion of the right ventricle lies on the long axis</source>
-        <translation>L’insertion du ventricule droit est sur le grand axe</translation>
-    </message>
-    <message>
-        <source>choose a point of the wall</source>
-        <translation>choisissez un point de la paroi</translation>
-    </message>
-    <message>
-        <source>The wall cannot be divided into layers</source>
-        <translation>La paroi ne peut pas être divisée en couches</translation>
-    </message>
-    <message>
-        <source>use fewer witness points</source>
-        <translation>utilisez moins de points témoins</translation>
-    </message>
-    <message>
-        <source>The tissue does not reach from the cavity to the outer surface</source>
-        <translation>Le tissu ne va pas de la cavité à la surface extérieure</translation>
-    </message>
-    <message>
-        <source>choose the surfaces of one heart</source>
-        <translation>choisissez les surfaces d’un même cœur</translation>
-    </message>
-    <message>
-        <source>name one of the surfaces of the heart</source>
-        <translation>nommez une des surfaces du cœur</translation>
-    </message>
-    <message>
-        <source>There is no phase %1</source>
-        <translation>Il n’y a pas de phase %1</translation>
-    </message>
-    <message>
-        <source>phases are counted from 1 to %1</source>
-        <translation>les phases sont comptées de 1 à %1</translation>
-    </message>
-    <message>
-        <source>layers of the wall</source>
-        <translation>couches de la paroi</translation>
-    </message>
-    <message>
-        <source>strain</source>
-        <translation>déformation</translation>
-    </message>
-    <message>
-        <source>surfaces in motion</source>
-        <translation>surfaces en mouvement</translation>
-    </message>
-    <message>
-        <source>No surface is a left ventricle by its name</source>
-        <translation>Aucune surface n’est par son nom un ventricule gauche</translation>
-    </message>
-    <message>
-        <source>name its cavity with --lv</source>
-        <translation>nommez sa cavité avec --lv</translation>
-    </message>
-    <message>
-        <source>there are: %1</source>
-        <translation>il y a: %1</translation>
-    </message>
-    <message>
-        <source>It holds no organ</source>
-        <translation>Elle ne contient aucun organe</translation>
-    </message>
-    <message>
-        <source>name one with --organ</source>
-        <translation>nommez-en un avec --organ</translation>
-    </message>
-    <message>
-        <source>Without the right ventricle the numbers of segments mean nothing: give its surface, or a point where it meets the left one in front</source>
-        <translation>Sans le ventricule droit, les numéros des segments ne veulent rien dire: donnez sa surface, ou un point où il rejoint le gauche en avant</translation>
-    </message>
-    <message>
-        <source>Material points are not known in this motion: lengths of contours can be read, segments cannot</source>
-        <translation>Les points matériels ne sont pas connus dans ce mouvement: les longueurs des contours se lisent, pas les segments</translation>
-    </message>
-    <message>
-        <source>The left ventricle is fullest in phase %1, and strain is measured from phase %2</source>
-        <translation>Le ventricule gauche est le plus rempli à la phase %1, et la déformation est mesurée depuis la phase %2</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n {segment has|segments have} too few points to be read</source>
-        <translation>
-            <numerusform>%n segment a trop peu de points pour être lus</numerusform>
-            <numerusform>%n segments ont trop peu de points pour être lus</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>see docs/strain.md for the form of such a file</source>
-        <translation>voyez docs/strain.md pour la forme d’un tel fichier</translation>
     </message>
 </context>
 </TS>
