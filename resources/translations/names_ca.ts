@@ -2311,8 +2311,8 @@
         <translation>El centre de la vàlvula mitral, dins del cor</translation>
     </message>
     <message>
-        <source>The mitral valve leaks through 0.4 cm2: half of what the ventricle ejects goes back into the atrium.</source>
-        <translation>La vàlvula mitral té una fuita de 0,4 cm2: la meitat del que ejecta el ventricle torna a l’aurícula.</translation>
+        <source>The mitral valve leaks through 0.45 cm2: half of what the ventricle ejects goes back into the atrium.</source>
+        <translation>La vàlvula mitral té una fuita de 0,45 cm2: la meitat del que ejecta el ventricle torna a l’aurícula.</translation>
     </message>
     <message>
         <source>The number of witness points must be from %1 to %2</source>

@@ -2311,8 +2311,8 @@
         <translation>Die Mitte der Mitralklappe, im Innern des Herzens</translation>
     </message>
     <message>
-        <source>The mitral valve leaks through 0.4 cm2: half of what the ventricle ejects goes back into the atrium.</source>
-        <translation>Die Mitralklappe leckt durch 0,4 cm2: Die Hälfte dessen, was der Ventrikel auswirft, fließt in den Vorhof zurück.</translation>
+        <source>The mitral valve leaks through 0.45 cm2: half of what the ventricle ejects goes back into the atrium.</source>
+        <translation>Die Mitralklappe leckt durch 0,45 cm2: Die Hälfte dessen, was der Ventrikel auswirft, fließt in den Vorhof zurück.</translation>
     </message>
     <message>
         <source>The number of witness points must be from %1 to %2</source>

@@ -2311,8 +2311,8 @@
         <translation>El centro de la válvula mitral, dentro del corazón</translation>
     </message>
     <message>
-        <source>The mitral valve leaks through 0.4 cm2: half of what the ventricle ejects goes back into the atrium.</source>
-        <translation>La válvula mitral pierde por 0,4 cm2: la mitad de lo que expulsa el ventrículo vuelve a la aurícula.</translation>
+        <source>The mitral valve leaks through 0.45 cm2: half of what the ventricle ejects goes back into the atrium.</source>
+        <translation>La válvula mitral pierde por 0,45 cm2: la mitad de lo que expulsa el ventrículo vuelve a la aurícula.</translation>
     </message>
     <message>
         <source>The number of witness points must be from %1 to %2</source>

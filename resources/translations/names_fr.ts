@@ -2311,8 +2311,8 @@
         <translation>Le milieu de la valve mitrale, dans le cœur</translation>
     </message>
     <message>
-        <source>The mitral valve leaks through 0.4 cm2: half of what the ventricle ejects goes back into the atrium.</source>
-        <translation>La valve mitrale fuit par 0,4 cm2&#xa0;: la moitié de ce que le ventricule éjecte retourne dans l’atrium.</translation>
+        <source>The mitral valve leaks through 0.45 cm2: half of what the ventricle ejects goes back into the atrium.</source>
+        <translation>La valve mitrale fuit par 0,45 cm2&#xa0;: la moitié de ce que le ventricule éjecte retourne dans l’atrium.</translation>
     </message>
     <message>
         <source>The number of witness points must be from %1 to %2</source>

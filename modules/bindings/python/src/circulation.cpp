@@ -102,6 +102,8 @@ py::dict indexDict(const Indices& indices) {
   all["aortic_mean_gradient_mmHg"] = indices.aorticMeanGradient;
   all["aortic_peak_gradient_mmHg"] = indices.aorticPeakGradient;
   all["mitral_mean_gradient_mmHg"] = indices.mitralMeanGradient;
+  all["isovolumic_contraction_s"] = indices.isovolumicContractionSeconds;
+  all["isovolumic_relaxation_s"] = indices.isovolumicRelaxationSeconds;
   all["ejection_s"] = indices.ejectionSeconds;
   all["relaxation_s"] = indices.relaxationSeconds;
   all["arterial_elastance"] = indices.arterialElastance;
