@@ -28,7 +28,7 @@ constexpr double kStandardRightEjection = 0.547;
 /// What the sample heart's atria hold in the rest shape, ml.
 constexpr heart::CavityVolumes kRestAtria{59.9, 56.6};
 /// The limits of an atrium's volume that can be drawn, ml: with less its wall would cross itself, with more
-/// it would reach its neighbours. No scenario reaches these limits (24.5 to 122.1); a circulation of a user
+/// it would reach its neighbours. No scenario reaches these limits (24.6 to 124); a circulation of a user
 /// may.
 constexpr double kLeastAtriumMl = 24;
 constexpr double kMostAtriumMl = 140;
