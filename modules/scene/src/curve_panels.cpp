@@ -145,8 +145,7 @@ void applyTheme(vtkChartXY* chart, const Theme& theme) {
 /// Draws the marks of all panels over their charts.
 class PanelMarks final : public vtkContextItem {
 public:
-  vtkTypeMacro(PanelMarks, vtkContextItem);
-  static PanelMarks* New();
+  vtkTypeMacro(PanelMarks, vtkContextItem) static PanelMarks* New();
 
   struct Line {
     float x = 0, low = 0, high = 0; ///< Pixels.
