@@ -64,7 +64,9 @@ nlohmann::ordered_json circulationJson(const Indices& indices) {
   json["aorticMeanGradientMmHg"] = indices.aorticMeanGradient;
   json["aorticPeakGradientMmHg"] = indices.aorticPeakGradient;
   json["mitralMeanGradientMmHg"] = indices.mitralMeanGradient;
+  json["isovolumicContractionMs"] = kMsPerS * indices.isovolumicContractionSeconds;
   json["ejectionMs"] = kMsPerS * indices.ejectionSeconds;
+  json["isovolumicRelaxationMs"] = kMsPerS * indices.isovolumicRelaxationSeconds;
   json["relaxationMs"] = kMsPerS * indices.relaxationSeconds;
   json["ejectionSeconds"] = indices.ejectionSeconds;
   json["relaxationSeconds"] = indices.relaxationSeconds;
@@ -91,6 +93,10 @@ std::string circulationText(const Indices& indices) {
       .add("pulmonary artery", arteryText(indices.pulmonaryArtery))
       .add("cardiac output", fixed(indices.cardiacOutputLMin, 2) + " l/min, " +
                                  fixed(indices.forwardStrokeMl, 1) + " ml a beat")
+      .add("left valves", "isovolumic contraction " + fixed(1000 * indices.isovolumicContractionSeconds, 0) +
+                              " ms, ejection " + fixed(1000 * indices.ejectionSeconds, 0) +
+                              " ms, isovolumic relaxation " +
+                              fixed(1000 * indices.isovolumicRelaxationSeconds, 0) + " ms")
       .add("Ea / Ees", fixed(indices.couplingRatio, 2))
       .add("aortic valve", "mean gradient " + fixed(indices.aorticMeanGradient, 1) + " mmHg, " +
                                fixed(indices.aorticRegurgitationMl, 1) + " ml back")

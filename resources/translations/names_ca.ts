@@ -1477,10 +1477,6 @@
         <translation>Aurícula esquerra, relaxació</translation>
     </message>
     <message>
-        <source>Left atrium, right ventricle</source>
-        <translation>Aurícula esquerra, ventricle dret</translation>
-    </message>
-    <message>
         <source>Left atrium, scale of the passive filling curve</source>
         <translation>Aurícula esquerra, escala de la corba d’ompliment passiu</translation>
     </message>
@@ -1743,10 +1739,6 @@
     <message>
         <source>Other</source>
         <translation>Altres</translation>
-    </message>
-    <message>
-        <source>PR interval, 0.12 to 0.20 s</source>
-        <translation>Interval PR, de 0,12 a 0,20 s</translation>
     </message>
     <message>
         <source>Pancreas</source>
@@ -2287,8 +2279,8 @@
         <translation>El centre de la vàlvula mitral, dins del cor</translation>
     </message>
     <message>
-        <source>The mitral valve leaks through 0.4 cm2: half of what the ventricle ejects goes back into the atrium.</source>
-        <translation>La vàlvula mitral té una fuita de 0,4 cm2: la meitat del que ejecta el ventricle torna a l’aurícula.</translation>
+        <source>The mitral valve leaks through 0.45 cm2: half of what the ventricle ejects goes back into the atrium.</source>
+        <translation>La vàlvula mitral té una fuita de 0,45 cm2: la meitat del que ejecta el ventricle torna a l’aurícula.</translation>
     </message>
     <message>
         <source>The number of witness points must be from %1 to %2</source>
@@ -5584,14 +5576,6 @@
         <translation>entre l’acoblament més eficient (0,5) i el més potent (1): Burkhoff i Sagawa 1986, doi 10.1152/ajpregu.1986.250.6.R1021</translation>
     </message>
     <message>
-        <source>Baumgartner 2017, doi 10.1016/j.echo.2017.02.009: even mild stenosis stays below 20 mmHg</source>
-        <translation>Baumgartner 2017, doi 10.1016/j.echo.2017.02.009: fins i tot una estenosi lleu es queda per sota de 20 mmHg</translation>
-    </message>
-    <message>
-        <source>Zoghbi 2017, doi 10.1016/j.echo.2017.01.007: mild is below 30 %</source>
-        <translation>Zoghbi 2017, doi 10.1016/j.echo.2017.01.007: lleu vol dir menys del 30 %</translation>
-    </message>
-    <message>
         <source>reference woman and man; no spread is given</source>
         <translation>dona i home de referència; no s’indica la dispersió</translation>
     </message>
@@ -6956,6 +6940,70 @@
     <message>
         <source>Time in the cycle</source>
         <translation>Temps en el cicle</translation>
+    </message>
+    <message>
+        <source>Isovolumic contraction</source>
+        <translation>Contracció isovolumètrica</translation>
+    </message>
+    <message>
+        <source>Isovolumic relaxation</source>
+        <translation>Relaxació isovolumètrica</translation>
+    </message>
+    <message>
+        <source>Ejection time</source>
+        <translation>Temps d’ejecció</translation>
+    </message>
+    <message>
+        <source>Aorta, in exercise</source>
+        <translation>Aorta, en exercici</translation>
+    </message>
+    <message>
+        <source>Left atrium, in exercise</source>
+        <translation>Aurícula esquerra, en exercici</translation>
+    </message>
+    <message>
+        <source>Aortic valve, in exercise</source>
+        <translation>Vàlvula aòrtica, en exercici</translation>
+    </message>
+    <message>
+        <source>highest pressure (a wave)</source>
+        <translation>pressió més alta (ona a)</translation>
+    </message>
+    <message>
+        <source>healthy adults at peak exercise</source>
+        <translation>adults sans en l’exercici màxim</translation>
+    </message>
+    <message>
+        <source>62 healthy people, wedge pressure; some of the oldest exceed it</source>
+        <translation>62 persones sanes, pressió d’enclavament; algunes de les més grans la superen</translation>
+    </message>
+    <message>
+        <source>healthy adults: the limit at rest is kept</source>
+        <translation>adults sans: es manté el límit en repòs</translation>
+    </message>
+    <message>
+        <source>textbooks; percentiles of 2917 people: Sabbahi 2018, doi 10.1161/HYPERTENSIONAHA.117.10116</source>
+        <translation>manuals; percentils de 2917 persones: Sabbahi 2018, doi 10.1161/HYPERTENSIONAHA.117.10116</translation>
+    </message>
+    <message>
+        <source>Wolsk 2017, doi 10.1016/j.jchf.2016.10.012</source>
+        <translation>Wolsk 2017, doi 10.1016/j.jchf.2016.10.012</translation>
+    </message>
+    <message>
+        <source>as at rest; no stenosis up to 2.5 m/s: Baumgartner 2017, doi 10.1016/j.echo.2017.02.009</source>
+        <translation>com en repòs; sense estenosi fins a 2,5 m/s: Baumgartner 2017, doi 10.1016/j.echo.2017.02.009</translation>
+    </message>
+    <message>
+        <source>customary at the bedside, for the 1 to 1.7 m/s of a healthy valve; no stenosis up to 2.5 m/s: Baumgartner 2017, doi 10.1016/j.echo.2017.02.009</source>
+        <translation>habitual a la clínica, per als 1 a 1,7 m/s d’una vàlvula sana; sense estenosi fins a 2,5 m/s: Baumgartner 2017, doi 10.1016/j.echo.2017.02.009</translation>
+    </message>
+    <message>
+        <source>none or a trace, which normal valves often have: doi 10.1378/chest.103.1.226</source>
+        <translation>cap o una traça, que les vàlvules normals tenen sovint: doi 10.1378/chest.103.1.226</translation>
+    </message>
+    <message>
+        <source>between the contractions of both, shorter than the PR interval of 0.12 to 0.20 s</source>
+        <translation>entre les contraccions de tots dos, més curt que l’interval PR de 0,12 a 0,20 s</translation>
     </message>
 </context>
 </TS>

@@ -1477,10 +1477,6 @@
         <translation>Linker Vorhof, Relaxation</translation>
     </message>
     <message>
-        <source>Left atrium, right ventricle</source>
-        <translation>Linker Vorhof, rechter Ventrikel</translation>
-    </message>
-    <message>
         <source>Left atrium, scale of the passive filling curve</source>
         <translation>Linker Vorhof, Skala der Ruhedehnungskurve</translation>
     </message>
@@ -1743,10 +1739,6 @@
     <message>
         <source>Other</source>
         <translation>Andere</translation>
-    </message>
-    <message>
-        <source>PR interval, 0.12 to 0.20 s</source>
-        <translation>PR-Intervall (PQ-Zeit), 0,12 bis 0,20 s</translation>
     </message>
     <message>
         <source>Pancreas</source>
@@ -2287,8 +2279,8 @@
         <translation>Die Mitte der Mitralklappe, im Innern des Herzens</translation>
     </message>
     <message>
-        <source>The mitral valve leaks through 0.4 cm2: half of what the ventricle ejects goes back into the atrium.</source>
-        <translation>Die Mitralklappe leckt durch 0,4 cm2: Die Hälfte dessen, was der Ventrikel auswirft, fließt in den Vorhof zurück.</translation>
+        <source>The mitral valve leaks through 0.45 cm2: half of what the ventricle ejects goes back into the atrium.</source>
+        <translation>Die Mitralklappe leckt durch 0,45 cm2: Die Hälfte dessen, was der Ventrikel auswirft, fließt in den Vorhof zurück.</translation>
     </message>
     <message>
         <source>The number of witness points must be from %1 to %2</source>
@@ -5584,14 +5576,6 @@
         <translation>zwischen der effizientesten (0,5) und der leistungsstärksten Kopplung (1): Burkhoff und Sagawa 1986, doi 10.1152/ajpregu.1986.250.6.R1021</translation>
     </message>
     <message>
-        <source>Baumgartner 2017, doi 10.1016/j.echo.2017.02.009: even mild stenosis stays below 20 mmHg</source>
-        <translation>Baumgartner 2017, doi 10.1016/j.echo.2017.02.009: selbst eine leichte Stenose bleibt unter 20 mmHg</translation>
-    </message>
-    <message>
-        <source>Zoghbi 2017, doi 10.1016/j.echo.2017.01.007: mild is below 30 %</source>
-        <translation>Zoghbi 2017, doi 10.1016/j.echo.2017.01.007: leicht heißt unter 30 %</translation>
-    </message>
-    <message>
         <source>reference woman and man; no spread is given</source>
         <translation>Referenzfrau und Referenzmann; eine Streuung ist nicht angegeben</translation>
     </message>
@@ -6956,6 +6940,70 @@
     <message>
         <source>Time in the cycle</source>
         <translation>Zeit im Zyklus</translation>
+    </message>
+    <message>
+        <source>Isovolumic contraction</source>
+        <translation>Isovolumetrische Kontraktion</translation>
+    </message>
+    <message>
+        <source>Isovolumic relaxation</source>
+        <translation>Isovolumetrische Relaxation</translation>
+    </message>
+    <message>
+        <source>Ejection time</source>
+        <translation>Austreibungszeit</translation>
+    </message>
+    <message>
+        <source>Aorta, in exercise</source>
+        <translation>Aorta, bei Belastung</translation>
+    </message>
+    <message>
+        <source>Left atrium, in exercise</source>
+        <translation>Linker Vorhof, bei Belastung</translation>
+    </message>
+    <message>
+        <source>Aortic valve, in exercise</source>
+        <translation>Aortenklappe, bei Belastung</translation>
+    </message>
+    <message>
+        <source>highest pressure (a wave)</source>
+        <translation>höchster Druck (a-Welle)</translation>
+    </message>
+    <message>
+        <source>healthy adults at peak exercise</source>
+        <translation>gesunde Erwachsene bei höchster Belastung</translation>
+    </message>
+    <message>
+        <source>62 healthy people, wedge pressure; some of the oldest exceed it</source>
+        <translation>62 Gesunde, Verschlussdruck; einige der Ältesten überschreiten ihn</translation>
+    </message>
+    <message>
+        <source>healthy adults: the limit at rest is kept</source>
+        <translation>gesunde Erwachsene: Die Grenze in Ruhe gilt weiter</translation>
+    </message>
+    <message>
+        <source>textbooks; percentiles of 2917 people: Sabbahi 2018, doi 10.1161/HYPERTENSIONAHA.117.10116</source>
+        <translation>Lehrbücher; Perzentile von 2917 Menschen: Sabbahi 2018, doi 10.1161/HYPERTENSIONAHA.117.10116</translation>
+    </message>
+    <message>
+        <source>Wolsk 2017, doi 10.1016/j.jchf.2016.10.012</source>
+        <translation>Wolsk 2017, doi 10.1016/j.jchf.2016.10.012</translation>
+    </message>
+    <message>
+        <source>as at rest; no stenosis up to 2.5 m/s: Baumgartner 2017, doi 10.1016/j.echo.2017.02.009</source>
+        <translation>wie in Ruhe; keine Stenose bis 2,5 m/s: Baumgartner 2017, doi 10.1016/j.echo.2017.02.009</translation>
+    </message>
+    <message>
+        <source>customary at the bedside, for the 1 to 1.7 m/s of a healthy valve; no stenosis up to 2.5 m/s: Baumgartner 2017, doi 10.1016/j.echo.2017.02.009</source>
+        <translation>in der Klinik üblich, für die 1 bis 1,7 m/s einer gesunden Klappe; keine Stenose bis 2,5 m/s: Baumgartner 2017, doi 10.1016/j.echo.2017.02.009</translation>
+    </message>
+    <message>
+        <source>none or a trace, which normal valves often have: doi 10.1378/chest.103.1.226</source>
+        <translation>keine oder eine Spur, die normale Klappen oft haben: doi 10.1378/chest.103.1.226</translation>
+    </message>
+    <message>
+        <source>between the contractions of both, shorter than the PR interval of 0.12 to 0.20 s</source>
+        <translation>zwischen den Kontraktionen beider, kürzer als das PQ-Intervall von 0,12 bis 0,20 s</translation>
     </message>
 </context>
 </TS>

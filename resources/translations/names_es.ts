@@ -1477,10 +1477,6 @@
         <translation>Aurícula izquierda, relajación</translation>
     </message>
     <message>
-        <source>Left atrium, right ventricle</source>
-        <translation>Aurícula izquierda, ventrículo derecho</translation>
-    </message>
-    <message>
         <source>Left atrium, scale of the passive filling curve</source>
         <translation>Aurícula izquierda, escala de la curva de llenado pasivo</translation>
     </message>
@@ -1743,10 +1739,6 @@
     <message>
         <source>Other</source>
         <translation>Otros</translation>
-    </message>
-    <message>
-        <source>PR interval, 0.12 to 0.20 s</source>
-        <translation>Intervalo PR, de 0,12 a 0,20 s</translation>
     </message>
     <message>
         <source>Pancreas</source>
@@ -2287,8 +2279,8 @@
         <translation>El centro de la válvula mitral, dentro del corazón</translation>
     </message>
     <message>
-        <source>The mitral valve leaks through 0.4 cm2: half of what the ventricle ejects goes back into the atrium.</source>
-        <translation>La válvula mitral pierde por 0,4 cm2: la mitad de lo que expulsa el ventrículo vuelve a la aurícula.</translation>
+        <source>The mitral valve leaks through 0.45 cm2: half of what the ventricle ejects goes back into the atrium.</source>
+        <translation>La válvula mitral pierde por 0,45 cm2: la mitad de lo que expulsa el ventrículo vuelve a la aurícula.</translation>
     </message>
     <message>
         <source>The number of witness points must be from %1 to %2</source>
@@ -5584,14 +5576,6 @@
         <translation>entre el acoplamiento más eficiente (0,5) y el más potente (1): Burkhoff y Sagawa 1986, doi 10.1152/ajpregu.1986.250.6.R1021</translation>
     </message>
     <message>
-        <source>Baumgartner 2017, doi 10.1016/j.echo.2017.02.009: even mild stenosis stays below 20 mmHg</source>
-        <translation>Baumgartner 2017, doi 10.1016/j.echo.2017.02.009: incluso una estenosis leve se queda por debajo de 20 mmHg</translation>
-    </message>
-    <message>
-        <source>Zoghbi 2017, doi 10.1016/j.echo.2017.01.007: mild is below 30 %</source>
-        <translation>Zoghbi 2017, doi 10.1016/j.echo.2017.01.007: leve significa menos del 30 %</translation>
-    </message>
-    <message>
         <source>reference woman and man; no spread is given</source>
         <translation>mujer y hombre de referencia; no se indica la dispersión</translation>
     </message>
@@ -6956,6 +6940,70 @@
     <message>
         <source>Time in the cycle</source>
         <translation>Tiempo en el ciclo</translation>
+    </message>
+    <message>
+        <source>Isovolumic contraction</source>
+        <translation>Contracción isovolumétrica</translation>
+    </message>
+    <message>
+        <source>Isovolumic relaxation</source>
+        <translation>Relajación isovolumétrica</translation>
+    </message>
+    <message>
+        <source>Ejection time</source>
+        <translation>Tiempo de eyección</translation>
+    </message>
+    <message>
+        <source>Aorta, in exercise</source>
+        <translation>Aorta, en ejercicio</translation>
+    </message>
+    <message>
+        <source>Left atrium, in exercise</source>
+        <translation>Aurícula izquierda, en ejercicio</translation>
+    </message>
+    <message>
+        <source>Aortic valve, in exercise</source>
+        <translation>Válvula aórtica, en ejercicio</translation>
+    </message>
+    <message>
+        <source>highest pressure (a wave)</source>
+        <translation>presión más alta (onda a)</translation>
+    </message>
+    <message>
+        <source>healthy adults at peak exercise</source>
+        <translation>adultos sanos en el ejercicio máximo</translation>
+    </message>
+    <message>
+        <source>62 healthy people, wedge pressure; some of the oldest exceed it</source>
+        <translation>62 personas sanas, presión de enclavamiento; algunas de las mayores la superan</translation>
+    </message>
+    <message>
+        <source>healthy adults: the limit at rest is kept</source>
+        <translation>adultos sanos: se mantiene el límite en reposo</translation>
+    </message>
+    <message>
+        <source>textbooks; percentiles of 2917 people: Sabbahi 2018, doi 10.1161/HYPERTENSIONAHA.117.10116</source>
+        <translation>manuales; percentiles de 2917 personas: Sabbahi 2018, doi 10.1161/HYPERTENSIONAHA.117.10116</translation>
+    </message>
+    <message>
+        <source>Wolsk 2017, doi 10.1016/j.jchf.2016.10.012</source>
+        <translation>Wolsk 2017, doi 10.1016/j.jchf.2016.10.012</translation>
+    </message>
+    <message>
+        <source>as at rest; no stenosis up to 2.5 m/s: Baumgartner 2017, doi 10.1016/j.echo.2017.02.009</source>
+        <translation>como en reposo; sin estenosis hasta 2,5 m/s: Baumgartner 2017, doi 10.1016/j.echo.2017.02.009</translation>
+    </message>
+    <message>
+        <source>customary at the bedside, for the 1 to 1.7 m/s of a healthy valve; no stenosis up to 2.5 m/s: Baumgartner 2017, doi 10.1016/j.echo.2017.02.009</source>
+        <translation>habitual en la clínica, para los 1 a 1,7 m/s de una válvula sana; sin estenosis hasta 2,5 m/s: Baumgartner 2017, doi 10.1016/j.echo.2017.02.009</translation>
+    </message>
+    <message>
+        <source>none or a trace, which normal valves often have: doi 10.1378/chest.103.1.226</source>
+        <translation>ninguna o una traza, que las válvulas normales tienen a menudo: doi 10.1378/chest.103.1.226</translation>
+    </message>
+    <message>
+        <source>between the contractions of both, shorter than the PR interval of 0.12 to 0.20 s</source>
+        <translation>entre las contracciones de ambos, más corto que el intervalo PR de 0,12 a 0,20 s</translation>
     </message>
 </context>
 </TS>

@@ -1477,10 +1477,6 @@
         <translation>Atrium gauche, relaxation</translation>
     </message>
     <message>
-        <source>Left atrium, right ventricle</source>
-        <translation>Atrium gauche, ventricule droit</translation>
-    </message>
-    <message>
         <source>Left atrium, scale of the passive filling curve</source>
         <translation>Atrium gauche, échelle de la courbe de remplissage passif</translation>
     </message>
@@ -1743,10 +1739,6 @@
     <message>
         <source>Other</source>
         <translation>Autre</translation>
-    </message>
-    <message>
-        <source>PR interval, 0.12 to 0.20 s</source>
-        <translation>Intervalle PR, 0,12 à 0,20 s</translation>
     </message>
     <message>
         <source>Pancreas</source>
@@ -2287,8 +2279,8 @@
         <translation>Le milieu de la valve mitrale, dans le cœur</translation>
     </message>
     <message>
-        <source>The mitral valve leaks through 0.4 cm2: half of what the ventricle ejects goes back into the atrium.</source>
-        <translation>La valve mitrale fuit par 0,4 cm2&#xa0;: la moitié de ce que le ventricule éjecte retourne dans l’atrium.</translation>
+        <source>The mitral valve leaks through 0.45 cm2: half of what the ventricle ejects goes back into the atrium.</source>
+        <translation>La valve mitrale fuit par 0,45 cm2&#xa0;: la moitié de ce que le ventricule éjecte retourne dans l’atrium.</translation>
     </message>
     <message>
         <source>The number of witness points must be from %1 to %2</source>
@@ -5584,14 +5576,6 @@
         <translation>entre le couplage le plus efficient (0,5) et le plus puissant (1)&#xa0;: Burkhoff et Sagawa 1986, doi 10.1152/ajpregu.1986.250.6.R1021</translation>
     </message>
     <message>
-        <source>Baumgartner 2017, doi 10.1016/j.echo.2017.02.009: even mild stenosis stays below 20 mmHg</source>
-        <translation>Baumgartner 2017, doi 10.1016/j.echo.2017.02.009&#xa0;: même une sténose légère reste au-dessous de 20 mmHg</translation>
-    </message>
-    <message>
-        <source>Zoghbi 2017, doi 10.1016/j.echo.2017.01.007: mild is below 30 %</source>
-        <translation>Zoghbi 2017, doi 10.1016/j.echo.2017.01.007&#xa0;: une régurgitation légère est inférieure à 30 %</translation>
-    </message>
-    <message>
         <source>reference woman and man; no spread is given</source>
         <translation>femme et homme de référence&#x202f;; la dispersion n’est pas donnée</translation>
     </message>
@@ -6956,6 +6940,70 @@
     <message>
         <source>Time in the cycle</source>
         <translation>Temps dans le cycle</translation>
+    </message>
+    <message>
+        <source>Isovolumic contraction</source>
+        <translation>Contraction isovolumique</translation>
+    </message>
+    <message>
+        <source>Isovolumic relaxation</source>
+        <translation>Relaxation isovolumique</translation>
+    </message>
+    <message>
+        <source>Ejection time</source>
+        <translation>Temps d’éjection</translation>
+    </message>
+    <message>
+        <source>Aorta, in exercise</source>
+        <translation>Aorte, à l’effort</translation>
+    </message>
+    <message>
+        <source>Left atrium, in exercise</source>
+        <translation>Atrium gauche, à l’effort</translation>
+    </message>
+    <message>
+        <source>Aortic valve, in exercise</source>
+        <translation>Valve aortique, à l’effort</translation>
+    </message>
+    <message>
+        <source>highest pressure (a wave)</source>
+        <translation>pression la plus haute (onde a)</translation>
+    </message>
+    <message>
+        <source>healthy adults at peak exercise</source>
+        <translation>adultes en bonne santé à l’effort maximal</translation>
+    </message>
+    <message>
+        <source>62 healthy people, wedge pressure; some of the oldest exceed it</source>
+        <translation>62 personnes en bonne santé, pression d’occlusion ; certaines des plus âgées la dépassent</translation>
+    </message>
+    <message>
+        <source>healthy adults: the limit at rest is kept</source>
+        <translation>adultes en bonne santé : la limite au repos est gardée</translation>
+    </message>
+    <message>
+        <source>textbooks; percentiles of 2917 people: Sabbahi 2018, doi 10.1161/HYPERTENSIONAHA.117.10116</source>
+        <translation>manuels ; percentiles de 2917 personnes : Sabbahi 2018, doi 10.1161/HYPERTENSIONAHA.117.10116</translation>
+    </message>
+    <message>
+        <source>Wolsk 2017, doi 10.1016/j.jchf.2016.10.012</source>
+        <translation>Wolsk 2017, doi 10.1016/j.jchf.2016.10.012</translation>
+    </message>
+    <message>
+        <source>as at rest; no stenosis up to 2.5 m/s: Baumgartner 2017, doi 10.1016/j.echo.2017.02.009</source>
+        <translation>comme au repos ; pas de sténose jusqu’à 2,5 m/s : Baumgartner 2017, doi 10.1016/j.echo.2017.02.009</translation>
+    </message>
+    <message>
+        <source>customary at the bedside, for the 1 to 1.7 m/s of a healthy valve; no stenosis up to 2.5 m/s: Baumgartner 2017, doi 10.1016/j.echo.2017.02.009</source>
+        <translation>usuel en clinique, pour les 1 à 1,7 m/s d’une valve saine ; pas de sténose jusqu’à 2,5 m/s : Baumgartner 2017, doi 10.1016/j.echo.2017.02.009</translation>
+    </message>
+    <message>
+        <source>none or a trace, which normal valves often have: doi 10.1378/chest.103.1.226</source>
+        <translation>aucune ou une trace, que les valves normales ont souvent : doi 10.1378/chest.103.1.226</translation>
+    </message>
+    <message>
+        <source>between the contractions of both, shorter than the PR interval of 0.12 to 0.20 s</source>
+        <translation>entre les contractions des deux, plus court que l’intervalle PR de 0,12 à 0,20 s</translation>
     </message>
 </context>
 </TS>

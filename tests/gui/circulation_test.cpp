@@ -14,11 +14,13 @@
 #include <vector>
 
 #include "cli/session_input.h"
+#include "viscera/circulation/curves.h"
 #include "viscera/circulation/scenario.h"
 #include "viscera/document/circulation_commands.h"
 #include "viscera/document/key_sequence_commands.h"
 #include "viscera/document/organ_commands.h"
 #include "viscera/document/rig_commands.h"
+#include "viscera/heart/cardiac_times.h"
 #include "viscera/heart/course_heartbeat.h"
 #include "window/circulation/circulation_panel.h"
 #include "window/circulation/numbers_table.h"
@@ -52,6 +54,13 @@ protected:
   bool settled() {
     return waitUntil([this] { return follows(); });
   }
+  /// The sample of a solved beat at a part of the beat that is played.
+  static std::size_t sampleAt(const app::CirculationModel::Shown& shown, double fraction) {
+    const std::size_t count = shown.beat.time.size() - 1;
+    return (circulation::firstDrawn(shown.parameters, shown.beat, heart::kBeforeAtria) +
+            static_cast<std::size_t>(std::lround(fraction * static_cast<double>(count)))) %
+           count;
+  }
   /// That curves, marks and the heart that is drawn are of one circulation, or that there is none.
   void expectOne(const char* when) {
     const auto* present = model().present();
@@ -64,7 +73,7 @@ protected:
     if (!player.showing() || !player.runner().obstacle().empty())
       return;
     const circulation::Beat& beat = present->beat;
-    const auto sample = static_cast<std::size_t>(std::lround(player.fraction() * (beat.time.size() - 1)));
+    const std::size_t sample = sampleAt(*present, player.fraction());
     EXPECT_NEAR(volumeOf("LV"), beat.volumeOf(Compartment::lv)[sample], 4) << when;
   }
   /// Plays on until that is so.
@@ -85,7 +94,7 @@ protected:
     window().playback().seek(fraction);
     settle();
     const circulation::Beat& beat = model().present()->beat;
-    const auto sample = static_cast<std::size_t>(std::lround(fraction * (beat.time.size() - 1)));
+    const std::size_t sample = sampleAt(*model().present(), fraction);
     return std::max(std::abs(volumeOf("LV") - beat.volumeOf(Compartment::lv)[sample]),
                     std::abs(volumeOf("RV") - beat.volumeOf(Compartment::rv)[sample]));
   }
@@ -283,7 +292,7 @@ TEST_F(PlayedCirculation, TheHeartOfBeforeBeatsInTheSecondViewAtItsOwnRate) {
   window().playback().seek(0);
   settle();
   EXPECT_NEAR(volumeIn(parts().comparison().workspace(), "LV"),
-              model().kept()->beat.volumeOf(Compartment::lv).front(), 1);
+              model().kept()->beat.volumeOf(Compartment::lv)[sampleAt(*model().kept(), 0)], 1);
   choose("haemorrhage");
   EXPECT_EQ(second.sequence(), model().keptBeat().get()) << "what was before stays";
 }

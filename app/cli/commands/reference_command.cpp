@@ -18,6 +18,14 @@ ordered_json bound(double value) {
   return std::isfinite(value) ? ordered_json(value) : ordered_json();
 }
 
+ordered_json diseasesOf(const anatomy::Norm& norm) {
+  ordered_json all = ordered_json::array();
+  for (const anatomy::DiseaseLimit& limit : norm.disease)
+    all.push_back(
+        {{"name", limit.name}, {limit.above ? "from" : "upTo", limit.bound}, {"source", limit.source}});
+  return all;
+}
+
 ordered_json jsonOf(const TaughtQuantity& row, const anatomy::Range& range) {
   return {{"id", row.norm->id},
           {"where", row.where},
@@ -27,7 +35,8 @@ ordered_json jsonOf(const TaughtQuantity& row, const anatomy::Range& range) {
           {"high", bound(range.high)},
           {"within", range.holds(row.here)},
           {"remark", row.remark},
-          {"source", row.norm->source}};
+          {"source", row.norm->source},
+          {"disease", diseasesOf(*row.norm)}};
 }
 
 /// `viscera reference`: compares the program's numbers with those of healthy adults.
@@ -61,6 +70,9 @@ public:
       listing.add(row.norm->subject + ", " + row.norm->quantity,
                   significant(row.here, 3) + " " + row.norm->unit + " (" + row.where + "); healthy adults " +
                       live::rangeText(range));
+      for (const anatomy::DiseaseLimit& limit : row.norm->disease)
+        listing.add("", limit.name + (limit.above ? " from " : " up to ") + significant(limit.bound, 3) +
+                            " " + row.norm->unit + " (" + limit.source + ")");
     }
     outcome.text = markdown_ ? live::markdownTable(rows, person) : listing.text();
     return outcome;

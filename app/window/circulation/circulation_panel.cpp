@@ -13,6 +13,8 @@
 #include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkNew.h>
 
+#include "viscera/circulation/curves.h"
+#include "viscera/heart/cardiac_times.h"
 #include "window/circulation/numbers_table.h"
 #include "window/language.h"
 #include "window/timeline/person_box.h"
@@ -27,10 +29,13 @@ using circulation::Compartment;
 constexpr int kNumbersWidth = 372;
 constexpr int kLoops = 2;
 
-/// The sample at a part of the beat.
-std::size_t sampleAt(const circulation::Beat& beat, double fraction) {
-  const auto last = static_cast<double>(beat.time.size() - 1);
-  return static_cast<std::size_t>(std::lround(std::clamp(fraction, 0.0, 1.0) * last));
+/// The sample at a part of the beat that is drawn.
+std::size_t sampleAt(const CirculationModel::Shown& shown, double fraction) {
+  const std::size_t count = shown.beat.time.size() - 1;
+  const double place = std::clamp(fraction, 0.0, 1.0) * static_cast<double>(count);
+  return (circulation::firstDrawn(shown.parameters, shown.beat, heart::kBeforeAtria) +
+          static_cast<std::size_t>(std::lround(place))) %
+         count;
 }
 
 } // namespace
@@ -150,7 +155,7 @@ void CirculationPanel::placeInstant() {
       if (panel.cursor)
         marks.lines.push_back(
             {placeIn(panel, fraction * present->beat.period, 0).x, panel.bottom, panel.top});
-    const std::size_t sample = sampleAt(present->beat, fraction);
+    const std::size_t sample = sampleAt(*present, fraction);
     std::size_t panel = places_.size() - kLoops;
     for (const Compartment ventricle : {Compartment::lv, Compartment::rv})
       marks.rings.push_back(placeIn(places_[panel++], present->beat.volumeOf(ventricle)[sample],

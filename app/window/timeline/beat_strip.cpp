@@ -4,6 +4,7 @@
 #include <QPolygonF>
 
 #include <algorithm>
+#include <cmath>
 
 #include "viscera/circulation/signs.h"
 #include "window/timeline/phase_scrubber.h"
@@ -52,11 +53,12 @@ void BeatStrip::setBeat(const std::optional<heart::CardiacBeat>& beat) {
     const heart::VentricleClock &left = beat->left(), &right = beat->right();
     const double cycle = beat->times().cycle;
     tracing_ = tracingOf(*beat);
-    sounds_ = {{tr("S1"), left.inletShuts / cycle}, {tr("S2"), left.outletShuts / cycle}};
-    valves_ = {{tr("Mitral valve"), left.inletOpens / cycle, left.inletShuts / cycle},
-               {tr("Aortic valve"), left.outletOpens / cycle, left.outletShuts / cycle},
-               {tr("Tricuspid valve"), right.inletOpens / cycle, right.inletShuts / cycle},
-               {tr("Pulmonary valve"), right.outletOpens / cycle, right.outletShuts / cycle}};
+    const auto at = [cycle](double seconds) { return seconds / cycle - std::floor(seconds / cycle); };
+    sounds_ = {{tr("S1"), at(left.inletShuts)}, {tr("S2"), at(left.outletShuts)}};
+    valves_ = {{tr("Mitral valve"), at(left.inletOpens), at(left.inletShuts)},
+               {tr("Aortic valve"), at(left.outletOpens), at(left.outletShuts)},
+               {tr("Tricuspid valve"), at(right.inletOpens), at(right.inletShuts)},
+               {tr("Pulmonary valve"), at(right.outletOpens), at(right.outletShuts)}};
   }
   update();
 }

@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <limits>
+#include <utility>
 
 #include "viscera/anatomy/norms.h"
 
@@ -143,10 +145,51 @@ void addCirculation(std::vector<Norm>& rows) {
   add("lv.coupling", "Left ventricle", "coupling Ea/Ees", "", {0.5, 1},
       "between the most efficient (0.5) and the most powerful coupling (1): Burkhoff and Sagawa 1986, "
       "doi 10.1152/ajpregu.1986.250.6.R1021");
-  add("aortic.gradient", "Aortic valve", "mean gradient", "mmHg", {-kInfinity, 20},
-      "Baumgartner 2017, doi 10.1016/j.echo.2017.02.009: even mild stenosis stays below 20 mmHg");
-  add("mitral.regurgitation", "Mitral valve", "regurgitant fraction", "%", {-kInfinity, 30},
-      "Zoghbi 2017, doi 10.1016/j.echo.2017.01.007: mild is below 30 %");
+  add("aortic.gradient", "Aortic valve", "mean gradient", "mmHg", {-kInfinity, 5},
+      "customary at the bedside, for the 1 to 1.7 m/s of a healthy valve; no stenosis up to 2.5 m/s: "
+      "Baumgartner 2017, doi 10.1016/j.echo.2017.02.009");
+  add("mitral.regurgitation", "Mitral valve", "regurgitant fraction", "%", {-kInfinity, 5},
+      "none or a trace, which normal valves often have: doi 10.1378/chest.103.1.226");
+}
+
+/// In hard exercise; what is not healthy at rest may be so here.
+void addExercise(std::vector<Norm>& rows) {
+  constexpr auto kWedge = "62 healthy people, wedge pressure; some of the oldest exceed it";
+  constexpr auto kWolsk = "Wolsk 2017, doi 10.1016/j.jchf.2016.10.012";
+  rows.push_back(within("exercise.systolic", "Aorta, in exercise", "systolic pressure", "mmHg", {160, 200},
+                        "healthy adults at peak exercise",
+                        "textbooks; percentiles of 2917 people: Sabbahi 2018, doi "
+                        "10.1161/HYPERTENSIONAHA.117.10116"));
+  rows.push_back(within("exercise.la", "Left atrium, in exercise", "mean pressure", "mmHg", {-kInfinity, 25},
+                        kWedge, kWolsk));
+  rows.push_back(within("exercise.a", "Left atrium, in exercise", "highest pressure (a wave)", "mmHg",
+                        {-kInfinity, 25}, kWedge, kWolsk));
+  rows.push_back(within("exercise.gradient", "Aortic valve, in exercise", "mean gradient", "mmHg",
+                        {-kInfinity, 5}, "healthy adults: the limit at rest is kept",
+                        "as at rest; no stenosis up to 2.5 m/s: Baumgartner 2017, doi "
+                        "10.1016/j.echo.2017.02.009"));
+}
+
+/// Bounds of diseases, which are not ranges of healthy people.
+void addDiseases(std::vector<Norm>& rows) {
+  const auto add = [&](const char* id, std::vector<DiseaseLimit> limits) {
+    std::find_if(rows.begin(), rows.end(), [id](const Norm& row) { return row.id == id; })->disease =
+        std::move(limits);
+  };
+  constexpr auto kStenosis = "Baumgartner 2017, doi 10.1016/j.echo.2017.02.009";
+  constexpr auto kRegurgitation = "Zoghbi 2017, doi 10.1016/j.echo.2017.01.007";
+  constexpr auto kPressure = "Whelton 2018, doi 10.1161/HYP.0000000000000065";
+  constexpr auto kLungs = "Humbert 2022, doi 10.1093/eurheartj/ehac237";
+  constexpr auto kFailure = "Bozkurt 2021, doi 10.1002/ejhf.2115";
+  add("aortic.gradient",
+      {{"moderate stenosis", 20, true, kStenosis}, {"severe stenosis", 40, true, kStenosis}});
+  add("mitral.regurgitation", {{"moderate regurgitation", 30, true, kRegurgitation},
+                               {"severe regurgitation", 50, true, kRegurgitation}});
+  add("aorta.systolic", {{"hypertension", 130, true, kPressure}});
+  add("aorta.diastolic", {{"hypertension", 80, true, kPressure}});
+  add("pulmonary.mean", {{"pulmonary hypertension", 20, true, kLungs}});
+  add("la.mean", {{"post-capillary pulmonary hypertension", 15, true, kLungs}});
+  add("lv.ef", {{"heart failure with reduced ejection fraction", 40, false, kFailure}});
 }
 
 void addOrgans(std::vector<Norm>& rows) {
@@ -210,6 +253,8 @@ std::vector<Norm> makeTable() {
   addWalls(rows);
   addStrain(rows);
   addCirculation(rows);
+  addExercise(rows);
+  addDiseases(rows);
   addOrgans(rows);
   addStomach(rows);
   addBreathing(rows);

@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <utility>
 
 #include "measured_cavities.h"
 #include "sample_heart.h"
 #include "sequence_binding.h"
+#include "viscera/circulation/curves.h"
 #include "viscera/circulation/periodic_state.h"
 #include "viscera/circulation/scenario.h"
 #include "viscera/core/error.h"
@@ -26,7 +28,7 @@ constexpr double kStandardRightEjection = 0.547;
 /// What the sample heart's atria hold in the rest shape, ml.
 constexpr heart::CavityVolumes kRestAtria{59.9, 56.6};
 /// The limits of an atrium's volume that can be drawn, ml: with less its wall would cross itself, with more
-/// it would reach its neighbours. No scenario reaches these limits (24.5 to 122.1); a circulation of a user
+/// it would reach its neighbours. No scenario reaches these limits (24.6 to 124); a circulation of a user
 /// may.
 constexpr double kLeastAtriumMl = 24;
 constexpr double kMostAtriumMl = 140;
@@ -36,27 +38,27 @@ double drawnAtrium(double modelMl) {
 }
 
 /// The parts of the beat, from the valves' times. Empty parts are left out.
-std::vector<sequences::Phase> phasesOf(const circulation::Parameters& parameters,
-                                       const circulation::Beat& beat, const circulation::Indices& indices) {
+std::vector<sequences::Phase> partsOf(const circulation::Parameters& parameters,
+                                      const circulation::Beat& beat, const circulation::Indices& indices,
+                                      double begins) {
   const auto& mitral = indices.valves[static_cast<std::size_t>(circulation::Valve::mitral)];
   const auto& aortic = indices.valves[static_cast<std::size_t>(circulation::Valve::aortic)];
   if (!mitral || !aortic)
     return {{"heartbeat", 0, 1}};
-  const double atrial = std::max(mitral->opens, beat.period - parameters.conduction);
-  std::vector<sequences::Phase> phases;
-  double begin = 0;
-  const auto until = [&](const char* name, double seconds, const char* group = "diastole") {
-    const double end = std::clamp(seconds / beat.period, begin, 1.0);
-    if (end > begin)
-      phases.push_back({name, begin, end, group});
-    begin = end;
+  heart::LeftHeartEvents events;
+  events.cycle = beat.period;
+  events.atriaContract = beat.period - circulation::conductionSeconds(parameters) - begins;
+  double before = events.atriaContract;
+  const auto next = [&](double after) {
+    const double since = after - begins - before;
+    return before += std::max(0.0, since - beat.period * std::floor(since / beat.period));
   };
-  until("isovolumic contraction", aortic->opens, "systole");
-  until("ejection", aortic->shuts, "systole");
-  until("isovolumic relaxation", mitral->opens);
-  until("filling", atrial);
-  until("atrial systole", beat.period);
-  return phases;
+  events.valves.inletShuts = next(mitral->shuts);
+  events.valves.outletOpens = before += circulation::bothShutSeconds(*mitral, *aortic, beat.period);
+  events.valves.outletShuts = next(aortic->shuts);
+  events.valves.inletOpens = before += circulation::bothShutSeconds(*aortic, *mitral, beat.period);
+  events.earlyFilling = circulation::earlyFillingSeconds(parameters, beat, indices);
+  return heart::phasesOf(events);
 }
 
 /// Converts the openings of valves in the circulation to the area between their leaflets.
@@ -78,7 +80,7 @@ std::vector<heart::ValveInstants> valvesOf(const circulation::Parameters& parame
   std::vector<heart::ValveInstants> instants(beat.time.size() - 1);
   for (const Pair& pair : pairs)
     for (std::size_t i = 0; i < instants.size(); ++i) {
-      const double z = beat.openOf(pair.solved)[i];
+      const double z = circulation::apart(beat.openOf(pair.solved)[i]);
       instants[i][static_cast<std::size_t>(pair.drawn)] = {
           kMm2PerCm2 * (pair.areas.leak + (pair.areas.open - pair.areas.leak) * z),
           beat.flowOf(pair.solved)[i]};
@@ -91,7 +93,8 @@ std::vector<heart::ValveInstants> valvesOf(const circulation::Parameters& parame
 heart::HeartCourse heartCourse(Text name, const circulation::Parameters& parameters,
                                const circulation::Beat& beat, const circulation::Indices& indices,
                                double leftMuscle) {
-  heart::HeartCourse course{name, beat.period, {}, phasesOf(parameters, beat, indices)};
+  const std::size_t first = circulation::firstDrawn(parameters, beat, heart::kBeforeAtria);
+  heart::HeartCourse course{name, beat.period, {}, partsOf(parameters, beat, indices, beat.time[first])};
   const auto& left = beat.volumeOf(Compartment::lv);
   const auto& right = beat.volumeOf(Compartment::rv);
   const auto& leftAtrium = beat.volumeOf(Compartment::la);
@@ -116,6 +119,9 @@ heart::HeartCourse heartCourse(Text name, const circulation::Parameters& paramet
     course.instants.push_back(instant);
   }
   course.valves = valvesOf(parameters, beat);
+  const auto begin = static_cast<std::ptrdiff_t>(first);
+  std::rotate(course.instants.begin(), course.instants.begin() + begin, course.instants.end());
+  std::rotate(course.valves.begin(), course.valves.begin() + begin, course.valves.end());
   return course;
 }
 

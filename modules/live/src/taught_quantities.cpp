@@ -149,6 +149,19 @@ private:
     for (const circulation::Reading& reading : circulation::readings())
       if (!reading.norm.empty())
         add(reading.norm, "circulation, rest", reading.of(indices));
+    addExercise();
+  }
+
+  void addExercise() {
+    const circulation::Parameters exercise = circulation::scenarioParameters("exercise");
+    const circulation::Indices indices =
+        circulation::indicesOf(exercise, circulation::findPeriodicState(exercise, progress_).beat);
+    const std::string where = "circulation, exercise, " + significant(exercise.rate, 3) + " a minute";
+    const circulation::ChamberIndices& atrium = indices.of(circulation::Compartment::la);
+    add("exercise.systolic", where, indices.aorta.systolic);
+    add("exercise.la", where, atrium.meanMmHg);
+    add("exercise.a", where, atrium.highestMmHg);
+    add("exercise.gradient", where, indices.aorticMeanGradient);
   }
 
   double volumeOf(const std::string& name) {
@@ -207,6 +220,15 @@ std::string withUnit(const std::string& number, const anatomy::Norm& norm) {
   return norm.unit.empty() ? number : number + " " + norm.unit;
 }
 
+/// "severe stenosis from 40 mmHg".
+std::string diseaseText(const anatomy::Norm& norm) {
+  std::string text;
+  for (const anatomy::DiseaseLimit& limit : norm.disease)
+    text += (text.empty() ? "" : "; ") + limit.name + (limit.above ? " from " : " up to ") +
+            withUnit(numberText(limit.bound), norm) + " (" + limit.source + ")";
+  return text;
+}
+
 std::string verdict(const TaughtQuantity& row, const anatomy::Range& range) {
   const std::string said = range.holds(row.here) ? "yes" : "no";
   return row.remark.empty() ? said : said + ": " + row.remark;
@@ -226,15 +248,16 @@ std::string rangeText(const anatomy::Range& range) {
 }
 
 std::string markdownTable(const std::vector<TaughtQuantity>& quantities, const anatomy::Person& person) {
-  std::string table = "| quantity | where | here | in healthy adults | within | whose range | source |\n"
-                      "|---|---|---|---|---|---|---|\n";
+  std::string table = "| quantity | where | here | in healthy adults | within | whose range | source | "
+                      "disease |\n"
+                      "|---|---|---|---|---|---|---|---|\n";
   for (const TaughtQuantity& row : quantities) {
     const anatomy::Norm& norm = *row.norm;
     const anatomy::Range range = anatomy::rangeOf(norm, person);
     table += "| " + norm.subject + ", " + norm.quantity + " | " + row.where + " | " +
              withUnit(numberText(row.here), norm) + " | " + withUnit(rangeText(range), norm) + " | " +
              verdict(row, range) + " | " + anatomy::meaningOf(norm, person).english() + "; " + norm.people +
-             " | " + norm.source + " |\n";
+             " | " + norm.source + " | " + diseaseText(norm) + " |\n";
   }
   return table;
 }

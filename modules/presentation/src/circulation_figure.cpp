@@ -5,8 +5,11 @@
 #include <cmath>
 #include <functional>
 
+#include "viscera/circulation/curves.h"
 #include "viscera/circulation/signs.h"
+#include "viscera/circulation/valve_state.h"
 #include "viscera/core/text.h"
+#include "viscera/heart/cardiac_times.h"
 
 namespace viscera::presentation {
 namespace {
@@ -20,14 +23,14 @@ using scene::PanelCurve;
 const Vec3 kVentricle = {0.84, 0.37, 0.0};
 const Vec3 kArtery = {0.80, 0.24, 0.48};
 const Vec3 kAtrium = {0.0, 0.45, 0.70};
-const Vec3 kRight = {0.0, 0.45, 0.70};
+const Vec3 kRight = {0.60, 0.52, 0.12};
 const Vec3 kSign = {0.50, 0.57, 0.62}; ///< Seen on dark and on light grounds.
 const Vec3 kRelation = {0.0, 0.62, 0.45};
 const Vec3 kBefore = {0.55, 0.58, 0.61};
 
-constexpr double kLeft = 0.06;    ///< Of the left axes.
-constexpr double kHalfOpen = 0.5; ///< A valve is drawn open from here.
+constexpr double kLeft = 0.06; ///< Of the left axes.
 constexpr int kRelationPoints = 60;
+constexpr double kRoomForLegend = 1.3;
 constexpr float kBarWidth = 7;
 constexpr float kThin = 1.3F;
 
@@ -86,25 +89,58 @@ CurvePanel strip(const Strip& place, double right, double period, const std::str
   return panel;
 }
 
+/// A beat as it is drawn: from before the P wave on.
+class DrawnBeat {
+public:
+  explicit DrawnBeat(const ShownCirculation& shown)
+      : beat_(shown.beat),
+        first_(circulation::firstDrawn(shown.parameters, shown.beat, heart::kBeforeAtria)) {}
+
+  /// A curve of the solved beat over the time since the drawn one began.
+  PanelCurve curve(const std::string& name, const Vec3& color, const std::vector<double>& values,
+                   float width = 2) const {
+    return {name, color, beat_.time, circulation::drawnFrom(first_, values), width};
+  }
+  /// The time at which an instant of the solved beat is drawn, s.
+  double at(double seconds) const {
+    const double since = seconds - beat_.time[first_];
+    return since - beat_.period * std::floor(since / beat_.period);
+  }
+
+private:
+  const circulation::Beat& beat_;
+  std::size_t first_;
+};
+
 /// A bar for each time in which the valve is open.
 void addOpenTimes(CurvePanel& panel, const ShownCirculation& shown, Valve valve, double height,
                   const Vec3& color) {
-  const auto& open = shown.beat.openOf(valve);
-  const auto& time = shown.beat.time;
-  for (std::size_t i = 0; i < open.size();) {
-    const auto isOpen = [](double opening) { return opening > kHalfOpen; };
-    const auto begin = std::find_if(open.begin() + static_cast<std::ptrdiff_t>(i), open.end(), isOpen);
-    const auto end = std::find_if_not(begin, open.end(), isOpen);
-    if (begin == open.end())
-      return;
-    const double last = time[static_cast<std::size_t>(end - open.begin()) - 1];
-    panel.curves.push_back({"",
-                            color,
-                            {time[static_cast<std::size_t>(begin - open.begin())], last},
-                            {height, height},
-                            kBarWidth});
-    i = static_cast<std::size_t>(end - open.begin());
+  const DrawnBeat drawn(shown);
+  const auto add = [&](double from, double to) {
+    panel.curves.push_back({"", color, {from, to}, {height, height}, kBarWidth});
+  };
+  for (const circulation::ValveTimes& times : circulation::openTimes(shown.beat, valve)) {
+    const double from = drawn.at(times.opens), to = drawn.at(times.shuts);
+    if (from < to)
+      add(from, to);
+    else { // Over the end of what is drawn.
+      add(from, shown.beat.period);
+      add(0, to);
+    }
   }
+}
+
+/// The first and the second heart sound: where the mitral and the aortic valve shut.
+std::vector<scene::PanelMark> soundMarks(const ShownCirculation& shown) {
+  const DrawnBeat drawn(shown);
+  std::vector<scene::PanelMark> marks;
+  const auto add = [&](const char* name, Valve valve) {
+    if (const auto& times = shown.indices.valves[static_cast<std::size_t>(valve)])
+      marks.push_back({drawn.at(times->shuts), name});
+  };
+  add("S1", Valve::mitral);
+  add("S2", Valve::aortic);
+  return marks;
 }
 
 PanelCurve relation(const std::string& name, double from, double to,
@@ -165,32 +201,41 @@ std::string numbers(const ShownCirculation& shown) {
 
 std::vector<CurvePanel> wiggersPanels(const ShownCirculation& shown, double right) {
   const circulation::Beat& beat = shown.beat;
+  const DrawnBeat drawn(shown);
   CurvePanel pressures = strip(kPressures, right, beat.period, "Pressure (mmHg)");
   pressures.title = numbers(shown);
   pressures.legend = true;
-  pressures.curves = {{"Left ventricle", kVentricle, beat.time, beat.pressureOf(Compartment::lv)},
-                      {"Aorta", kArtery, beat.time, beat.pressureOf(Compartment::systemicArteries)},
-                      {"Left atrium", kAtrium, beat.time, beat.pressureOf(Compartment::la)}};
+  pressures.curves = {drawn.curve("Left ventricle", kVentricle, beat.pressureOf(Compartment::lv)),
+                      drawn.curve("Aorta", kArtery, beat.pressureOf(Compartment::systemicArteries)),
+                      drawn.curve("Left atrium", kAtrium, beat.pressureOf(Compartment::la))};
+  // The legend lies over the curves' end: room above them.
+  pressures.yRange = scene::ValueRange{0, kRoomForLegend * highest(shown, Compartment::lv)};
   CurvePanel valves = strip(kValves, right, beat.period, "Open");
   valves.yRange = scene::ValueRange{0, 3};
   valves.yLabels = false;
   addOpenTimes(valves, shown, Valve::aortic, 2, kArtery);
   addOpenTimes(valves, shown, Valve::mitral, 1, kAtrium);
   CurvePanel volume = strip(kVolume, right, beat.period, "LV (ml)");
-  volume.curves = {{"", kVentricle, beat.time, beat.volumeOf(Compartment::lv)}};
+  volume.curves = {drawn.curve("", kVentricle, beat.volumeOf(Compartment::lv))};
   CurvePanel ecg = strip(kEcg, right, beat.period, "ECG");
   ecg.yLabels = false;
-  PanelCurve trace{"", kSign, beat.time, {}, kThin};
+  std::vector<double> trace;
   for (const double seconds : beat.time)
-    trace.y.push_back(circulation::electrocardiogram(shown.parameters, seconds));
-  ecg.curves = {std::move(trace)};
+    trace.push_back(circulation::electrocardiogram(shown.parameters, seconds));
+  ecg.curves = {drawn.curve("", kSign, trace, kThin)};
   CurvePanel sound = strip(kSound, right, beat.period, "Sound");
   sound.curves = {
-      {"", kSign, beat.time, circulation::phonocardiogram(shown.parameters, beat, shown.indices), kThin}};
+      drawn.curve("", kSign, circulation::phonocardiogram(shown.parameters, beat, shown.indices), kThin)};
   sound.yRange = scene::ValueRange{-1.5, 1.5};
   sound.yLabels = false;
   sound.xLabels = true;
   sound.xTitle = "Time (s)";
+  for (CurvePanel* panel : {&pressures, &valves, &sound})
+    panel->marks = soundMarks(shown);
+  for (scene::PanelMark& mark : pressures.marks)
+    mark.text.clear(); // They are named beside the sounds.
+  for (scene::PanelMark& mark : valves.marks)
+    mark.text.clear();
   return {pressures, valves, volume, ecg, sound};
 }
 
@@ -242,6 +287,8 @@ std::vector<CurvePanel> circulationStrip(const ShownCirculation& shown, const Sh
   }
   for (CurvePanel& panel : panels) {
     panel.title.clear();
+    if (panel.legend && panel.cursor)
+      panel.yRange.reset(); // The legend stands above the strip.
     panel.legend = false;
     for (PanelCurve& curve : panel.curves)
       thin(curve);
@@ -252,7 +299,8 @@ std::vector<CurvePanel> circulationStrip(const ShownCirculation& shown, const Sh
 std::vector<CirculationLine> circulationLegend(const ShownCirculation* before) {
   std::vector<CirculationLine> lines = {{"Left ventricle", kVentricle},
                                         {"Aorta", kArtery},
-                                        {"Left atrium, right ventricle", kAtrium},
+                                        {"Left atrium", kAtrium},
+                                        {"Right ventricle", kRight},
                                         {"ESPVR and EDPVR", kRelation}};
   if (before)
     lines.push_back({before->name, kBefore, true});

@@ -10,9 +10,12 @@
 #include <vtkBrush.h>
 #include <vtkChartLegend.h>
 #include <vtkChartXY.h>
+#include <vtkContext2D.h>
+#include <vtkContextItem.h>
 #include <vtkContextScene.h>
 #include <vtkDoubleArray.h>
 #include <vtkNew.h>
+#include <vtkObjectFactory.h>
 #include <vtkPen.h>
 #include <vtkPlot.h>
 #include <vtkRenderWindow.h>
@@ -38,6 +41,7 @@ constexpr int kPanelFontSize = 12;
 constexpr int kTitleSize = 14;
 constexpr double kPanelRoom = 0.06; ///< Above and below the curves, as a part of their range.
 constexpr double kGrid = 0.22;
+constexpr double kMarkOpacity = 0.8;
 
 vtkSmartPointer<vtkTable> tableOf(const std::string& name, const std::vector<double>& x,
                                   const std::vector<double>& y) {
@@ -138,6 +142,44 @@ void applyTheme(vtkChartXY* chart, const Theme& theme) {
   chart->GetLegend()->GetBrush()->SetColor(byteOf(back.x()), byteOf(back.y()), byteOf(back.z()), 190);
 }
 
+/// Draws the marks of all panels over their charts.
+class PanelMarks final : public vtkContextItem {
+public:
+  vtkTypeMacro(PanelMarks, vtkContextItem) static PanelMarks* New();
+
+  struct Line {
+    float x = 0, low = 0, high = 0; ///< Pixels.
+    std::string text;
+  };
+  void set(std::vector<Line> lines, const Theme& theme, float ratio) {
+    lines_ = std::move(lines);
+    theme_ = theme;
+    ratio_ = ratio;
+  }
+  bool Paint(vtkContext2D* painter) override {
+    const Vec3& ink = theme_.text;
+    setPen(painter->GetPen(), theme_.muted, kMarkOpacity);
+    painter->GetPen()->SetWidth(ratio_);
+    painter->GetPen()->SetLineType(vtkPen::DASH_LINE);
+    painter->GetTextProp()->SetColor(ink.x(), ink.y(), ink.z());
+    painter->GetTextProp()->SetFontSize(kPanelFontSize);
+    painter->GetTextProp()->SetJustificationToLeft();
+    painter->GetTextProp()->SetVerticalJustificationToTop();
+    for (const Line& line : lines_) {
+      painter->DrawLine(line.x, line.low, line.x, line.high);
+      if (!line.text.empty())
+        painter->DrawString(line.x + 3 * ratio_, line.high, line.text);
+    }
+    return true;
+  }
+
+private:
+  std::vector<Line> lines_;
+  Theme theme_ = lightTheme();
+  float ratio_ = 1;
+};
+vtkStandardNewMacro(PanelMarks);
+
 } // namespace
 
 struct CurvePanels::Parts {
@@ -147,8 +189,10 @@ struct CurvePanels::Parts {
   vtkWeakPointer<vtkRenderWindow> window;
   Theme theme = lightTheme();
   std::vector<Panel> panels;
+  vtkNew<PanelMarks> marks;
 
   void show(const Panel& panel);
+  void showMarks();
 };
 
 void CurvePanels::Parts::show(const Panel& panel) {
@@ -164,6 +208,23 @@ void CurvePanels::Parts::show(const Panel& panel) {
       panel.chart->GetPlot(plot++)->SetWidth(ratio * curve.width);
   applyTheme(panel.chart, theme);
   panel.chart->RecalculateBounds();
+}
+
+void CurvePanels::Parts::showMarks() {
+  const int* size = window->GetSize();
+  std::vector<PanelMarks::Line> lines;
+  for (const Panel& panel : panels) {
+    const CurvePanel& p = panel.wanted;
+    const ValueRange x = p.xRange.value_or(rangeOf(p, &PanelCurve::x, 0));
+    for (const PanelMark& mark : p.marks) {
+      const double part = (mark.x - x.low) / (x.high - x.low);
+      if (part >= 0 && part <= 1)
+        lines.push_back({static_cast<float>((p.left + part * (p.right - p.left)) * size[0]),
+                         static_cast<float>(p.bottom * size[1]), static_cast<float>(p.top * size[1]),
+                         mark.text});
+    }
+  }
+  marks->set(std::move(lines), theme, static_cast<float>(pixelRatioOf(window)));
 }
 
 CurvePanels::CurvePanels() : parts_((guardText(), std::make_unique<Parts>())) {
@@ -216,6 +277,7 @@ void CurvePanels::setPanels(std::vector<CurvePanel> panels) {
     p.actor->GetScene()->AddItem(panel.chart);
     p.panels.push_back(std::move(panel));
   }
+  p.actor->GetScene()->AddItem(p.marks);
 }
 
 void CurvePanels::update() {
@@ -224,6 +286,7 @@ void CurvePanels::update() {
     return;
   for (const Panel& panel : p.panels)
     p.show(panel);
+  p.showMarks();
   p.actor->GetScene()->SetDirty(true);
 }
 

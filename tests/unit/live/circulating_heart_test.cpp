@@ -7,10 +7,12 @@
 
 #include "self_intersections.h"
 #include "sequence_scene.h"
+#include "viscera/circulation/curves.h"
 #include "viscera/circulation/indices.h"
 #include "viscera/circulation/periodic_state.h"
 #include "viscera/circulation/scenario.h"
 #include "viscera/core/error.h"
+#include "viscera/heart/cardiac_times.h"
 #include "viscera/heart/wall_motion.h"
 
 namespace viscera::live {
@@ -146,15 +148,18 @@ TEST(CirculatingHeart, AtriaFillWhileTheVentriclesEmptyAndHoldWhatTheCirculation
   const auto& left = found.beat.volumeOf(circulation::Compartment::la);
   const auto& right = found.beat.volumeOf(circulation::Compartment::ra);
   const auto& instants = course.instants;
+  const std::size_t first = circulation::firstDrawn(parameters, found.beat, heart::kBeforeAtria);
   for (std::size_t i = 0; i < instants.size(); ++i) {
-    EXPECT_NEAR(instants[i].atria->leftMl, left[i], 1e-9);
-    EXPECT_NEAR(instants[i].atria->rightMl, right[i], 1e-9);
+    const std::size_t sample = (first + i) % instants.size();
+    EXPECT_NEAR(instants[i].atria->leftMl, left[sample], 1e-9);
+    EXPECT_NEAR(instants[i].atria->rightMl, right[sample], 1e-9);
   }
   const auto emptiest = std::min_element(instants.begin(), instants.end(), [](const auto& a, const auto& b) {
     return a.volumes.leftMl < b.volumes.leftMl;
   });
-  EXPECT_GT(emptiest->atria->leftMl, 1.5 * instants.front().atria->leftMl);
-  EXPECT_GT(emptiest->atria->rightMl, 1.5 * instants.front().atria->rightMl);
+  const auto& contracted = instants[instants.size() - first]; // The ventricles begin to contract.
+  EXPECT_GT(emptiest->atria->leftMl, 1.5 * contracted.atria->leftMl);
+  EXPECT_GT(emptiest->atria->rightMl, 1.5 * contracted.atria->rightMl);
 }
 
 TEST(CirculatingHeart, HasTheRateAndThePhasesOfItsCirculation) {
@@ -167,12 +172,14 @@ TEST(CirculatingHeart, HasTheRateAndThePhasesOfItsCirculation) {
   EXPECT_EQ(phases.back().end, 1);
   for (std::size_t i = 1; i < phases.size(); ++i)
     EXPECT_EQ(phases[i].begin, phases[i - 1].end);
-  EXPECT_EQ(phases[1].name.english(), "ejection");
+  const auto ejection = [&](const char* name) {
+    return *std::find_if(phases.begin(), phases.end(), [&](const auto& phase) { return phase.name == name; });
+  };
   // The left ventricle empties in this phase and in no other.
   const auto volumeAt = [&](double phase) {
     return heart.heartbeat().heartCourse().at(phase).volumes.leftMl;
   };
-  EXPECT_GT(volumeAt(phases[1].begin) - volumeAt(phases[1].end), 80);
+  EXPECT_GT(volumeAt(ejection("rapid ejection").begin) - volumeAt(ejection("reduced ejection").end), 80);
 }
 
 TEST(CirculatingHeart, RefusesACirculationThatNeverRepeatsItself) {

@@ -54,6 +54,49 @@ TEST(HeartValves, OpenAsTheCirculationSaysAndCarryWhatTheVentriclesGainAndLose) 
   }
 }
 
+/// The moving leaflets, the timeline's phases and the numbers of the circulation say the same.
+TEST(HeartValves, AreOpenWhereThePhasesAndTheNumbersSaySo) {
+  for (const circulation::Scenario& scenario : circulation::scenarios()) {
+    const circulation::Parameters parameters = circulation::scenarioParameters(scenario.id);
+    Progress quiet;
+    const circulation::PeriodicState found = circulation::findPeriodicState(parameters, quiet);
+    const circulation::Indices indices = circulation::indicesOf(parameters, found.beat);
+    const heart::HeartCourse course = heartCourse("a beat", parameters, found.beat, indices);
+    double ejection = 0, contraction = 0, end = 0;
+    for (const sequences::Phase& phase : course.phases) {
+      EXPECT_EQ(phase.begin, end) << scenario.id;
+      end = phase.end;
+      const std::string& name = phase.name.english();
+      const bool ejects = name.find("ejection") != std::string::npos;
+      ejection += ejects ? phase.end - phase.begin : 0;
+      contraction += name == "isovolumic contraction" ? phase.end - phase.begin : 0;
+      const double middle = (phase.begin + phase.end) / 2;
+      const double aorticMm2 = of(*course.valvesAt(middle), HeartValve::aortic).areaMm2;
+      EXPECT_EQ(aorticMm2 > 0, ejects) << scenario.id << ", " << name;
+      if (name.rfind("isovolumic", 0) == 0) {
+        EXPECT_NEAR(of(*course.valvesAt(middle), HeartValve::mitral).areaMm2, 100 * parameters.mitral.leak,
+                    1e-6)
+            << scenario.id << ", " << name;
+      }
+    }
+    EXPECT_EQ(end, 1) << scenario.id;
+    EXPECT_NEAR(ejection * course.period, indices.ejectionSeconds, 1e-9) << scenario.id;
+    EXPECT_NEAR(contraction * course.period, indices.isovolumicContractionSeconds, 1e-9) << scenario.id;
+  }
+}
+
+/// The textbook's beat and that of a circulation begin alike.
+TEST(HeartValves, OfACirculationMoveInPhasesWithTheNamesOfTheTextbook) {
+  const heart::HeartCourse course = courseOf(circulation::scenarioParameters("rest"));
+  const auto textbook = heart::CardiacCycle::phases(72);
+  ASSERT_EQ(course.phases.size(), textbook.size());
+  for (std::size_t i = 0; i < textbook.size(); ++i) {
+    EXPECT_EQ(course.phases[i].name.english(), textbook[i].name.english());
+    EXPECT_EQ(course.phases[i].group, textbook[i].group);
+    EXPECT_NEAR(course.phases[i].begin, textbook[i].begin, 0.12) << textbook[i].name.english();
+  }
+}
+
 TEST(HeartValves, NarrowOnesOpenLessAndLeakingOnesKeepAGapThroughWhichBloodFlowsBack) {
   EXPECT_NEAR(widestMm2(courseOf(circulation::scenarioParameters("aortic-stenosis")), HeartValve::aortic), 80,
               5);

@@ -108,7 +108,9 @@ py::dict indexDict(const Indices& indices) {
   all["aortic_peak_gradient_mmHg"] = indices.aorticPeakGradient;
   all["mitral_mean_gradient_mmHg"] = indices.mitralMeanGradient;
   constexpr double kMsPerS = 1000;
+  all["isovolumic_contraction_ms"] = kMsPerS * indices.isovolumicContractionSeconds;
   all["ejection_ms"] = kMsPerS * indices.ejectionSeconds;
+  all["isovolumic_relaxation_ms"] = kMsPerS * indices.isovolumicRelaxationSeconds;
   all["relaxation_ms"] = kMsPerS * indices.relaxationSeconds;
   all["ejection_s"] = indices.ejectionSeconds;
   all["relaxation_s"] = indices.relaxationSeconds;

@@ -7,17 +7,23 @@ namespace viscera::circulation {
 namespace {
 
 /// How much faster contraction begins than it ends; fitted to the largest dP/dt.
-constexpr double kSkew = 0.55;
+constexpr double kSkew = 0.75;
 constexpr double kQuarterTurn = std::numbers::pi / 2;
 /// Seconds from the beginning of an atrium's contraction to its height.
 constexpr double kAtrialPeak = 0.125;
+/// At fast rates it is no longer than this part of the beat.
+constexpr double kAtrialPeakShare = 0.15;
 /// How fast leaflets follow the pressure across them, 1/(mmHg s): the opening changes by so much of what is
 /// left, as in Mynard and others 2012, doi 10.1002/cnm.1466; fitted to the 20 to 40 ms that leaflets need.
 constexpr double kLeafletPace = 15;
 /// Unlike there, leaflets are no faster than this, 1/s: what holds them back is their own mass.
-constexpr double kLeafletLimit = 400;
+constexpr double kLeafletLimit = 500;
+/// Where the jet behind an arterial valve has spread and its speed has turned back into pressure, cm^2:
+/// ascending aorta and pulmonary trunk, 28 and 26 mm wide.
+constexpr double kAorta = 6.2;
+constexpr double kPulmonaryTrunk = 5.3;
 /// Blood that is accelerated with a valve's, cm.
-constexpr double kArterialLength = 1.5;
+constexpr double kArterialLength = 1.0;
 constexpr double kAtrialLength = 2.0;
 /// Pressure of a pericardium that heart and fluid just fill, mmHg.
 constexpr double kPericardialUnit = 1.0;
@@ -25,6 +31,14 @@ constexpr double kPericardialUnit = 1.0;
 double wrapped(double seconds, double period) {
   const double rest = std::fmod(seconds, period);
   return rest < 0 ? rest + period : rest;
+}
+
+/// What the square of the flow costs, 1/cm^4. Behind an arterial valve a part of the speed turns back into
+/// pressure, which leaves (1 / A - 1 / A_artery)^2 of 1 / A^2 (Garcia and others 2000, doi
+/// 10.1161/01.CIR.101.7.765).
+double lossOf(double artery, double area, double flow) {
+  const double spread = flow > 0 && artery > area ? 1 / artery : 0;
+  return (1 / area - spread) * (1 / area - spread);
 }
 
 /// 1/s; of the gradient's sign.
@@ -39,8 +53,8 @@ Circuit::Circuit(const Parameters& p, int steps)
     : period_(60 / p.rate), steps_(steps), systemic_(p.systemic), pulmonary_(p.pulmonary),
       fluid_(p.pericardialFluid), room_(p.pericardialRoom), scale_(p.pericardialScale) {
   const double ventricular = endSystoleSeconds(p.rate);
-  const double atrial = std::min(kAtrialPeak, kAtrialShare * period_);
-  const double conduction = std::min(p.conduction, kAtrialShare * period_);
+  const double atrial = std::min(kAtrialPeak, kAtrialPeakShare * period_);
+  const double conduction = conductionSeconds(p);
   // After the slopes have met at 1/2 a beat leaves 1/2 exp(-f / tau), f the time since then. With all the
   // beats before, T apart, that is 1/2 sum_k exp(-k T / tau) = 1/2 / (1 - exp(-T / tau)) at f = 0.
   const auto pump = [this](const Chamber& chamber, double start, double endSystole) {
@@ -49,10 +63,11 @@ Circuit::Circuit(const Parameters& p, int steps)
   pumps_ = {pump(p.lv, 0, ventricular), pump(p.rv, 0, ventricular), pump(p.la, -conduction, atrial),
             pump(p.ra, -conduction, atrial)};
   using enum Compartment;
-  gates_ = {Gate{p.mitral, at(la), at(lv), kAtrialLength, 0},
-            Gate{p.aortic, at(lv), at(systemicArteries), kArterialLength, p.systemic.impedance},
-            Gate{p.tricuspid, at(ra), at(rv), kAtrialLength, 0},
-            Gate{p.pulmonic, at(rv), at(pulmonaryArteries), kArterialLength, p.pulmonary.impedance}};
+  gates_ = {Gate{p.mitral, at(la), at(lv), kAtrialLength, 0, 0},
+            Gate{p.aortic, at(lv), at(systemicArteries), kArterialLength, p.systemic.impedance, kAorta},
+            Gate{p.tricuspid, at(ra), at(rv), kAtrialLength, 0, 0},
+            Gate{p.pulmonic, at(rv), at(pulmonaryArteries), kArterialLength, p.pulmonary.impedance,
+                 kPulmonaryTrunk}};
   activations_.resize(static_cast<std::size_t>(2 * steps) + 1);
   for (std::size_t half = 0; half < activations_.size(); ++half)
     for (std::size_t i = 0; i < kChambers; ++i)
@@ -142,10 +157,11 @@ void Circuit::rates(const State& state, const Instant& now, State& rates) const 
     const double flow = state[kCompartments + i];
     const double opening = state[kCompartments + kValves + i];
     move(gate.from, gate.to, flow);
-    // L dQ/dt = gradient - B Q|Q|, with B = rho / (2 A^2) and L = rho l / A.
+    // L dQ/dt = gradient - B Q|Q|, with B = rho / 2 times the loss and L = rho l / A.
     const double area = openArea(gate.areas, opening);
-    rates[kCompartments + i] = now.gradient[i] * kDynPerMmHg * area / (kBloodDensity * gate.length) -
-                               flow * std::abs(flow) / (2 * gate.length * area);
+    rates[kCompartments + i] =
+        now.gradient[i] * kDynPerMmHg * area / (kBloodDensity * gate.length) -
+        flow * std::abs(flow) * area * lossOf(gate.artery, area, flow) / (2 * gate.length);
     // dz/dt = k (1 - z) for a gradient that opens, k z with k < 0 for one that shuts: z stays within 0 and 1.
     rates[kCompartments + kValves + i] =
         leafletPace(now.gradient[i]) * (now.gradient[i] > 0 ? 1 - opening : opening);

@@ -20,9 +20,8 @@ inline constexpr double kJoulePerMmHgMl = 1.33322387415e-4;
 /// Leaks that a shut valve has in any case, cm^2: 0.005 ml/s at 100 mmHg. Keeps its equation finite.
 inline constexpr double kShutArea = 1e-5;
 
-/// At fast rates an atrium's contraction, and its lead before the ventricle's, are no longer than this part
-/// of the beat.
-inline constexpr double kAtrialShare = 0.22;
+/// At fast rates an atrium's lead before the ventricle is no longer than this part of the beat.
+inline constexpr double kAtrialShare = 0.28;
 
 /// The open area of a valve, cm^2.
 inline double openArea(const ValveAreas& areas, double opening) {
@@ -88,6 +87,7 @@ private:
     std::size_t from = 0, to = 0; ///< Compartments.
     double length = 0;            ///< Of the blood that moves with it, cm.
     double impedance = 0;         ///< Behind it, mmHg s/ml.
+    double artery = 0;            ///< The area of the artery behind it, cm^2; 0: behind it is a chamber.
   };
 
   Activation activation(const Pump& pump, double seconds) const;

@@ -1,5 +1,8 @@
 #include "viscera/circulation/curves.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "circuit.h"
 #include "viscera/circulation/signs.h"
 
@@ -14,6 +17,38 @@ std::string nameOf(Compartment compartment) {
 std::string nameOf(Valve valve) {
   constexpr std::array<const char*, kValves> kNames = {"mitral", "aortic", "tricuspid", "pulmonic"};
   return kNames[at(valve)];
+}
+
+std::size_t firstDrawn(const Parameters& parameters, const Beat& beat, double beforeAtria) {
+  const std::size_t count = beat.time.size() - 1;
+  const double back = (conductionSeconds(parameters) + beforeAtria) / beat.period;
+  const auto samples = static_cast<std::size_t>(std::lround(back * static_cast<double>(count)));
+  return (2 * count - samples) % count;
+}
+
+std::vector<double> drawnFrom(std::size_t first, const std::vector<double>& curve) {
+  // The last sample is the first of the next beat.
+  std::vector<double> drawn(curve.begin() + static_cast<std::ptrdiff_t>(first), curve.end() - 1);
+  drawn.insert(drawn.end(), curve.begin(), curve.begin() + static_cast<std::ptrdiff_t>(first) + 1);
+  return drawn;
+}
+
+double earlyFillingSeconds(const Parameters& parameters, const Beat& beat, const Indices& indices) {
+  constexpr double kOver = 0.1;
+  const auto& mitral = indices.valves[at(Valve::mitral)];
+  if (!mitral)
+    return 0;
+  const double atria = beat.period - conductionSeconds(parameters);
+  const auto& flow = beat.flowOf(Valve::mitral);
+  double highest = 0;
+  for (std::size_t i = 0; i < flow.size(); ++i) {
+    if (beat.time[i] < mitral->opens || beat.time[i] >= atria)
+      continue;
+    highest = std::max(highest, flow[i]);
+    if (highest > 0 && flow[i] < kOver * highest && flow[i] < flow[i - 1])
+      return beat.time[i] - mitral->opens;
+  }
+  return std::max(0.0, atria - mitral->opens);
 }
 
 std::vector<NamedCurve> curvesOf(const Parameters& parameters, const Beat& beat, const Indices& indices) {

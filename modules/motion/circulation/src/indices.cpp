@@ -13,8 +13,6 @@ namespace {
 
 using Curve = std::vector<double>;
 
-/// A valve counts as open above this opening.
-constexpr double kOpen = 0.02;
 /// Forward flow, ml/s, from which a gradient is averaged.
 constexpr double kFlows = 20;
 /// The activations between which the relaxing ventricle's pressure is taken for an exponential.
@@ -124,22 +122,12 @@ ArteryIndices arteryIndices(const Curve& pressure) {
 
 /// The longest time in which the valve is shut begins and ends with what its name says; a valve may also
 /// close for a moment in the middle of filling.
-std::optional<ValveTimes> valveTimes(const Beat& beat, const Curve& open) {
-  std::vector<std::pair<double, bool>> crossings; // Time, and whether it opens.
-  for (std::size_t i = 1; i < open.size(); ++i) {
-    const double from = open[i - 1] - kOpen, to = open[i] - kOpen;
-    if ((from > 0) != (to > 0))
-      // from + s (to - from) = 0 at s = from / (from - to).
-      crossings.emplace_back(beat.time[i - 1] + (beat.time[i] - beat.time[i - 1]) * from / (from - to),
-                             to > 0);
-  }
+std::optional<ValveTimes> valveTimes(const Beat& beat, Valve valve) {
+  const std::vector<ValveTimes> all = openTimes(beat, valve);
   std::optional<ValveTimes> found;
   double longest = 0;
-  for (std::size_t i = 0; i < crossings.size(); ++i) {
-    const auto& [opens, opening] = crossings[i];
-    if (!opening)
-      continue;
-    const double shuts = crossings[(i + crossings.size() - 1) % crossings.size()].first;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const double opens = all[i].opens, shuts = all[(i + all.size() - 1) % all.size()].shuts;
     const double length = opens - shuts + (shuts < opens ? 0 : beat.period);
     if (length > longest)
       found = ValveTimes{opens, shuts};
@@ -194,17 +182,23 @@ double relaxation(const Beat& beat) {
   return slowing > 0 ? fall / slowing : 0;
 }
 
-/// How long a curve is above a level, s; linear between samples.
-double timeAbove(const Beat& beat, const Curve& curve, double level) {
-  double sum = 0;
-  for (std::size_t i = 1; i < curve.size(); ++i) {
-    const double from = curve[i - 1] - level, to = curve[i] - level;
-    if (from > 0 && to > 0)
-      sum += 1;
-    else if (from > 0 || to > 0)
-      sum += std::max(from, to) / std::abs(to - from);
-  }
-  return sum * (beat.time[1] - beat.time[0]);
+/// A curve at an instant of the beat; linear between samples.
+double between(const Beat& beat, const Curve& curve, double seconds) {
+  const double place = seconds / (beat.time[1] - beat.time[0]);
+  const auto before = static_cast<std::size_t>(place);
+  return curve[before] + (place - std::floor(place)) * (curve[before + 1] - curve[before]);
+}
+
+/// The times of the left heart between its two valves.
+void addTimes(Indices& indices, double period) {
+  const auto& mitral = indices.valves[at(Valve::mitral)];
+  const auto& aortic = indices.valves[at(Valve::aortic)];
+  if (aortic)
+    indices.ejectionSeconds = openSeconds(*aortic, period);
+  if (!mitral || !aortic)
+    return;
+  indices.isovolumicContractionSeconds = bothShutSeconds(*mitral, *aortic, period);
+  indices.isovolumicRelaxationSeconds = bothShutSeconds(*aortic, *mitral, period);
 }
 
 } // namespace
@@ -237,13 +231,12 @@ Indices indicesOf(const Parameters& parameters, const Beat& beat) {
   indices.mitralMeanGradient =
       gradients(beat.flowOf(Valve::mitral), beat.pressureOf(la), beat.pressureOf(lv)).first;
   for (std::size_t i = 0; i < kValves; ++i)
-    indices.valves[i] = valveTimes(beat, beat.open[i]);
-  indices.ejectionSeconds = timeAbove(beat, beat.flowOf(Valve::aortic), kFlows);
+    indices.valves[i] = valveTimes(beat, static_cast<Valve>(i));
+  addTimes(indices, beat.period);
   indices.relaxationSeconds = relaxation(beat);
-  const Curve& e = beat.activation[at(lv)];
-  const auto endSystole = static_cast<std::size_t>(std::max_element(e.begin(), e.end()) - e.begin());
   // Ea = P_es / SV, with P_es where the activation is largest; Ea / Ees is the coupling.
-  indices.arterialElastance = beat.pressureOf(lv)[endSystole] / left.svMl;
+  indices.arterialElastance =
+      between(beat, beat.pressureOf(lv), endSystoleSeconds(parameters.rate)) / left.svMl;
   indices.couplingRatio = indices.arterialElastance / parameters.lv.ees;
   return indices;
 }

@@ -8,6 +8,8 @@
 #include "viscera/core/phrase.h"
 #include "viscera/core/text.h"
 
+#include "circuit.h"
+
 namespace viscera::circulation {
 namespace {
 
@@ -47,17 +49,17 @@ const std::vector<Entry>& entries() {
       {{"rate", "Heart rate", "1/min", 72, 30, 200, "chosen", true,
         NormalValues{60, 100, "sinus rhythm at rest"}},
        VISCERA_AT(rate)},
-      {{"stressedVolume", "Preload: stressed blood volume", "ml", 980, 300, 2000, kFitted, true,
-        aboutRest(980)},
+      {{"stressedVolume", "Preload: stressed blood volume", "ml", 975, 300, 2000, kFitted, true,
+        aboutRest(975)},
        VISCERA_AT(stressedVolume)},
-      {{"systemicResistance", "Afterload: systemic resistance", "mmHg s/ml", 1.02, 0.2, 4, kWindkessel, true,
+      {{"systemicResistance", "Afterload: systemic resistance", "mmHg s/ml", 1, 0.2, 4, kWindkessel, true,
         NormalValues{0.6, 1.2, "800 to 1600 dyn s cm^-5, customary at the bedside"}},
        VISCERA_AT(systemic.resistance)},
       {{"pulmonaryResistance", "Afterload: pulmonary resistance", "mmHg s/ml", 0.08, 0.02, 1.5, kWindkessel,
         true, NormalValues{0.02, 0.12, "up to 2 Wood units"}},
        VISCERA_AT(pulmonary.resistance)},
-      {{"lvEes", "Contractility of the left ventricle", "mmHg/ml", 2.25, 0.3, 8, kElastance, true,
-        aboutRest(2.25)},
+      {{"lvEes", "Contractility of the left ventricle", "mmHg/ml", 2.18, 0.3, 8, kElastance, true,
+        aboutRest(2.18)},
        VISCERA_AT(lv.ees)},
       {{"rvEes", "Contractility of the right ventricle", "mmHg/ml", 0.45, 0.1, 3, kBurkhoff, true,
         aboutRest(0.45)},
@@ -89,7 +91,7 @@ const std::vector<Entry>& entries() {
         kBurkhoff},
        VISCERA_AT(rv.b)},
       {{"rvTau", "Right ventricle, relaxation", "s", 0.035, 0.01, 0.12, kRelaxation}, VISCERA_AT(rv.tau)},
-      {{"laEes", "Left atrium, contractility", "mmHg/ml", 0.4, 0, 2, kBurkhoff}, VISCERA_AT(la.ees)},
+      {{"laEes", "Left atrium, contractility", "mmHg/ml", 0.38, 0, 2, kBurkhoff}, VISCERA_AT(la.ees)},
       {{"laV0", "Left atrium, volume without pressure", "ml", 20, 0, 60, kAtria}, VISCERA_AT(la.v0)},
       {{"laA", "Left atrium, scale of the passive filling curve", "mmHg", 2, 0.005, 5, kBurkhoff},
        VISCERA_AT(la.a)},
@@ -103,12 +105,12 @@ const std::vector<Entry>& entries() {
       {{"raB", "Right atrium, steepness of the passive filling curve", "1/ml", 0.027, 0.005, 0.1, kBurkhoff},
        VISCERA_AT(ra.b)},
       {{"raTau", "Right atrium, relaxation", "s", 0.02, 0.005, 0.1, kBurkhoff}, VISCERA_AT(ra.tau)},
-      {{"conduction", "From atrial to ventricular contraction", "s", 0.16, 0.05, 0.3,
-        "PR interval, 0.12 to 0.20 s"},
+      {{"conduction", "From atrial to ventricular contraction", "s", 0.14, 0.05, 0.3,
+        "between the contractions of both, shorter than the PR interval of 0.12 to 0.20 s"},
        VISCERA_AT(conduction)},
       {{"systemicImpedance", "Aorta, characteristic impedance", "mmHg s/ml", 0.03, 0.001, 0.3, kWindkessel},
        VISCERA_AT(systemic.impedance)},
-      {{"systemicCompliance", "Systemic arteries, compliance", "ml/mmHg", 1.6, 0.3, 6, kWindkessel},
+      {{"systemicCompliance", "Systemic arteries, compliance", "ml/mmHg", 1.95, 0.3, 6, kWindkessel},
        VISCERA_AT(systemic.arteryCompliance)},
       {{"systemicVeinCompliance", "Systemic veins, compliance", "ml/mmHg", 70, 10, 200, kFitted},
        VISCERA_AT(systemic.veinCompliance)},
@@ -117,7 +119,7 @@ const std::vector<Entry>& entries() {
       {{"pulmonaryImpedance", "Pulmonary artery, characteristic impedance", "mmHg s/ml", 0.02, 0.001, 0.3,
         kWindkessel},
        VISCERA_AT(pulmonary.impedance)},
-      {{"pulmonaryCompliance", "Pulmonary arteries, compliance", "ml/mmHg", 6, 0.5, 20, kWindkessel},
+      {{"pulmonaryCompliance", "Pulmonary arteries, compliance", "ml/mmHg", 6.5, 0.5, 20, kWindkessel},
        VISCERA_AT(pulmonary.arteryCompliance)},
       {{"pulmonaryVeinCompliance", "Pulmonary veins, compliance", "ml/mmHg", 8, 1, 60, kFitted},
        VISCERA_AT(pulmonary.veinCompliance)},
@@ -213,10 +215,14 @@ void checkParameters(const Parameters& parameters) {
   check(parameters.pulmonic, "pulmonic");
 }
 
+double conductionSeconds(const Parameters& parameters) {
+  return std::min(parameters.conduction, kAtrialShare * 60 / parameters.rate);
+}
+
 double endSystoleSeconds(double rate) {
   const double ejection = std::max({413 - 1.7 * rate, 371 - 1.2 * rate, 130.0});
   const double contraction = std::clamp(40 - 15 * (rate - 75) / 75, 25.0, 40.0);
-  return 1.1 * (ejection + contraction) / 1000;
+  return 0.97 * (ejection + contraction) / 1000;
 }
 
 } // namespace viscera::circulation

@@ -35,6 +35,7 @@ constexpr auto kPulmonary = "Kovacs 2009, doi 10.1183/09031936.00145608";
 constexpr auto kEjection = "Weissler 1968, doi 10.1161/01.CIR.37.2.149";
 constexpr auto kDiastolic = "Zile 2004, doi 10.1056/NEJMoa032566";
 constexpr auto kElastances = "Segers 2002, doi 10.1152/ajpheart.00764.2001";
+constexpr auto kIntervals = "Alhakak 2023 (Copenhagen), doi 10.1007/s00392-023-02269-2";
 constexpr auto kExercise = "Higginbotham 1986, Circ Res 58:281-291";
 constexpr auto kPhlebotomy = "Leonetti 2004 (375 ml), doi 10.1007/s10286-004-0191-1";
 constexpr auto kBloodLoss = "Johnson 2013 (1 l, with reflexes), doi 10.1096/fasebj.27.1_supplement.1206.3";
@@ -75,6 +76,10 @@ std::vector<Row> restRows() {
        [](S s, S) { return s.indices.pulmonaryArtery.mean; }},
       {"rest", "Ejection", "ms", 413 - 1.7 * 72, "", kEjection,
        [](S s, S) { return 1000 * s.indices.ejectionSeconds; }},
+      {"rest", "Isovolumic contraction", "ms", 40, "+- 10", kIntervals,
+       [](S s, S) { return 1000 * s.indices.isovolumicContractionSeconds; }},
+      {"rest", "Isovolumic relaxation", "ms", 96, "+- 19", kIntervals,
+       [](S s, S) { return 1000 * s.indices.isovolumicRelaxationSeconds; }},
       {"rest", "LV relaxation", "ms", 35, "+- 10", kDiastolic,
        [](S s, S) { return 1000 * s.indices.relaxationSeconds; }},
       {"rest", "Arterial elastance Ea (their formula, our arteries)", "mmHg/ml", segersElastance({}), "",

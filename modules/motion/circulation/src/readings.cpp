@@ -11,6 +11,7 @@ namespace {
 using enum Compartment;
 
 constexpr double kPercent = 100;
+constexpr double kMilliseconds = 1000;
 
 } // namespace
 
@@ -35,6 +36,11 @@ const std::vector<Reading>& readings() {
       {"Right atrium, mean", "mmHg", 0, [](I i) { return i.of(ra).meanMmHg; }, "ra.mean"},
       {"LV end-diastolic pressure", "mmHg", 0, [](I i) { return i.of(lv).edpMmHg; }, "lv.edp"},
       {"LV dP/dt, largest", "mmHg/s", 0, [](I i) { return i.of(lv).dpdtMax; }, "lv.dpdt"},
+      {"Isovolumic contraction", "ms", 0, [](I i) { return kMilliseconds * i.isovolumicContractionSeconds; },
+       "lv.ivct"},
+      {"Ejection time", "ms", 0, [](I i) { return kMilliseconds * i.ejectionSeconds; }, "lv.ejection"},
+      {"Isovolumic relaxation", "ms", 0, [](I i) { return kMilliseconds * i.isovolumicRelaxationSeconds; },
+       "lv.ivrt"},
       {"LV stroke work", "J", 2, [](I i) { return i.of(lv).strokeWorkJ; }, ""},
       {"RV stroke work", "J", 2, [](I i) { return i.of(rv).strokeWorkJ; }, ""},
       {"Arterial elastance Ea", "mmHg/ml", 2, [](I i) { return i.arterialElastance; }, ""},

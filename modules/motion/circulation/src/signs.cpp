@@ -26,7 +26,7 @@ constexpr double kPLead = 0.01;
 constexpr double kTPart = 0.8;
 
 /// Reference values at rest for the loudness of sounds.
-constexpr double kRestDpdt = 1300;    ///< mmHg/s
+constexpr double kRestDpdt = 1600;    ///< mmHg/s
 constexpr double kRestDiastolic = 80; ///< mmHg
 constexpr double kPulmonicPart =
     0.25; ///< The pulmonary valve's sound beside the aortic one's at like pressure.
@@ -41,7 +41,7 @@ constexpr double kLoudJet = 6;
 
 std::array<Wave, 5> wavesOf(const Parameters& p) {
   const double systole = endSystoleSeconds(p.rate);
-  const double conduction = std::min(p.conduction, kAtrialShare * 60 / p.rate);
+  const double conduction = conductionSeconds(p);
   return {{{-conduction - kPLead, 0.15, 0.022},
            {-kRLead - 0.025, -0.12, 0.008},
            {-kRLead, 1.1, 0.010},
@@ -118,7 +118,7 @@ std::vector<HeartSound> heartSounds(const Parameters& parameters, const Beat& be
   const auto& mitral = indices.valves[at(Valve::mitral)];
   if (!mitral)
     return sounds;
-  const double atrialStart = beat.period - std::min(parameters.conduction, kAtrialShare * beat.period);
+  const double atrialStart = beat.period - conductionSeconds(parameters);
   const auto [early, earlyTime] = stiffestFilling(parameters.lv, beat, mitral->opens, atrialStart);
   const auto [late, lateTime] = stiffestFilling(parameters.lv, beat, atrialStart, beat.period);
   if (const double loudness = heard(early, kQuietEarly); loudness > 0)

@@ -1,6 +1,9 @@
 #include "viscera/heart/cardiac_cycle.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <utility>
 
 #include "mix.h"
 #include "viscera/core/error.h"
@@ -47,9 +50,9 @@ sequences::Curve twistOf(const CardiacTimes& times, const VentricleClock& clock)
 }
 
 sequences::Curve atrialOf(const CardiacTimes& times, const VentricleClock& clock) {
-  return sequences::Curve::periodic({{0, 0},
-                                     {0.64 * times.atrialSystole, 1},
-                                     {times.atrialSystole, 0.92},
+  return sequences::Curve::periodic({{kBeforeAtria, 0},
+                                     {kBeforeAtria + 0.64 * times.atrialSystole, 1},
+                                     {kBeforeAtria + times.atrialSystole, 0.92},
                                      {clock.outletOpens + 0.10 * times.ejection, 0.25},
                                      {clock.outletOpens + 0.43 * times.ejection, 0}},
                                     times.cycle);
@@ -63,7 +66,10 @@ CardiacBeat::CardiacBeat(double rateBpm, const CavityVolumes& endDiastole, const
       stroke_(heart::strokePart(times_, endDiastole.leftMl - endSystole.leftMl)),
       twist_(twistOf(times_, left_)), atrial_(atrialOf(times_, left_)) {}
 
-double CardiacBeat::emptying(double t, const VentricleClock& clock) const {
+/// `t` from the contraction of the atria to that of the next beat.
+double CardiacBeat::emptying(double t, const VentricleClock& ofBeat) const {
+  const VentricleClock clock{ofBeat.inletShuts - kBeforeAtria, ofBeat.outletOpens - kBeforeAtria,
+                             ofBeat.outletShuts - kBeforeAtria, ofBeat.inletOpens - kBeforeAtria};
   const auto early = [&](double since) {
     return (1 - kAtrialKick) * entered(std::min(1.0, since / times_.earlyFilling));
   };
@@ -81,10 +87,11 @@ double CardiacBeat::emptying(double t, const VentricleClock& clock) const {
 }
 
 CardiacInstant CardiacBeat::at(double seconds) const {
-  const double t = seconds - std::floor(seconds / times_.cycle) * times_.cycle;
+  const auto inBeat = [&](double s) { return s - std::floor(s / times_.cycle) * times_.cycle; };
+  const double t = inBeat(seconds);
   CardiacInstant now;
-  now.leftEmptying = emptying(t, left_);
-  now.rightEmptying = emptying(t, right_);
+  now.leftEmptying = emptying(inBeat(seconds - kBeforeAtria), left_);
+  now.rightEmptying = emptying(inBeat(seconds - kBeforeAtria), right_);
   now.volumes = {mix(endDiastole_.leftMl, endSystole_.leftMl, now.leftEmptying),
                  mix(endDiastole_.rightMl, endSystole_.rightMl, now.rightEmptying)};
   now.twist = twist_.at(t);
@@ -106,26 +113,45 @@ CardiacBeat CardiacCycle::beat(double rateBpm) const {
   return {clampedHeartRate(rateBpm), endDiastole_, endSystole_};
 }
 
-std::vector<sequences::Phase> CardiacCycle::phases(double rateBpm) {
-  const CardiacTimes t = cardiacTimes(clampedHeartRate(rateBpm));
-  const double alone = t.filling() - t.atrialSystole; // Until the atria contract.
-  std::vector<sequences::Phase> phases;
-  double seconds = 0;
-  const auto add = [&](const char* name, double duration, const char* group = "diastole") {
-    if (duration <= 0)
-      return;
-    phases.push_back({name, seconds / t.cycle, (seconds + duration) / t.cycle, group});
-    seconds += duration;
+std::vector<sequences::Phase> phasesOf(const LeftHeartEvents& events) {
+  struct Part {
+    const char* name;
+    const char* group;
+    double begin; ///< Fraction of the cycle.
   };
-  add("atrial systole", t.atrialSystole);
-  add("isovolumic contraction", t.isovolumicContraction, "systole");
-  add("rapid ejection", kRapidEjection * t.ejection, "systole");
-  add("reduced ejection", (1 - kRapidEjection) * t.ejection, "systole");
-  add("isovolumic relaxation", t.isovolumicRelaxation);
-  add("rapid filling", std::min(t.earlyFilling, alone));
-  add("diastasis", t.diastasis());
-  phases.back().end = 1;
+  const VentricleClock& valves = events.valves;
+  const double ejection = valves.outletShuts - valves.outletOpens;
+  const double nextAtria = events.atriaContract + events.cycle;
+  const double filled = std::min(valves.inletOpens + events.earlyFilling, nextAtria);
+  // Each part ends where the next one begins.
+  const std::array<std::pair<Part, double>, 7> all = {
+      {{{"atrial systole", "diastole", events.atriaContract}, valves.inletShuts},
+       {{"isovolumic contraction", "systole", valves.inletShuts}, valves.outletOpens},
+       {{"rapid ejection", "systole", valves.outletOpens}, valves.outletOpens + kRapidEjection * ejection},
+       {{"reduced ejection", "systole", valves.outletOpens + kRapidEjection * ejection}, valves.outletShuts},
+       {{"isovolumic relaxation", "diastole", valves.outletShuts}, valves.inletOpens},
+       {{"rapid filling", "diastole", valves.inletOpens}, filled},
+       {{"diastasis", "diastole", filled}, nextAtria}}};
+  constexpr double kLeast = 1e-9; // Of a part, s.
+  std::vector<Part> parts;
+  for (const auto& [part, end] : all)
+    if (end - part.begin > kLeast) {
+      const double begin = part.begin / events.cycle;
+      parts.push_back({part.name, part.group, begin - std::floor(begin)});
+    }
+  std::sort(parts.begin(), parts.end(), [](const Part& a, const Part& b) { return a.begin < b.begin; });
+  std::vector<sequences::Phase> phases;
+  if (parts.front().begin > 0)
+    phases.push_back({parts.back().name, 0, parts.front().begin, parts.back().group});
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    phases.push_back(
+        {parts[i].name, parts[i].begin, i + 1 < parts.size() ? parts[i + 1].begin : 1.0, parts[i].group});
   return phases;
+}
+
+std::vector<sequences::Phase> CardiacCycle::phases(double rateBpm) {
+  const CardiacTimes times = cardiacTimes(clampedHeartRate(rateBpm));
+  return phasesOf({times.cycle, kBeforeAtria, leftClock(times), times.earlyFilling});
 }
 
 } // namespace viscera::heart

@@ -66,7 +66,7 @@ double strokePart(const CardiacTimes& times, double strokeMl) {
 
 VentricleClock leftClock(const CardiacTimes& times) {
   VentricleClock clock;
-  clock.inletShuts = times.atrialSystole;
+  clock.inletShuts = kBeforeAtria + times.atrialSystole;
   clock.outletOpens = clock.inletShuts + times.isovolumicContraction;
   clock.outletShuts = clock.outletOpens + times.ejection;
   clock.inletOpens = clock.outletShuts + times.isovolumicRelaxation;

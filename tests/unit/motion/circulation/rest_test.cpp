@@ -58,6 +58,10 @@ TEST_F(CirculationAtRest, ValvesOpenAndShutInTheirOrder) {
   EXPECT_LT(mitral->shuts, 0.05);
   EXPECT_LT(aortic->opens, aortic->shuts);
   EXPECT_LT(aortic->shuts, mitral->opens);
+  EXPECT_GT(1000 * at_.isovolumicContractionSeconds, 20); // Copenhagen study, 40 +- 10 ms.
+  EXPECT_LT(1000 * at_.isovolumicContractionSeconds, 60);
+  EXPECT_DOUBLE_EQ(at_.isovolumicContractionSeconds, aortic->opens - mitral->shuts);
+  EXPECT_DOUBLE_EQ(at_.ejectionSeconds, aortic->shuts - aortic->opens);
   // Weissler's ejection time of men, 413 - 1.7 rate, whose spread is about 10 ms.
   EXPECT_NEAR(1000 * at_.ejectionSeconds, 413 - 1.7 * 72, 15);
   // Isovolumic relaxation of the Copenhagen study, 96 +- 19 ms.

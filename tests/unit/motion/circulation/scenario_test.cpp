@@ -24,7 +24,11 @@ TEST_F(CirculationScenario, ExerciseBringsOutputToThreeTimesThatOfRest) {
   EXPECT_GT(now.cardiacOutputLMin, 2.4 * rest_.cardiacOutputLMin);
   EXPECT_LT(now.cardiacOutputLMin, 3.2 * rest_.cardiacOutputLMin);
   EXPECT_GT(now.of(Compartment::lv).ef, restLv_.ef + 0.1);
-  EXPECT_GT(now.aorta.systolic, rest_.aorta.systolic + 10);
+  EXPECT_GE(now.aorta.systolic, 160); // Peak pressures of healthy people on a treadmill.
+  EXPECT_LE(now.aorta.systolic, 200);
+  EXPECT_LT(now.aorticMeanGradient, 5) << "the valve is healthy";
+  EXPECT_LT(now.of(Compartment::lv).highestMmHg, now.aorta.systolic + 6);
+  EXPECT_LT(now.of(Compartment::la).highestMmHg, 25);
   EXPECT_LT(now.of(Compartment::lv).esvMl, restLv_.esvMl);
   EXPECT_GT(now.of(Compartment::lv).dpdtMax, 2 * restLv_.dpdtMax);
 }
@@ -72,7 +76,7 @@ TEST_F(CirculationScenario, AorticStenosisHasAGradientOfMoreThan40) {
   EXPECT_GT(now.aorticMeanGradient, 40);
   EXPECT_GT(now.of(Compartment::lv).highestMmHg, now.aorta.systolic + 50);
   EXPECT_NEAR(now.aorta.systolic, rest_.aorta.systolic, 15);
-  EXPECT_GT(now.ejectionSeconds, rest_.ejectionSeconds + 0.02);
+  EXPECT_GT(now.ejectionSeconds, rest_.ejectionSeconds + 0.012);
   // Gorlin's relation between area, flow and gradient, with Bernoulli's constant: 0.8 cm2 within a fifth.
   const double meanFlow = now.forwardStrokeMl / now.ejectionSeconds;
   EXPECT_NEAR(meanFlow / (50.1 * std::sqrt(now.aorticMeanGradient)), 0.8, 0.16);
@@ -102,6 +106,23 @@ TEST_F(CirculationScenario, TamponadeEqualisesTheFillingPressures) {
   EXPECT_LT(now.of(Compartment::lv).edvMl, 0.75 * restLv_.edvMl);
 }
 
+/// As in people: shorter in exercise, longer in a weak heart, else about that at rest.
+TEST_F(CirculationScenario, IsovolumicContractionIsShortUnlessTheHeartIsWeak) {
+  for (const Scenario& scenario : scenarios()) {
+    const double ms = 1000 * solve(scenario.id).indices.isovolumicContractionSeconds;
+    if (scenario.id == "heart-failure-reduced-ef") {
+      EXPECT_GT(ms, 1000 * rest_.isovolumicContractionSeconds + 20);
+      EXPECT_LT(ms, 100);
+    } else if (scenario.id == "exercise") {
+      EXPECT_LT(ms, 1000 * rest_.isovolumicContractionSeconds - 20);
+      EXPECT_GT(ms, 8);
+    } else {
+      EXPECT_GT(ms, 20) << scenario.id;
+      EXPECT_LT(ms, 60) << scenario.id;
+    }
+  }
+}
+
 TEST_F(CirculationScenario, AorticRegurgitationLowersTheDiastolicPressure) {
   Parameters leaking;
   setParameter(leaking, "aorticLeak", 0.3);
@@ -117,7 +138,7 @@ TEST_F(CirculationScenario, MitralStenosisHoldsAGradientThroughDiastole) {
   setParameter(narrow, "mitralArea", 1.0);
   const Indices now = solve(narrow).indices;
   EXPECT_GT(now.mitralMeanGradient, 5);
-  EXPECT_GT(now.of(Compartment::la).meanMmHg, 2 * restLa_);
+  EXPECT_GT(now.of(Compartment::la).meanMmHg, 1.8 * restLa_);
 }
 
 TEST(CirculationPublished, NumbersAreNearThoseOfPeople) {

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "viscera/core/error.h"
+#include "viscera/heart/heart_valves.h"
 
 namespace viscera::heart {
 namespace {
@@ -172,11 +173,11 @@ TEST(CardiacCycle, VolumesRestBetweenTheValves) {
 TEST(CardiacCycle, AtriaContractBeforeTheVentriclesAndTwistPeaksAtTheEndOfEjection) {
   const CardiacBeat beat = CardiacCycle().beat(75);
   const VentricleClock& clock = beat.left();
-  EXPECT_NEAR(beat.at(0.64 * beat.times().atrialSystole).atrialContraction, 1, 1e-9);
+  EXPECT_NEAR(beat.at(kBeforeAtria + 0.64 * beat.times().atrialSystole).atrialContraction, 1, 1e-9);
   EXPECT_EQ(beat.at(clock.outletShuts).atrialContraction, 0);
   EXPECT_LT(beat.at(clock.outletOpens).twist, 0);
   EXPECT_NEAR(beat.at(clock.outletOpens + 0.933 * beat.times().ejection).twist, 1, 1e-9);
-  EXPECT_NEAR(beat.at(0.75).twist, 0, 1e-9);
+  EXPECT_NEAR(beat.at(0.75 + kBeforeAtria).twist, 0, 1e-9);
 }
 
 /// The numbers of an instant that are drawn or move handles.
@@ -214,29 +215,66 @@ TEST(CardiacCycle, DependsContinuouslyOnTheRate) {
     }
 }
 
-TEST(CardiacCycle, NamesItsSevenPhasesInOrderAndWithoutGaps) {
+/// A beat begins before the atria contract, within the part with which the one before ended.
+TEST(CardiacCycle, NamesItsPhasesInOrderAndWithoutGaps) {
   const std::vector<std::string> names{"atrial systole",   "isovolumic contraction", "rapid ejection",
                                        "reduced ejection", "isovolumic relaxation",  "rapid filling",
                                        "diastasis"};
   for (const double rate : allRates()) {
     const std::vector<sequences::Phase> phases = CardiacCycle::phases(rate);
-    ASSERT_EQ(phases.size(), cardiacTimes(rate).diastasis() > 0 ? 7u : 6u) << rate;
+    ASSERT_EQ(phases.size(), cardiacTimes(rate).diastasis() > 0 ? 8u : 7u) << rate;
+    EXPECT_EQ(phases.front().name.english(), phases.back().name.english());
     double end = 0;
     for (std::size_t i = 0; i < phases.size(); ++i) {
-      EXPECT_EQ(phases[i].name.english(), names[i]);
       EXPECT_EQ(phases[i].begin, end);
       EXPECT_GT(phases[i].end, phases[i].begin);
+      EXPECT_EQ(phases[i].group, phases[i].name.english().find("ejection") != std::string::npos ||
+                                         phases[i].name == "isovolumic contraction"
+                                     ? "systole"
+                                     : "diastole");
       end = phases[i].end;
     }
     EXPECT_EQ(end, 1);
+    const auto atria = std::find_if(phases.begin(), phases.end(),
+                                    [](const auto& phase) { return phase.name == "atrial systole"; });
+    ASSERT_NE(atria, phases.end());
+    EXPECT_NEAR(atria->begin * 60 / rate, kBeforeAtria, 1e-12);
+    for (std::size_t i = 0; i < names.size() && cardiacTimes(rate).filling() > 0.3; ++i)
+      EXPECT_EQ(phases[i + 1].name.english(), names[i]) << rate;
   }
 }
 
 TEST(CardiacCycle, TwoThirdsOfTheStrokeLeaveInTheRapidEjection) {
   const CardiacBeat beat = CardiacCycle().beat(75);
-  const std::vector<sequences::Phase> phases = CardiacCycle::phases(75);
-  EXPECT_NEAR(beat.at(phases[2].end * 0.8).leftEmptying, 0.67, 0.03);
-  EXPECT_NEAR(beat.at(phases[3].end * 0.8).leftEmptying, 1, 1e-9);
+  for (const sequences::Phase& phase : CardiacCycle::phases(75)) {
+    if (phase.name == "rapid ejection") {
+      EXPECT_NEAR(beat.at(phase.end * 0.8).leftEmptying, 0.67, 0.03);
+    }
+    if (phase.name == "reduced ejection") {
+      EXPECT_NEAR(beat.at(phase.end * 0.8).leftEmptying, 1, 1e-9);
+    }
+  }
+}
+
+/// The bars of open valves, the phases and the leaflets.
+TEST(CardiacCycle, ValvesAreOpenJustBetweenTheTimesOfTheirClockAtEveryRate) {
+  for (const double rate : allRates()) {
+    const CardiacBeat beat = CardiacCycle().beat(rate);
+    const double cycle = beat.times().cycle;
+    const auto inside = [&](double t, double opens, double shuts) {
+      const double since = t - opens - cycle * std::floor((t - opens) / cycle);
+      return since < shuts - opens - cycle * std::floor((shuts - opens) / cycle);
+    };
+    for (int k = 0; k < 500; ++k) {
+      const double t = (k + 0.5) * cycle / 500;
+      const ValveInstants valves = textbookValves(beat, t);
+      const VentricleClock &left = beat.left(), &right = beat.right();
+      EXPECT_EQ(valves[0].areaMm2 > 0, inside(t, left.inletOpens, left.inletShuts)) << rate << ' ' << t;
+      EXPECT_EQ(valves[1].areaMm2 > 0, inside(t, left.outletOpens, left.outletShuts)) << rate << ' ' << t;
+      EXPECT_EQ(valves[2].areaMm2 > 0, inside(t, right.inletOpens, right.inletShuts)) << rate << ' ' << t;
+      EXPECT_EQ(valves[3].areaMm2 > 0, inside(t, right.outletOpens, right.outletShuts)) << rate << ' ' << t;
+    }
+  }
 }
 
 TEST(CardiacCycle, OfAnotherHeartReachesItsOwnVolumes) {

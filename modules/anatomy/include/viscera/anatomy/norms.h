@@ -51,6 +51,14 @@ enum class Kind {
   averages, ///< From the mean of women to that of men: people differ by more than that.
 };
 
+/// A bound from which, or below which, a number is a sign of a disease.
+struct DiseaseLimit {
+  std::string name;   ///< "severe stenosis"
+  double bound = 0;   ///< In the unit of the row.
+  bool above = true;  ///< Ill from the bound on; else up to it.
+  std::string source; ///< With its DOI.
+};
+
 /// One row of the table: a number with its normal range and source.
 struct Norm {
   std::string id;       ///< "lv.edv"
@@ -66,7 +74,8 @@ struct Norm {
   std::optional<Measured> bothSexes = {};  ///< If the source does not distinguish the sexes.
   std::optional<Measured> womenPerM2 = {}; ///< A square metre of body surface.
   std::optional<Measured> menPerM2 = {};
-  std::optional<Range> limits = {}; ///< Of `Kind::limits`.
+  std::optional<Range> limits = {};       ///< Of `Kind::limits`.
+  std::vector<DiseaseLimit> disease = {}; ///< Not the range of healthy people, which ends before.
 
   /// Whether the row distinguishes women and men, or small and large people.
   bool knowsSex() const { return women.has_value(); }

@@ -19,9 +19,10 @@ struct ShownCirculation {
   circulation::Indices indices;
 };
 
-/// Wiggers's diagram: pressures of the left ventricle, the aorta and the left atrium, when valves are open,
-/// the left ventricle's volume, electrocardiogram and phonocardiogram over one cycle, below each other in the
-/// left part of the window up to `right` (a part of its width). All show the cursor.
+/// Wiggers's diagram: pressures of the left ventricle, the aorta and the left atrium, when valves are open
+/// (`circulation::openTimes`), the left ventricle's volume, electrocardiogram and phonocardiogram over one
+/// cycle from before the P wave to after T, below each other in the left part of the window up to `right` (a
+/// part of its width). All show the cursor; the first and the second heart sound are marked.
 std::vector<scene::CurvePanel> wiggersPanels(const ShownCirculation& shown, double right);
 
 /// The pressure-volume loops of the left and the right ventricle, below each other from `left` on, between

@@ -22,12 +22,19 @@ struct PanelCurve {
   bool dashed = false;
 };
 
+/// A named instant of a chart: a thin upright line.
+struct PanelMark {
+  double x = 0;
+  std::string text; ///< Beside its upper end; may be empty.
+};
+
 /// A chart with its axes and curves, and its place in a window.
 struct CurvePanel {
   std::string title; ///< Above it; may be empty.
   std::string xTitle;
   std::string yTitle;
   std::vector<PanelCurve> curves;
+  std::vector<PanelMark> marks;
   /// Where its axes cross and where they end, as parts of the window from its lower left; labels lie outside.
   double left = 0.1, bottom = 0.1, right = 0.95, top = 0.95;
   std::optional<ValueRange> xRange; ///< None: the range of the curves.

@@ -19,6 +19,17 @@ struct NamedCurve {
 /// `ecg_mV` and `sound`. O(samples).
 std::vector<NamedCurve> curvesOf(const Parameters& parameters, const Beat& beat, const Indices& indices);
 
+/// The sample of a beat with which diagrams and the moving heart begin: `beforeAtria` seconds before the
+/// atria contract. The curves of a beat begin later, with the ventricles' contraction.
+std::size_t firstDrawn(const Parameters& parameters, const Beat& beat, double beforeAtria);
+
+/// A curve over one beat from that sample on, as long as it was.
+std::vector<double> drawnFrom(std::size_t first, const std::vector<double>& curve);
+
+/// How long the early wave of the left ventricle's filling lasts after the mitral valve has opened, s: until
+/// the flow has fallen to a tenth of its height, or the atria contract.
+double earlyFillingSeconds(const Parameters& parameters, const Beat& beat, const Indices& indices);
+
 /// The names of chambers ("lv") and valves ("mitral") in tables and JSON.
 std::string nameOf(Compartment compartment);
 std::string nameOf(Valve valve);

@@ -5,14 +5,9 @@
 
 #include "viscera/circulation/beat.h"
 #include "viscera/circulation/parameters.h"
+#include "viscera/circulation/valve_state.h"
 
 namespace viscera::circulation {
-
-/// When a valve opens and shuts, s from the beginning of the ventricles' contraction, 0 to a period.
-struct ValveTimes {
-  double opens = 0;
-  double shuts = 0;
-};
 
 /// Volumes, pressures and derived numbers of one chamber over a beat.
 struct ChamberIndices {
@@ -47,15 +42,18 @@ struct Indices {
   double aorticMeanGradient = 0;        ///< mmHg, while blood flows forward through the open valve.
   double aorticPeakGradient = 0;
   double mitralMeanGradient = 0;
-  double ejectionSeconds =
-      0; ///< How long blood flows into the aorta: to the incisura, not to the valve's last touch.
+  /// From the shutting of the mitral to the opening of the aortic valve, and from the shutting of the aortic
+  /// to the opening of the mitral valve; 0 where the other valve opens first.
+  double isovolumicContractionSeconds = 0;
+  double isovolumicRelaxationSeconds = 0;
+  double ejectionSeconds = 0; ///< How long the aortic valve is open.
   double relaxationSeconds =
       0; ///< Time constant with which the left ventricle's pressure falls between the valves.
   double arterialElastance = 0; ///< Ea, mmHg/ml: end-systolic pressure by stroke volume (Sunagawa; Kelly and
                                 ///< others 1992, doi 10.1161/01.CIR.86.2.513).
   double couplingRatio = 0;     ///< Ea / Ees
-  std::array<std::optional<ValveTimes>, kValves>
-      valves; ///< Empty for a valve that never opens or never shuts.
+  /// The times between which each valve is shut for longest; empty for one that never opens or never shuts.
+  std::array<std::optional<ValveTimes>, kValves> valves;
 
   const ChamberIndices& of(Compartment c) const { return chambers[static_cast<std::size_t>(c)]; }
 };

@@ -96,4 +96,8 @@ void checkParameters(const Parameters& parameters);
 /// and others 1968, doi 10.1161/01.CIR.37.2.149, at rest; the flatter line in exercise).
 double endSystoleSeconds(double ratePerMinute);
 
+/// Seconds from the beginning of the atria's contraction to that of the ventricles': `conduction`, in a fast
+/// heart no more than a part of the beat.
+double conductionSeconds(const Parameters& parameters);
+
 } // namespace viscera::circulation

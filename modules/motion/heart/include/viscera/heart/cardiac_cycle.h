@@ -53,8 +53,23 @@ private:
   sequences::Curve atrial_;
 };
 
-/// The textbook's cardiac cycle: volumes and events of a beat at any rate. A beat starts with the atria's
-/// contraction; how long its parts last at each rate is `cardiacTimes`.
+/// The events of the left heart in one beat, s after its beginning, each no earlier than the one before;
+/// later ones may lie beyond the end of the beat.
+struct LeftHeartEvents {
+  double cycle = 0;
+  double atriaContract = 0;
+  VentricleClock valves;   ///< Mitral and aortic.
+  double earlyFilling = 0; ///< How long the E wave lasts after the mitral valve has opened.
+};
+
+/// The parts of a beat by name, covering [0, 1]: atrial systole, isovolumic contraction, rapid and reduced
+/// ejection (the first 45 % of the time and the rest), isovolumic relaxation, rapid filling, diastasis; the
+/// part in which the beat begins and ends comes first and last. Parts that take no time are missing. The
+/// textbook's heartbeat and that of a circulation both use it. O(1).
+std::vector<sequences::Phase> phasesOf(const LeftHeartEvents& events);
+
+/// The textbook's cardiac cycle: volumes and events of a beat at any rate. A beat starts `kBeforeAtria`
+/// before the atria's contraction; how long its parts last at each rate is `cardiacTimes`.
 ///
 /// Standard volumes at rest: left ventricle 130.5 ml at the end of diastole, 55 ml at the end of systole
 /// (ejection fraction 0.58, the mean of healthy men: UK Biobank, doi 10.1186/s12968-017-0327-9); right
@@ -86,9 +101,8 @@ public:
   /// As `beat(rateBpm).at(seconds)`.
   CardiacInstant at(double seconds, double rateBpm) const { return beat(rateBpm).at(seconds); }
 
-  /// The parts of a beat by name, those of the left heart, covering [0, 1]: atrial systole, isovolumic
-  /// contraction, rapid and reduced ejection (two thirds of the stroke leave in the first), isovolumic
-  /// relaxation, rapid filling, diastasis. Diastasis is missing where the waves of filling overlap.
+  /// The parts of a beat by name (`phasesOf`); two thirds of the stroke leave in the rapid ejection.
+  /// Diastasis is missing where the waves of filling overlap.
   static std::vector<sequences::Phase> phases(double rateBpm);
 
 private:

@@ -10,8 +10,12 @@ namespace viscera::heart {
 inline constexpr double kLowestMeasuredBpm = 50;
 inline constexpr double kHighestMeasuredBpm = 171;
 
-/// How long each part of one beat of the left heart lasts, s. A beat begins with the contraction of the
-/// atria.
+/// A beat begins so long before the atria contract, s: before the P wave of the electrocardiogram, which
+/// lasts 0.08 to 0.11 s and comes before its contraction. The textbook's beat and that of a circulation both
+/// do.
+inline constexpr double kBeforeAtria = 0.08;
+
+/// How long each part of one beat of the left heart lasts, s.
 struct CardiacTimes {
   double cycle = 0;
   double atrialSystole = 0; ///< The A wave of the inflow, to the closing of the mitral valve.
@@ -57,7 +61,8 @@ double strokePart(const CardiacTimes& times, double strokeMl);
 /// docs/sequences.md lists sources that disagree.
 inline constexpr double kFastestFilling = 219 * 1.75;
 
-/// The times at which the valves of one ventricle open and close, s after the beginning of a beat.
+/// The times at which the valves of one ventricle open and close, s after the beginning of a beat, in their
+/// order: in a fast heart the last ones belong to the beat that has begun then.
 struct VentricleClock {
   double inletShuts = 0; ///< Mitral or tricuspid valve.
   double outletOpens = 0;
