@@ -6744,6 +6744,70 @@
         <source>see docs/strain.md for the form of such a file</source>
         <translation>vegeu docs/strain.md per a la forma d’un fitxer així</translation>
     </message>
+    <message>
+        <source>Isovolumic contraction</source>
+        <translation>Contracció isovolumètrica</translation>
+    </message>
+    <message>
+        <source>Isovolumic relaxation</source>
+        <translation>Relaxació isovolumètrica</translation>
+    </message>
+    <message>
+        <source>Ejection time</source>
+        <translation>Temps d’ejecció</translation>
+    </message>
+    <message>
+        <source>Aorta, in exercise</source>
+        <translation>Aorta, en exercici</translation>
+    </message>
+    <message>
+        <source>Left atrium, in exercise</source>
+        <translation>Aurícula esquerra, en exercici</translation>
+    </message>
+    <message>
+        <source>Aortic valve, in exercise</source>
+        <translation>Vàlvula aòrtica, en exercici</translation>
+    </message>
+    <message>
+        <source>highest pressure (a wave)</source>
+        <translation>pressió més alta (ona a)</translation>
+    </message>
+    <message>
+        <source>healthy adults at peak exercise</source>
+        <translation>adults sans en l’exercici màxim</translation>
+    </message>
+    <message>
+        <source>62 healthy people, wedge pressure; some of the oldest exceed it</source>
+        <translation>62 persones sanes, pressió d’enclavament; algunes de les més grans la superen</translation>
+    </message>
+    <message>
+        <source>healthy adults: the limit at rest is kept</source>
+        <translation>adults sans: es manté el límit en repòs</translation>
+    </message>
+    <message>
+        <source>textbooks; percentiles of 2917 people: Sabbahi 2018, doi 10.1161/HYPERTENSIONAHA.117.10116</source>
+        <translation>manuals; percentils de 2917 persones: Sabbahi 2018, doi 10.1161/HYPERTENSIONAHA.117.10116</translation>
+    </message>
+    <message>
+        <source>Wolsk 2017, doi 10.1016/j.jchf.2016.10.012</source>
+        <translation>Wolsk 2017, doi 10.1016/j.jchf.2016.10.012</translation>
+    </message>
+    <message>
+        <source>as at rest; no stenosis up to 2.5 m/s: Baumgartner 2017, doi 10.1016/j.echo.2017.02.009</source>
+        <translation>com en repòs; sense estenosi fins a 2,5 m/s: Baumgartner 2017, doi 10.1016/j.echo.2017.02.009</translation>
+    </message>
+    <message>
+        <source>customary at the bedside, for the 1 to 1.7 m/s of a healthy valve; no stenosis up to 2.5 m/s: Baumgartner 2017, doi 10.1016/j.echo.2017.02.009</source>
+        <translation>habitual a la clínica, per als 1 a 1,7 m/s d’una vàlvula sana; sense estenosi fins a 2,5 m/s: Baumgartner 2017, doi 10.1016/j.echo.2017.02.009</translation>
+    </message>
+    <message>
+        <source>none or a trace, which normal valves often have: doi 10.1378/chest.103.1.226</source>
+        <translation>cap o una traça, que les vàlvules normals tenen sovint: doi 10.1378/chest.103.1.226</translation>
+    </message>
+    <message>
+        <source>between the contractions of both, shorter than the PR interval of 0.12 to 0.20 s</source>
+        <translation>entre les contraccions de tots dos, més curt que l’interval PR de 0,12 a 0,20 s</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app</name>
@@ -6940,70 +7004,6 @@
     <message>
         <source>Time in the cycle</source>
         <translation>Temps en el cicle</translation>
-    </message>
-    <message>
-        <source>Isovolumic contraction</source>
-        <translation>Contracció isovolumètrica</translation>
-    </message>
-    <message>
-        <source>Isovolumic relaxation</source>
-        <translation>Relaxació isovolumètrica</translation>
-    </message>
-    <message>
-        <source>Ejection time</source>
-        <translation>Temps d’ejecció</translation>
-    </message>
-    <message>
-        <source>Aorta, in exercise</source>
-        <translation>Aorta, en exercici</translation>
-    </message>
-    <message>
-        <source>Left atrium, in exercise</source>
-        <translation>Aurícula esquerra, en exercici</translation>
-    </message>
-    <message>
-        <source>Aortic valve, in exercise</source>
-        <translation>Vàlvula aòrtica, en exercici</translation>
-    </message>
-    <message>
-        <source>highest pressure (a wave)</source>
-        <translation>pressió més alta (ona a)</translation>
-    </message>
-    <message>
-        <source>healthy adults at peak exercise</source>
-        <translation>adults sans en l’exercici màxim</translation>
-    </message>
-    <message>
-        <source>62 healthy people, wedge pressure; some of the oldest exceed it</source>
-        <translation>62 persones sanes, pressió d’enclavament; algunes de les més grans la superen</translation>
-    </message>
-    <message>
-        <source>healthy adults: the limit at rest is kept</source>
-        <translation>adults sans: es manté el límit en repòs</translation>
-    </message>
-    <message>
-        <source>textbooks; percentiles of 2917 people: Sabbahi 2018, doi 10.1161/HYPERTENSIONAHA.117.10116</source>
-        <translation>manuals; percentils de 2917 persones: Sabbahi 2018, doi 10.1161/HYPERTENSIONAHA.117.10116</translation>
-    </message>
-    <message>
-        <source>Wolsk 2017, doi 10.1016/j.jchf.2016.10.012</source>
-        <translation>Wolsk 2017, doi 10.1016/j.jchf.2016.10.012</translation>
-    </message>
-    <message>
-        <source>as at rest; no stenosis up to 2.5 m/s: Baumgartner 2017, doi 10.1016/j.echo.2017.02.009</source>
-        <translation>com en repòs; sense estenosi fins a 2,5 m/s: Baumgartner 2017, doi 10.1016/j.echo.2017.02.009</translation>
-    </message>
-    <message>
-        <source>customary at the bedside, for the 1 to 1.7 m/s of a healthy valve; no stenosis up to 2.5 m/s: Baumgartner 2017, doi 10.1016/j.echo.2017.02.009</source>
-        <translation>habitual a la clínica, per als 1 a 1,7 m/s d’una vàlvula sana; sense estenosi fins a 2,5 m/s: Baumgartner 2017, doi 10.1016/j.echo.2017.02.009</translation>
-    </message>
-    <message>
-        <source>none or a trace, which normal valves often have: doi 10.1378/chest.103.1.226</source>
-        <translation>cap o una traça, que les vàlvules normals tenen sovint: doi 10.1378/chest.103.1.226</translation>
-    </message>
-    <message>
-        <source>between the contractions of both, shorter than the PR interval of 0.12 to 0.20 s</source>
-        <translation>entre les contraccions de tots dos, més curt que l’interval PR de 0,12 a 0,20 s</translation>
     </message>
 </context>
 </TS>

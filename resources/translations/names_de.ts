@@ -6744,6 +6744,70 @@
         <source>see docs/strain.md for the form of such a file</source>
         <translation>siehe docs/strain.md zur Form einer solchen Datei</translation>
     </message>
+    <message>
+        <source>Isovolumic contraction</source>
+        <translation>Isovolumetrische Kontraktion</translation>
+    </message>
+    <message>
+        <source>Isovolumic relaxation</source>
+        <translation>Isovolumetrische Relaxation</translation>
+    </message>
+    <message>
+        <source>Ejection time</source>
+        <translation>Austreibungszeit</translation>
+    </message>
+    <message>
+        <source>Aorta, in exercise</source>
+        <translation>Aorta, bei Belastung</translation>
+    </message>
+    <message>
+        <source>Left atrium, in exercise</source>
+        <translation>Linker Vorhof, bei Belastung</translation>
+    </message>
+    <message>
+        <source>Aortic valve, in exercise</source>
+        <translation>Aortenklappe, bei Belastung</translation>
+    </message>
+    <message>
+        <source>highest pressure (a wave)</source>
+        <translation>höchster Druck (a-Welle)</translation>
+    </message>
+    <message>
+        <source>healthy adults at peak exercise</source>
+        <translation>gesunde Erwachsene bei höchster Belastung</translation>
+    </message>
+    <message>
+        <source>62 healthy people, wedge pressure; some of the oldest exceed it</source>
+        <translation>62 Gesunde, Verschlussdruck; einige der Ältesten überschreiten ihn</translation>
+    </message>
+    <message>
+        <source>healthy adults: the limit at rest is kept</source>
+        <translation>gesunde Erwachsene: Die Grenze in Ruhe gilt weiter</translation>
+    </message>
+    <message>
+        <source>textbooks; percentiles of 2917 people: Sabbahi 2018, doi 10.1161/HYPERTENSIONAHA.117.10116</source>
+        <translation>Lehrbücher; Perzentile von 2917 Menschen: Sabbahi 2018, doi 10.1161/HYPERTENSIONAHA.117.10116</translation>
+    </message>
+    <message>
+        <source>Wolsk 2017, doi 10.1016/j.jchf.2016.10.012</source>
+        <translation>Wolsk 2017, doi 10.1016/j.jchf.2016.10.012</translation>
+    </message>
+    <message>
+        <source>as at rest; no stenosis up to 2.5 m/s: Baumgartner 2017, doi 10.1016/j.echo.2017.02.009</source>
+        <translation>wie in Ruhe; keine Stenose bis 2,5 m/s: Baumgartner 2017, doi 10.1016/j.echo.2017.02.009</translation>
+    </message>
+    <message>
+        <source>customary at the bedside, for the 1 to 1.7 m/s of a healthy valve; no stenosis up to 2.5 m/s: Baumgartner 2017, doi 10.1016/j.echo.2017.02.009</source>
+        <translation>in der Klinik üblich, für die 1 bis 1,7 m/s einer gesunden Klappe; keine Stenose bis 2,5 m/s: Baumgartner 2017, doi 10.1016/j.echo.2017.02.009</translation>
+    </message>
+    <message>
+        <source>none or a trace, which normal valves often have: doi 10.1378/chest.103.1.226</source>
+        <translation>keine oder eine Spur, die normale Klappen oft haben: doi 10.1378/chest.103.1.226</translation>
+    </message>
+    <message>
+        <source>between the contractions of both, shorter than the PR interval of 0.12 to 0.20 s</source>
+        <translation>zwischen den Kontraktionen beider, kürzer als das PQ-Intervall von 0,12 bis 0,20 s</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app</name>
@@ -6940,70 +7004,6 @@
     <message>
         <source>Time in the cycle</source>
         <translation>Zeit im Zyklus</translation>
-    </message>
-    <message>
-        <source>Isovolumic contraction</source>
-        <translation>Isovolumetrische Kontraktion</translation>
-    </message>
-    <message>
-        <source>Isovolumic relaxation</source>
-        <translation>Isovolumetrische Relaxation</translation>
-    </message>
-    <message>
-        <source>Ejection time</source>
-        <translation>Austreibungszeit</translation>
-    </message>
-    <message>
-        <source>Aorta, in exercise</source>
-        <translation>Aorta, bei Belastung</translation>
-    </message>
-    <message>
-        <source>Left atrium, in exercise</source>
-        <translation>Linker Vorhof, bei Belastung</translation>
-    </message>
-    <message>
-        <source>Aortic valve, in exercise</source>
-        <translation>Aortenklappe, bei Belastung</translation>
-    </message>
-    <message>
-        <source>highest pressure (a wave)</source>
-        <translation>höchster Druck (a-Welle)</translation>
-    </message>
-    <message>
-        <source>healthy adults at peak exercise</source>
-        <translation>gesunde Erwachsene bei höchster Belastung</translation>
-    </message>
-    <message>
-        <source>62 healthy people, wedge pressure; some of the oldest exceed it</source>
-        <translation>62 Gesunde, Verschlussdruck; einige der Ältesten überschreiten ihn</translation>
-    </message>
-    <message>
-        <source>healthy adults: the limit at rest is kept</source>
-        <translation>gesunde Erwachsene: Die Grenze in Ruhe gilt weiter</translation>
-    </message>
-    <message>
-        <source>textbooks; percentiles of 2917 people: Sabbahi 2018, doi 10.1161/HYPERTENSIONAHA.117.10116</source>
-        <translation>Lehrbücher; Perzentile von 2917 Menschen: Sabbahi 2018, doi 10.1161/HYPERTENSIONAHA.117.10116</translation>
-    </message>
-    <message>
-        <source>Wolsk 2017, doi 10.1016/j.jchf.2016.10.012</source>
-        <translation>Wolsk 2017, doi 10.1016/j.jchf.2016.10.012</translation>
-    </message>
-    <message>
-        <source>as at rest; no stenosis up to 2.5 m/s: Baumgartner 2017, doi 10.1016/j.echo.2017.02.009</source>
-        <translation>wie in Ruhe; keine Stenose bis 2,5 m/s: Baumgartner 2017, doi 10.1016/j.echo.2017.02.009</translation>
-    </message>
-    <message>
-        <source>customary at the bedside, for the 1 to 1.7 m/s of a healthy valve; no stenosis up to 2.5 m/s: Baumgartner 2017, doi 10.1016/j.echo.2017.02.009</source>
-        <translation>in der Klinik üblich, für die 1 bis 1,7 m/s einer gesunden Klappe; keine Stenose bis 2,5 m/s: Baumgartner 2017, doi 10.1016/j.echo.2017.02.009</translation>
-    </message>
-    <message>
-        <source>none or a trace, which normal valves often have: doi 10.1378/chest.103.1.226</source>
-        <translation>keine oder eine Spur, die normale Klappen oft haben: doi 10.1378/chest.103.1.226</translation>
-    </message>
-    <message>
-        <source>between the contractions of both, shorter than the PR interval of 0.12 to 0.20 s</source>
-        <translation>zwischen den Kontraktionen beider, kürzer als das PQ-Intervall von 0,12 bis 0,20 s</translation>
     </message>
 </context>
 </TS>

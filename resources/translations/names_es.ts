@@ -6744,6 +6744,70 @@
         <source>see docs/strain.md for the form of such a file</source>
         <translation>vea docs/strain.md para la forma de tal archivo</translation>
     </message>
+    <message>
+        <source>Isovolumic contraction</source>
+        <translation>Contracción isovolumétrica</translation>
+    </message>
+    <message>
+        <source>Isovolumic relaxation</source>
+        <translation>Relajación isovolumétrica</translation>
+    </message>
+    <message>
+        <source>Ejection time</source>
+        <translation>Tiempo de eyección</translation>
+    </message>
+    <message>
+        <source>Aorta, in exercise</source>
+        <translation>Aorta, en ejercicio</translation>
+    </message>
+    <message>
+        <source>Left atrium, in exercise</source>
+        <translation>Aurícula izquierda, en ejercicio</translation>
+    </message>
+    <message>
+        <source>Aortic valve, in exercise</source>
+        <translation>Válvula aórtica, en ejercicio</translation>
+    </message>
+    <message>
+        <source>highest pressure (a wave)</source>
+        <translation>presión más alta (onda a)</translation>
+    </message>
+    <message>
+        <source>healthy adults at peak exercise</source>
+        <translation>adultos sanos en el ejercicio máximo</translation>
+    </message>
+    <message>
+        <source>62 healthy people, wedge pressure; some of the oldest exceed it</source>
+        <translation>62 personas sanas, presión de enclavamiento; algunas de las mayores la superan</translation>
+    </message>
+    <message>
+        <source>healthy adults: the limit at rest is kept</source>
+        <translation>adultos sanos: se mantiene el límite en reposo</translation>
+    </message>
+    <message>
+        <source>textbooks; percentiles of 2917 people: Sabbahi 2018, doi 10.1161/HYPERTENSIONAHA.117.10116</source>
+        <translation>manuales; percentiles de 2917 personas: Sabbahi 2018, doi 10.1161/HYPERTENSIONAHA.117.10116</translation>
+    </message>
+    <message>
+        <source>Wolsk 2017, doi 10.1016/j.jchf.2016.10.012</source>
+        <translation>Wolsk 2017, doi 10.1016/j.jchf.2016.10.012</translation>
+    </message>
+    <message>
+        <source>as at rest; no stenosis up to 2.5 m/s: Baumgartner 2017, doi 10.1016/j.echo.2017.02.009</source>
+        <translation>como en reposo; sin estenosis hasta 2,5 m/s: Baumgartner 2017, doi 10.1016/j.echo.2017.02.009</translation>
+    </message>
+    <message>
+        <source>customary at the bedside, for the 1 to 1.7 m/s of a healthy valve; no stenosis up to 2.5 m/s: Baumgartner 2017, doi 10.1016/j.echo.2017.02.009</source>
+        <translation>habitual en la clínica, para los 1 a 1,7 m/s de una válvula sana; sin estenosis hasta 2,5 m/s: Baumgartner 2017, doi 10.1016/j.echo.2017.02.009</translation>
+    </message>
+    <message>
+        <source>none or a trace, which normal valves often have: doi 10.1378/chest.103.1.226</source>
+        <translation>ninguna o una traza, que las válvulas normales tienen a menudo: doi 10.1378/chest.103.1.226</translation>
+    </message>
+    <message>
+        <source>between the contractions of both, shorter than the PR interval of 0.12 to 0.20 s</source>
+        <translation>entre las contracciones de ambos, más corto que el intervalo PR de 0,12 a 0,20 s</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app</name>
@@ -6940,70 +7004,6 @@
     <message>
         <source>Time in the cycle</source>
         <translation>Tiempo en el ciclo</translation>
-    </message>
-    <message>
-        <source>Isovolumic contraction</source>
-        <translation>Contracción isovolumétrica</translation>
-    </message>
-    <message>
-        <source>Isovolumic relaxation</source>
-        <translation>Relajación isovolumétrica</translation>
-    </message>
-    <message>
-        <source>Ejection time</source>
-        <translation>Tiempo de eyección</translation>
-    </message>
-    <message>
-        <source>Aorta, in exercise</source>
-        <translation>Aorta, en ejercicio</translation>
-    </message>
-    <message>
-        <source>Left atrium, in exercise</source>
-        <translation>Aurícula izquierda, en ejercicio</translation>
-    </message>
-    <message>
-        <source>Aortic valve, in exercise</source>
-        <translation>Válvula aórtica, en ejercicio</translation>
-    </message>
-    <message>
-        <source>highest pressure (a wave)</source>
-        <translation>presión más alta (onda a)</translation>
-    </message>
-    <message>
-        <source>healthy adults at peak exercise</source>
-        <translation>adultos sanos en el ejercicio máximo</translation>
-    </message>
-    <message>
-        <source>62 healthy people, wedge pressure; some of the oldest exceed it</source>
-        <translation>62 personas sanas, presión de enclavamiento; algunas de las mayores la superan</translation>
-    </message>
-    <message>
-        <source>healthy adults: the limit at rest is kept</source>
-        <translation>adultos sanos: se mantiene el límite en reposo</translation>
-    </message>
-    <message>
-        <source>textbooks; percentiles of 2917 people: Sabbahi 2018, doi 10.1161/HYPERTENSIONAHA.117.10116</source>
-        <translation>manuales; percentiles de 2917 personas: Sabbahi 2018, doi 10.1161/HYPERTENSIONAHA.117.10116</translation>
-    </message>
-    <message>
-        <source>Wolsk 2017, doi 10.1016/j.jchf.2016.10.012</source>
-        <translation>Wolsk 2017, doi 10.1016/j.jchf.2016.10.012</translation>
-    </message>
-    <message>
-        <source>as at rest; no stenosis up to 2.5 m/s: Baumgartner 2017, doi 10.1016/j.echo.2017.02.009</source>
-        <translation>como en reposo; sin estenosis hasta 2,5 m/s: Baumgartner 2017, doi 10.1016/j.echo.2017.02.009</translation>
-    </message>
-    <message>
-        <source>customary at the bedside, for the 1 to 1.7 m/s of a healthy valve; no stenosis up to 2.5 m/s: Baumgartner 2017, doi 10.1016/j.echo.2017.02.009</source>
-        <translation>habitual en la clínica, para los 1 a 1,7 m/s de una válvula sana; sin estenosis hasta 2,5 m/s: Baumgartner 2017, doi 10.1016/j.echo.2017.02.009</translation>
-    </message>
-    <message>
-        <source>none or a trace, which normal valves often have: doi 10.1378/chest.103.1.226</source>
-        <translation>ninguna o una traza, que las válvulas normales tienen a menudo: doi 10.1378/chest.103.1.226</translation>
-    </message>
-    <message>
-        <source>between the contractions of both, shorter than the PR interval of 0.12 to 0.20 s</source>
-        <translation>entre las contracciones de ambos, más corto que el intervalo PR de 0,12 a 0,20 s</translation>
     </message>
 </context>
 </TS>

@@ -6744,6 +6744,70 @@
         <source>see docs/strain.md for the form of such a file</source>
         <translation>voyez docs/strain.md pour la forme d’un tel fichier</translation>
     </message>
+    <message>
+        <source>Isovolumic contraction</source>
+        <translation>Contraction isovolumique</translation>
+    </message>
+    <message>
+        <source>Isovolumic relaxation</source>
+        <translation>Relaxation isovolumique</translation>
+    </message>
+    <message>
+        <source>Ejection time</source>
+        <translation>Temps d’éjection</translation>
+    </message>
+    <message>
+        <source>Aorta, in exercise</source>
+        <translation>Aorte, à l’effort</translation>
+    </message>
+    <message>
+        <source>Left atrium, in exercise</source>
+        <translation>Atrium gauche, à l’effort</translation>
+    </message>
+    <message>
+        <source>Aortic valve, in exercise</source>
+        <translation>Valve aortique, à l’effort</translation>
+    </message>
+    <message>
+        <source>highest pressure (a wave)</source>
+        <translation>pression la plus haute (onde a)</translation>
+    </message>
+    <message>
+        <source>healthy adults at peak exercise</source>
+        <translation>adultes en bonne santé à l’effort maximal</translation>
+    </message>
+    <message>
+        <source>62 healthy people, wedge pressure; some of the oldest exceed it</source>
+        <translation>62 personnes en bonne santé, pression d’occlusion ; certaines des plus âgées la dépassent</translation>
+    </message>
+    <message>
+        <source>healthy adults: the limit at rest is kept</source>
+        <translation>adultes en bonne santé : la limite au repos est gardée</translation>
+    </message>
+    <message>
+        <source>textbooks; percentiles of 2917 people: Sabbahi 2018, doi 10.1161/HYPERTENSIONAHA.117.10116</source>
+        <translation>manuels ; percentiles de 2917 personnes : Sabbahi 2018, doi 10.1161/HYPERTENSIONAHA.117.10116</translation>
+    </message>
+    <message>
+        <source>Wolsk 2017, doi 10.1016/j.jchf.2016.10.012</source>
+        <translation>Wolsk 2017, doi 10.1016/j.jchf.2016.10.012</translation>
+    </message>
+    <message>
+        <source>as at rest; no stenosis up to 2.5 m/s: Baumgartner 2017, doi 10.1016/j.echo.2017.02.009</source>
+        <translation>comme au repos ; pas de sténose jusqu’à 2,5 m/s : Baumgartner 2017, doi 10.1016/j.echo.2017.02.009</translation>
+    </message>
+    <message>
+        <source>customary at the bedside, for the 1 to 1.7 m/s of a healthy valve; no stenosis up to 2.5 m/s: Baumgartner 2017, doi 10.1016/j.echo.2017.02.009</source>
+        <translation>usuel en clinique, pour les 1 à 1,7 m/s d’une valve saine ; pas de sténose jusqu’à 2,5 m/s : Baumgartner 2017, doi 10.1016/j.echo.2017.02.009</translation>
+    </message>
+    <message>
+        <source>none or a trace, which normal valves often have: doi 10.1378/chest.103.1.226</source>
+        <translation>aucune ou une trace, que les valves normales ont souvent : doi 10.1378/chest.103.1.226</translation>
+    </message>
+    <message>
+        <source>between the contractions of both, shorter than the PR interval of 0.12 to 0.20 s</source>
+        <translation>entre les contractions des deux, plus court que l’intervalle PR de 0,12 à 0,20 s</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app</name>
@@ -6940,70 +7004,6 @@
     <message>
         <source>Time in the cycle</source>
         <translation>Temps dans le cycle</translation>
-    </message>
-    <message>
-        <source>Isovolumic contraction</source>
-        <translation>Contraction isovolumique</translation>
-    </message>
-    <message>
-        <source>Isovolumic relaxation</source>
-        <translation>Relaxation isovolumique</translation>
-    </message>
-    <message>
-        <source>Ejection time</source>
-        <translation>Temps d’éjection</translation>
-    </message>
-    <message>
-        <source>Aorta, in exercise</source>
-        <translation>Aorte, à l’effort</translation>
-    </message>
-    <message>
-        <source>Left atrium, in exercise</source>
-        <translation>Atrium gauche, à l’effort</translation>
-    </message>
-    <message>
-        <source>Aortic valve, in exercise</source>
-        <translation>Valve aortique, à l’effort</translation>
-    </message>
-    <message>
-        <source>highest pressure (a wave)</source>
-        <translation>pression la plus haute (onde a)</translation>
-    </message>
-    <message>
-        <source>healthy adults at peak exercise</source>
-        <translation>adultes en bonne santé à l’effort maximal</translation>
-    </message>
-    <message>
-        <source>62 healthy people, wedge pressure; some of the oldest exceed it</source>
-        <translation>62 personnes en bonne santé, pression d’occlusion ; certaines des plus âgées la dépassent</translation>
-    </message>
-    <message>
-        <source>healthy adults: the limit at rest is kept</source>
-        <translation>adultes en bonne santé : la limite au repos est gardée</translation>
-    </message>
-    <message>
-        <source>textbooks; percentiles of 2917 people: Sabbahi 2018, doi 10.1161/HYPERTENSIONAHA.117.10116</source>
-        <translation>manuels ; percentiles de 2917 personnes : Sabbahi 2018, doi 10.1161/HYPERTENSIONAHA.117.10116</translation>
-    </message>
-    <message>
-        <source>Wolsk 2017, doi 10.1016/j.jchf.2016.10.012</source>
-        <translation>Wolsk 2017, doi 10.1016/j.jchf.2016.10.012</translation>
-    </message>
-    <message>
-        <source>as at rest; no stenosis up to 2.5 m/s: Baumgartner 2017, doi 10.1016/j.echo.2017.02.009</source>
-        <translation>comme au repos ; pas de sténose jusqu’à 2,5 m/s : Baumgartner 2017, doi 10.1016/j.echo.2017.02.009</translation>
-    </message>
-    <message>
-        <source>customary at the bedside, for the 1 to 1.7 m/s of a healthy valve; no stenosis up to 2.5 m/s: Baumgartner 2017, doi 10.1016/j.echo.2017.02.009</source>
-        <translation>usuel en clinique, pour les 1 à 1,7 m/s d’une valve saine ; pas de sténose jusqu’à 2,5 m/s : Baumgartner 2017, doi 10.1016/j.echo.2017.02.009</translation>
-    </message>
-    <message>
-        <source>none or a trace, which normal valves often have: doi 10.1378/chest.103.1.226</source>
-        <translation>aucune ou une trace, que les valves normales ont souvent : doi 10.1378/chest.103.1.226</translation>
-    </message>
-    <message>
-        <source>between the contractions of both, shorter than the PR interval of 0.12 to 0.20 s</source>
-        <translation>entre les contractions des deux, plus court que l’intervalle PR de 0,12 à 0,20 s</translation>
     </message>
 </context>
 </TS>
