@@ -20,7 +20,27 @@ std::string typeDeclaredBy(const std::string& line) {
   std::smatch found;
   return std::regex_match(line, found, declaration) ? found[1].str() : std::string();
 }
+
+/// Whether the CMakeLists.txt of the file's folder, or of one above it, has the file's name without its
+/// ending as a word.
+bool namedInCMake(const std::filesystem::path& file) {
+  const std::regex word("(^|[^A-Za-z0-9_])" + file.stem().string() + "($|[^A-Za-z0-9_])");
+  const std::filesystem::path top = VISCERA_SOURCE_DIR;
+  for (std::filesystem::path folder = file.parent_path(); folder != top; folder = folder.parent_path())
+    for (const std::string& line : linesOf(folder / "CMakeLists.txt"))
+      if (std::regex_search(line, word))
+        return true;
+  return false;
+}
 } // namespace
+
+/// A file that no target lists is neither compiled nor, where it is a test, missed.
+TEST(SourceFiles, AreListedInCMake) {
+  for (const std::string folder : {"app", "modules", "tests"})
+    for (const std::filesystem::path& file : sourcesUnder(folder))
+      EXPECT_TRUE(file.extension() != ".cpp" || namedInCMake(file)) << shortName(file) << " is in no target";
+  EXPECT_FALSE(namedInCMake(std::filesystem::path(VISCERA_SOURCE_DIR) / "tests/unit/core/of_no_target.cpp"));
+}
 
 TEST(SourceFiles, AreShortEnoughToRead) {
   for (const std::string folder : {"app", "modules", "tests"})
