@@ -157,8 +157,8 @@ TEST(RemoveFragments, SaysBeforehandWhatGoes) {
 /// A heart's coronary vessel, thinner than the cells of the usual grid.
 TEST(Remesh, SaysThatItLostAVesselAndKeepsItAtAFinerResolution) {
   Progress progress;
-  geometry::TriangleMesh vessel = tests::sphere(3, 1);
-  vessel.points = vessel.points * Vec3(14, 0.8, 0.8).asDiagonal();
+  geometry::TriangleMesh vessel = tests::sphere(3, 0.8);
+  vessel.points.col(0) += 13.2 * vessel.points.col(0).cwiseSign(); // A rod with round ends.
   vessel.points.rowwise() += Eigen::RowVector3d(52, 0, 0);
   const auto mesh = joined({tests::sphere(4, 40), vessel});
   const auto coarse = surfaceRepair("remesh").apply(mesh, progress, {});
