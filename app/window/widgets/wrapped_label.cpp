@@ -1,6 +1,7 @@
 #include "window/widgets/wrapped_label.h"
 
 #include <QPainter>
+#include <QResizeEvent>
 #include <QTextLayout>
 
 #include <algorithm>
@@ -59,7 +60,13 @@ QSize WrappedLabel::sizeHint() const {
 QSize WrappedLabel::minimumSizeHint() const {
   const QSize whole = QLabel::minimumSizeHint();
   const int few = kFewestLetters * fontMetrics().averageCharWidth() + around().width();
-  return {std::min(whole.width(), few), whole.height()};
+  return {std::min(whole.width(), few), breaksWords(width()) ? heightForWidth(width()) : whole.height()};
+}
+
+void WrappedLabel::resizeEvent(QResizeEvent* event) {
+  QLabel::resizeEvent(event);
+  if (event->oldSize().width() != width())
+    updateGeometry();
 }
 
 void WrappedLabel::paintEvent(QPaintEvent* event) {

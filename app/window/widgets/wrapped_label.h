@@ -19,11 +19,12 @@ public:
 
   int heightForWidth(int width) const override;
   QSize sizeHint() const override;
-  /// The width of a few letters.
+  /// The width of a few letters; as high as the text is where words break, which a page that scrolls needs.
   QSize minimumSizeHint() const override;
 
 protected:
   void paintEvent(QPaintEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
 
 private:
   /// Whether some word is wider than the label would be.
