@@ -54,7 +54,7 @@ struct StrainOptions {
   /// The phase without strain, the end of diastole. None: the first one, or the fullest where the left
   /// ventricle holds 3 % more in another.
   std::optional<std::size_t> reference;
-  int witnesses = 40'000;    ///< In the outer surface, cavities included.
+  int witnesses = 40'000; ///< In the outer surface, cavities included.
   std::vector<strain::ListedContour>
       contours; ///< Vertices as in the files; surfaces by name, or "" for the left.
 };
