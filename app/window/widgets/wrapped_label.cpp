@@ -1,7 +1,6 @@
 #include "window/widgets/wrapped_label.h"
 
 #include <QPainter>
-#include <QResizeEvent>
 #include <QTextLayout>
 
 #include <algorithm>
@@ -44,6 +43,7 @@ double WrappedLabel::layOut(QTextLayout& lines, int width) const {
 }
 
 int WrappedLabel::heightForWidth(int width) const {
+  ensurePolished();
   if (!breaksWords(width))
     return QLabel::heightForWidth(width);
   QString said = text();
@@ -60,13 +60,7 @@ QSize WrappedLabel::sizeHint() const {
 QSize WrappedLabel::minimumSizeHint() const {
   const QSize whole = QLabel::minimumSizeHint();
   const int few = kFewestLetters * fontMetrics().averageCharWidth() + around().width();
-  return {std::min(whole.width(), few), breaksWords(width()) ? heightForWidth(width()) : whole.height()};
-}
-
-void WrappedLabel::resizeEvent(QResizeEvent* event) {
-  QLabel::resizeEvent(event);
-  if (event->oldSize().width() != width())
-    updateGeometry();
+  return {std::min(whole.width(), few), whole.height()};
 }
 
 void WrappedLabel::paintEvent(QPaintEvent* event) {

@@ -19,12 +19,11 @@ public:
 
   int heightForWidth(int width) const override;
   QSize sizeHint() const override;
-  /// The width of a few letters; as high as the text is where words break, which a page that scrolls needs.
+  /// The width of a few letters.
   QSize minimumSizeHint() const override;
 
 protected:
   void paintEvent(QPaintEvent* event) override;
-  void resizeEvent(QResizeEvent* event) override;
 
 private:
   /// Whether some word is wider than the label would be.
