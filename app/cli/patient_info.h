@@ -9,9 +9,9 @@
 /// What commands say of the organs of a patient together.
 namespace viscera::app::cli {
 
-/// Puts the judgement of a patient before the warnings, and adds it to the JSON as `patient` (`axes`, `rightToLeft`,
-/// `frontToBack`, `footToHead`, `organs`, `margin`, `sizeFactor`, `repairs[]`). Nothing for fewer than two
-/// organs.
+/// Puts the judgement of a patient before the warnings, and adds it to the JSON as `patient` (`axes`,
+/// `rightToLeft`, `frontToBack`, `footToHead`, `organs`, `margin`, `sizeFactor`, `repairs[]`). Nothing for
+/// fewer than two organs.
 void appendPatient(Outcome& outcome, const std::vector<medical_io::PlacedOrgan>& organs);
 
 /// The surfaces of a folder, in the order of their names; empty for what is no folder, for a folder of masks,

@@ -1,6 +1,7 @@
 #include "window/help.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <string>
 
@@ -75,9 +76,17 @@ void Help::openGuide() {
 /// Of the handles that can be moved, the one in front is bright.
 void Help::startTask() {
   const auto& handles = parts_.workspace.document().rig().handles;
+  Vec3 middle = Vec3::Zero();
+  for (const document::Handle& handle : handles)
+    middle += handle.rest / static_cast<double>(handles.size());
+  // The first view looks at the middle of the front; corners around the organ may lie outside the picture.
+  const auto aside = [&middle](const document::Handle& handle) {
+    return std::hypot(handle.rest.x() - middle.x(), handle.rest.z() - middle.z());
+  };
   const document::Handle* front = nullptr;
   for (const document::Handle& handle : handles)
-    if (!handle.locked && handle.visible && (!front || handle.rest.y() < front->rest.y()))
+    if (!handle.locked && handle.visible && handle.rest.y() <= middle.y() &&
+        (!front || aside(handle) < aside(*front)))
       front = &handle;
   if (!front)
     return;

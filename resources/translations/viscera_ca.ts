@@ -336,6 +336,10 @@ N: noms, H: tiradors, X: paret, R: restableix, T: clar o fosc, Inici: principi</
         <source>Label in the view</source>
         <translation>Etiqueta a la vista</translation>
     </message>
+    <message>
+        <source>Left</source>
+        <translation>Esquerra</translation>
+    </message>
 </context>
 <context>
     <name>NewFile</name>
@@ -1536,6 +1540,28 @@ N: noms, H: tiradors, X: paret, R: restableix, T: clar o fosc, Inici: principi</
     <message>
         <source>Take the selected handles out of the chosen group</source>
         <translation>Treure les nanses seleccionades del grup triat</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::GuideWindow</name>
+    <message>
+        <source>User guide</source>
+        <translation>Guia de l’usuari</translation>
+    </message>
+    <message>
+        <source>Search the guide</source>
+        <translation>Cerca a la guia</translation>
+    </message>
+    <message>
+        <source>Sections</source>
+        <translation>Seccions</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n sections</source>
+        <translation>
+            <numerusform>%n secció</numerusform>
+            <numerusform>%n seccions</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -3415,10 +3441,6 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
 <context>
     <name>viscera::app::PositionBox</name>
     <message>
-        <source>Left</source>
-        <translation>Esquerra</translation>
-    </message>
-    <message>
         <source>No handle is selected. Click one in the view or in the list.</source>
         <translation>No hi ha cap tirador seleccionat. Feu clic en un a la vista o a la llista.</translation>
     </message>
@@ -3512,6 +3534,25 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
     </message>
 </context>
 <context>
+    <name>viscera::app::RepairValueBox</name>
+    <message>
+        <source>Unit</source>
+        <translation>Unitat</translation>
+    </message>
+    <message>
+        <source>Life size</source>
+        <translation>Mida natural</translation>
+    </message>
+    <message>
+        <source>The factor by which the organ gets the usual volume of its kind</source>
+        <translation>El factor amb què l’òrgan obté el volum habitual dels seus</translation>
+    </message>
+    <message>
+        <source>About %1 triangles. Details smaller than %2 mm are lost.</source>
+        <translation>Uns %1 triangles. Es perden els detalls de menys de %2 mm.</translation>
+    </message>
+</context>
+<context>
     <name>viscera::app::Repairs</name>
     <message>
         <source>Turn triangles outward</source>
@@ -3601,6 +3642,29 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
             <numerusform>Hi ha %n ordre al porta-retalls.</numerusform>
             <numerusform>Hi ha %n ordres al porta-retalls.</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::ResectionBox</name>
+    <message>
+        <source>Volumes on both sides of the cut</source>
+        <translation>Volums a banda i banda del tall</translation>
+    </message>
+    <message>
+        <source>Stays</source>
+        <translation>Queda</translation>
+    </message>
+    <message>
+        <source>Cut away</source>
+        <translation>Tallat</translation>
+    </message>
+    <message>
+        <source>The volumes of the visible, closed organs on both sides of the plane, in this pose</source>
+        <translation>Els volums dels òrgans visibles i tancats a banda i banda del pla, en aquesta posa</translation>
+    </message>
+    <message>
+        <source>Cut face %1 cm²</source>
+        <translation>Cara del tall %1 cm²</translation>
     </message>
 </context>
 <context>
@@ -4104,6 +4168,61 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
     <message>
         <source>This version moves the organ differently from the one that saved the session: handles differ by up to %1 mm.</source>
         <translation>Aquesta versió mou l’òrgan de manera diferent de la que va desar la sessió: els tiradors difereixen fins a %1 mm.</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::SettingsDialog</name>
+    <message>
+        <source>Settings</source>
+        <translation>Configuració</translation>
+    </message>
+    <message>
+        <source>Lengths are in mm, volumes in ml, everywhere; numbers have the decimal mark of the language.</source>
+        <translation>Les longituds són sempre en mm i els volums en ml; els nombres porten el signe decimal de la llengua.</translation>
+    </message>
+    <message>
+        <source>Look</source>
+        <translation>Aspecte</translation>
+    </message>
+    <message>
+        <source>As the system</source>
+        <translation>Com el sistema</translation>
+    </message>
+    <message>
+        <source>The next start uses the language.</source>
+        <translation>El pròxim inici fa servir la llengua.</translation>
+    </message>
+    <message>
+        <source>Theme</source>
+        <translation>Tema</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Inici</translation>
+    </message>
+    <message>
+        <source>Show the welcome</source>
+        <translation>Mostra la benvinguda</translation>
+    </message>
+    <message>
+        <source>Folders that dialogs begin in</source>
+        <translation>Carpetes on comencen els diàlegs</translation>
+    </message>
+    <message>
+        <source>Organs and sessions</source>
+        <translation>Òrgans i sessions</translation>
+    </message>
+    <message>
+        <source>Pictures</source>
+        <translation>Imatges</translation>
+    </message>
+    <message>
+        <source>Movies</source>
+        <translation>Pel·lícules</translation>
+    </message>
+    <message>
+        <source>Choose...</source>
+        <translation>Tria...</translation>
     </message>
 </context>
 <context>
@@ -4822,6 +4941,17 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
     </message>
 </context>
 <context>
+    <name>viscera::app::TaskCard</name>
+    <message>
+        <source>Drag the bright dot: the organ follows.</source>
+        <translation>Arrossegueu el punt clar: l’òrgan el segueix.</translation>
+    </message>
+    <message>
+        <source>Done. Ctrl+Z takes it back. F1 opens the guide at what you are doing.</source>
+        <translation>Fet. Ctrl+Z ho desfà. F1 obre la guia al que esteu fent.</translation>
+    </message>
+</context>
+<context>
     <name>viscera::app::TimelineBar</name>
     <message>
         <source>To the start of the cycle (Home)</source>
@@ -5263,136 +5393,6 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
     <message>
         <source>Open folder</source>
         <translation>Obre la carpeta</translation>
-    </message>
-</context>
-<context>
-    <name>viscera::app::RepairValueBox</name>
-    <message>
-        <source>Unit</source>
-        <translation>Unitat</translation>
-    </message>
-    <message>
-        <source>Life size</source>
-        <translation>Mida natural</translation>
-    </message>
-    <message>
-        <source>The factor by which the organ gets the usual volume of its kind</source>
-        <translation>El factor amb què l’òrgan obté el volum habitual dels seus</translation>
-    </message>
-    <message>
-        <source>About %1 triangles. Details smaller than %2 mm are lost.</source>
-        <translation>Uns %1 triangles. Es perden els detalls de menys de %2 mm.</translation>
-    </message>
-</context>
-<context>
-    <name>viscera::app::GuideWindow</name>
-    <message>
-        <source>User guide</source>
-        <translation>Guia de l’usuari</translation>
-    </message>
-    <message>
-        <source>Search the guide</source>
-        <translation>Cerca a la guia</translation>
-    </message>
-    <message>
-        <source>Sections</source>
-        <translation>Seccions</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n sections</source>
-        <translation>
-            <numerusform>%n secció</numerusform>
-            <numerusform>%n seccions</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
-    <name>viscera::app::SettingsDialog</name>
-    <message>
-        <source>Settings</source>
-        <translation>Configuració</translation>
-    </message>
-    <message>
-        <source>Lengths are in mm, volumes in ml, everywhere; numbers have the decimal mark of the language.</source>
-        <translation>Les longituds són sempre en mm i els volums en ml; els nombres porten el signe decimal de la llengua.</translation>
-    </message>
-    <message>
-        <source>Look</source>
-        <translation>Aspecte</translation>
-    </message>
-    <message>
-        <source>As the system</source>
-        <translation>Com el sistema</translation>
-    </message>
-    <message>
-        <source>The next start uses the language.</source>
-        <translation>El pròxim inici fa servir la llengua.</translation>
-    </message>
-    <message>
-        <source>Theme</source>
-        <translation>Tema</translation>
-    </message>
-    <message>
-        <source>Start</source>
-        <translation>Inici</translation>
-    </message>
-    <message>
-        <source>Show the welcome</source>
-        <translation>Mostra la benvinguda</translation>
-    </message>
-    <message>
-        <source>Folders that dialogs begin in</source>
-        <translation>Carpetes on comencen els diàlegs</translation>
-    </message>
-    <message>
-        <source>Organs and sessions</source>
-        <translation>Òrgans i sessions</translation>
-    </message>
-    <message>
-        <source>Pictures</source>
-        <translation>Imatges</translation>
-    </message>
-    <message>
-        <source>Movies</source>
-        <translation>Pel·lícules</translation>
-    </message>
-    <message>
-        <source>Choose...</source>
-        <translation>Tria...</translation>
-    </message>
-</context>
-<context>
-    <name>viscera::app::TaskCard</name>
-    <message>
-        <source>Drag the bright dot: the organ follows.</source>
-        <translation>Arrossegueu el punt clar: l’òrgan el segueix.</translation>
-    </message>
-    <message>
-        <source>Done. Ctrl+Z takes it back. F1 opens the guide at what you are doing.</source>
-        <translation>Fet. Ctrl+Z ho desfà. F1 obre la guia al que esteu fent.</translation>
-    </message>
-</context>
-<context>
-    <name>viscera::app::ResectionBox</name>
-    <message>
-        <source>Volumes on both sides of the cut</source>
-        <translation>Volums a banda i banda del tall</translation>
-    </message>
-    <message>
-        <source>Stays</source>
-        <translation>Queda</translation>
-    </message>
-    <message>
-        <source>Cut away</source>
-        <translation>Tallat</translation>
-    </message>
-    <message>
-        <source>The volumes of the visible, closed organs on both sides of the plane, in this pose</source>
-        <translation>Els volums dels òrgans visibles i tancats a banda i banda del pla, en aquesta posa</translation>
-    </message>
-    <message>
-        <source>Cut face %1 cm²</source>
-        <translation>Cara del tall %1 cm²</translation>
     </message>
 </context>
 </TS>

@@ -336,6 +336,10 @@ N: Namen, H: Griffe, X: Wand, R: zurück, T: hell oder dunkel, Pos1: Anfang</tra
         <source>Label in the view</source>
         <translation>Beschriftung in der Ansicht</translation>
     </message>
+    <message>
+        <source>Left</source>
+        <translation>Links</translation>
+    </message>
 </context>
 <context>
     <name>NewFile</name>
@@ -1536,6 +1540,28 @@ N: Namen, H: Griffe, X: Wand, R: zurück, T: hell oder dunkel, Pos1: Anfang</tra
     <message>
         <source>Take the selected handles out of the chosen group</source>
         <translation>Die ausgewählten Griffe aus der gewählten Gruppe nehmen</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::GuideWindow</name>
+    <message>
+        <source>User guide</source>
+        <translation>Handbuch</translation>
+    </message>
+    <message>
+        <source>Search the guide</source>
+        <translation>Im Handbuch suchen</translation>
+    </message>
+    <message>
+        <source>Sections</source>
+        <translation>Abschnitte</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n sections</source>
+        <translation>
+            <numerusform>%n Abschnitt</numerusform>
+            <numerusform>%n Abschnitte</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -3415,10 +3441,6 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
 <context>
     <name>viscera::app::PositionBox</name>
     <message>
-        <source>Left</source>
-        <translation>Links</translation>
-    </message>
-    <message>
         <source>No handle is selected. Click one in the view or in the list.</source>
         <translation>Kein Griff ist gewählt. Klicken Sie einen in der Ansicht oder in der Liste an.</translation>
     </message>
@@ -3512,6 +3534,25 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
     </message>
 </context>
 <context>
+    <name>viscera::app::RepairValueBox</name>
+    <message>
+        <source>Unit</source>
+        <translation>Einheit</translation>
+    </message>
+    <message>
+        <source>Life size</source>
+        <translation>Lebensgröße</translation>
+    </message>
+    <message>
+        <source>The factor by which the organ gets the usual volume of its kind</source>
+        <translation>Der Faktor, durch den das Organ das übliche Volumen seiner Art bekommt</translation>
+    </message>
+    <message>
+        <source>About %1 triangles. Details smaller than %2 mm are lost.</source>
+        <translation>Etwa %1 Dreiecke. Einzelheiten unter %2 mm gehen verloren.</translation>
+    </message>
+</context>
+<context>
     <name>viscera::app::Repairs</name>
     <message>
         <source>Turn triangles outward</source>
@@ -3601,6 +3642,29 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
             <numerusform>%n Befehl ist in der Zwischenablage.</numerusform>
             <numerusform>%n Befehle sind in der Zwischenablage.</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::ResectionBox</name>
+    <message>
+        <source>Volumes on both sides of the cut</source>
+        <translation>Volumen auf beiden Seiten des Schnitts</translation>
+    </message>
+    <message>
+        <source>Stays</source>
+        <translation>Bleibt</translation>
+    </message>
+    <message>
+        <source>Cut away</source>
+        <translation>Weggeschnitten</translation>
+    </message>
+    <message>
+        <source>The volumes of the visible, closed organs on both sides of the plane, in this pose</source>
+        <translation>Die Volumen der sichtbaren, geschlossenen Organe auf beiden Seiten der Ebene, in dieser Pose</translation>
+    </message>
+    <message>
+        <source>Cut face %1 cm²</source>
+        <translation>Schnittfläche %1 cm²</translation>
     </message>
 </context>
 <context>
@@ -4104,6 +4168,61 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
     <message>
         <source>This version moves the organ differently from the one that saved the session: handles differ by up to %1 mm.</source>
         <translation>Diese Version bewegt das Organ anders als die, mit der die Sitzung gespeichert wurde: Griffe weichen um bis zu %1 mm ab.</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::SettingsDialog</name>
+    <message>
+        <source>Settings</source>
+        <translation>Einstellungen</translation>
+    </message>
+    <message>
+        <source>Lengths are in mm, volumes in ml, everywhere; numbers have the decimal mark of the language.</source>
+        <translation>Längen sind überall in mm, Volumen in ml; Zahlen haben das Dezimalzeichen der Sprache.</translation>
+    </message>
+    <message>
+        <source>Look</source>
+        <translation>Aussehen</translation>
+    </message>
+    <message>
+        <source>As the system</source>
+        <translation>Wie das System</translation>
+    </message>
+    <message>
+        <source>The next start uses the language.</source>
+        <translation>Der nächste Start verwendet die Sprache.</translation>
+    </message>
+    <message>
+        <source>Theme</source>
+        <translation>Farbschema</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Start</translation>
+    </message>
+    <message>
+        <source>Show the welcome</source>
+        <translation>Begrüßung zeigen</translation>
+    </message>
+    <message>
+        <source>Folders that dialogs begin in</source>
+        <translation>Ordner, in denen Dialoge beginnen</translation>
+    </message>
+    <message>
+        <source>Organs and sessions</source>
+        <translation>Organe und Sitzungen</translation>
+    </message>
+    <message>
+        <source>Pictures</source>
+        <translation>Bilder</translation>
+    </message>
+    <message>
+        <source>Movies</source>
+        <translation>Filme</translation>
+    </message>
+    <message>
+        <source>Choose...</source>
+        <translation>Wählen ...</translation>
     </message>
 </context>
 <context>
@@ -4822,6 +4941,17 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
     </message>
 </context>
 <context>
+    <name>viscera::app::TaskCard</name>
+    <message>
+        <source>Drag the bright dot: the organ follows.</source>
+        <translation>Ziehen Sie den hellen Punkt: Das Organ folgt.</translation>
+    </message>
+    <message>
+        <source>Done. Ctrl+Z takes it back. F1 opens the guide at what you are doing.</source>
+        <translation>Geschafft. Strg+Z nimmt es zurück. F1 öffnet das Handbuch bei dem, was Sie tun.</translation>
+    </message>
+</context>
+<context>
     <name>viscera::app::TimelineBar</name>
     <message>
         <source>To the start of the cycle (Home)</source>
@@ -5263,136 +5393,6 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
     <message>
         <source>Open folder</source>
         <translation>Ordner öffnen</translation>
-    </message>
-</context>
-<context>
-    <name>viscera::app::RepairValueBox</name>
-    <message>
-        <source>Unit</source>
-        <translation>Einheit</translation>
-    </message>
-    <message>
-        <source>Life size</source>
-        <translation>Lebensgröße</translation>
-    </message>
-    <message>
-        <source>The factor by which the organ gets the usual volume of its kind</source>
-        <translation>Der Faktor, durch den das Organ das übliche Volumen seiner Art bekommt</translation>
-    </message>
-    <message>
-        <source>About %1 triangles. Details smaller than %2 mm are lost.</source>
-        <translation>Etwa %1 Dreiecke. Einzelheiten unter %2 mm gehen verloren.</translation>
-    </message>
-</context>
-<context>
-    <name>viscera::app::GuideWindow</name>
-    <message>
-        <source>User guide</source>
-        <translation>Handbuch</translation>
-    </message>
-    <message>
-        <source>Search the guide</source>
-        <translation>Im Handbuch suchen</translation>
-    </message>
-    <message>
-        <source>Sections</source>
-        <translation>Abschnitte</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n sections</source>
-        <translation>
-            <numerusform>%n Abschnitt</numerusform>
-            <numerusform>%n Abschnitte</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
-    <name>viscera::app::SettingsDialog</name>
-    <message>
-        <source>Settings</source>
-        <translation>Einstellungen</translation>
-    </message>
-    <message>
-        <source>Lengths are in mm, volumes in ml, everywhere; numbers have the decimal mark of the language.</source>
-        <translation>Längen sind überall in mm, Volumen in ml; Zahlen haben das Dezimalzeichen der Sprache.</translation>
-    </message>
-    <message>
-        <source>Look</source>
-        <translation>Aussehen</translation>
-    </message>
-    <message>
-        <source>As the system</source>
-        <translation>Wie das System</translation>
-    </message>
-    <message>
-        <source>The next start uses the language.</source>
-        <translation>Der nächste Start verwendet die Sprache.</translation>
-    </message>
-    <message>
-        <source>Theme</source>
-        <translation>Farbschema</translation>
-    </message>
-    <message>
-        <source>Start</source>
-        <translation>Start</translation>
-    </message>
-    <message>
-        <source>Show the welcome</source>
-        <translation>Begrüßung zeigen</translation>
-    </message>
-    <message>
-        <source>Folders that dialogs begin in</source>
-        <translation>Ordner, in denen Dialoge beginnen</translation>
-    </message>
-    <message>
-        <source>Organs and sessions</source>
-        <translation>Organe und Sitzungen</translation>
-    </message>
-    <message>
-        <source>Pictures</source>
-        <translation>Bilder</translation>
-    </message>
-    <message>
-        <source>Movies</source>
-        <translation>Filme</translation>
-    </message>
-    <message>
-        <source>Choose...</source>
-        <translation>Wählen ...</translation>
-    </message>
-</context>
-<context>
-    <name>viscera::app::TaskCard</name>
-    <message>
-        <source>Drag the bright dot: the organ follows.</source>
-        <translation>Ziehen Sie den hellen Punkt: Das Organ folgt.</translation>
-    </message>
-    <message>
-        <source>Done. Ctrl+Z takes it back. F1 opens the guide at what you are doing.</source>
-        <translation>Geschafft. Strg+Z nimmt es zurück. F1 öffnet das Handbuch bei dem, was Sie tun.</translation>
-    </message>
-</context>
-<context>
-    <name>viscera::app::ResectionBox</name>
-    <message>
-        <source>Volumes on both sides of the cut</source>
-        <translation>Volumen auf beiden Seiten des Schnitts</translation>
-    </message>
-    <message>
-        <source>Stays</source>
-        <translation>Bleibt</translation>
-    </message>
-    <message>
-        <source>Cut away</source>
-        <translation>Weggeschnitten</translation>
-    </message>
-    <message>
-        <source>The volumes of the visible, closed organs on both sides of the plane, in this pose</source>
-        <translation>Die Volumen der sichtbaren, geschlossenen Organe auf beiden Seiten der Ebene, in dieser Pose</translation>
-    </message>
-    <message>
-        <source>Cut face %1 cm²</source>
-        <translation>Schnittfläche %1 cm²</translation>
     </message>
 </context>
 </TS>

@@ -107,6 +107,16 @@
     </message>
 </context>
 <context>
+    <name>viscera::app::GuideWindow</name>
+    <message numerus="yes">
+        <source>%n sections</source>
+        <translation>
+            <numerusform>%n section</numerusform>
+            <numerusform>%n sections</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>viscera::app::HandleController</name>
     <message numerus="yes">
         <source>Move %n handles</source>
@@ -366,16 +376,6 @@
         <translation>
             <numerusform>The pose folds the tissue at %n voxel: their values are estimates.</numerusform>
             <numerusform>The pose folds the tissue at %n voxels: their values are estimates.</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
-    <name>viscera::app::GuideWindow</name>
-    <message numerus="yes">
-        <source>%n sections</source>
-        <translation>
-            <numerusform>%n section</numerusform>
-            <numerusform>%n sections</numerusform>
         </translation>
     </message>
 </context>

@@ -336,6 +336,10 @@ N: nombres, H: tiradores, X: pared, R: restablecer, T: claro u oscuro, Inicio: p
         <source>Label in the view</source>
         <translation>Etiqueta en la vista</translation>
     </message>
+    <message>
+        <source>Left</source>
+        <translation>Izquierda</translation>
+    </message>
 </context>
 <context>
     <name>NewFile</name>
@@ -1536,6 +1540,28 @@ N: nombres, H: tiradores, X: pared, R: restablecer, T: claro u oscuro, Inicio: p
     <message>
         <source>Take the selected handles out of the chosen group</source>
         <translation>Sacar las asas seleccionadas del grupo elegido</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::GuideWindow</name>
+    <message>
+        <source>User guide</source>
+        <translation>Guía del usuario</translation>
+    </message>
+    <message>
+        <source>Search the guide</source>
+        <translation>Buscar en la guía</translation>
+    </message>
+    <message>
+        <source>Sections</source>
+        <translation>Secciones</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n sections</source>
+        <translation>
+            <numerusform>%n sección</numerusform>
+            <numerusform>%n secciones</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -3415,10 +3441,6 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
 <context>
     <name>viscera::app::PositionBox</name>
     <message>
-        <source>Left</source>
-        <translation>Izquierda</translation>
-    </message>
-    <message>
         <source>No handle is selected. Click one in the view or in the list.</source>
         <translation>No hay ningún tirador seleccionado. Haga clic en uno en la vista o en la lista.</translation>
     </message>
@@ -3512,6 +3534,25 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
     </message>
 </context>
 <context>
+    <name>viscera::app::RepairValueBox</name>
+    <message>
+        <source>Unit</source>
+        <translation>Unidad</translation>
+    </message>
+    <message>
+        <source>Life size</source>
+        <translation>Tamaño natural</translation>
+    </message>
+    <message>
+        <source>The factor by which the organ gets the usual volume of its kind</source>
+        <translation>El factor con el que el órgano obtiene el volumen habitual de los suyos</translation>
+    </message>
+    <message>
+        <source>About %1 triangles. Details smaller than %2 mm are lost.</source>
+        <translation>Unos %1 triángulos. Se pierden los detalles de menos de %2 mm.</translation>
+    </message>
+</context>
+<context>
     <name>viscera::app::Repairs</name>
     <message>
         <source>Turn triangles outward</source>
@@ -3601,6 +3642,29 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
             <numerusform>%n orden en el portapapeles.</numerusform>
             <numerusform>%n órdenes en el portapapeles.</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::ResectionBox</name>
+    <message>
+        <source>Volumes on both sides of the cut</source>
+        <translation>Volúmenes a ambos lados del corte</translation>
+    </message>
+    <message>
+        <source>Stays</source>
+        <translation>Queda</translation>
+    </message>
+    <message>
+        <source>Cut away</source>
+        <translation>Cortado</translation>
+    </message>
+    <message>
+        <source>The volumes of the visible, closed organs on both sides of the plane, in this pose</source>
+        <translation>Los volúmenes de los órganos visibles y cerrados a ambos lados del plano, en esta pose</translation>
+    </message>
+    <message>
+        <source>Cut face %1 cm²</source>
+        <translation>Cara del corte %1 cm²</translation>
     </message>
 </context>
 <context>
@@ -4104,6 +4168,61 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
     <message>
         <source>This version moves the organ differently from the one that saved the session: handles differ by up to %1 mm.</source>
         <translation>Esta versión mueve el órgano de forma distinta a la que guardó la sesión: los tiradores difieren hasta %1 mm.</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::SettingsDialog</name>
+    <message>
+        <source>Settings</source>
+        <translation>Ajustes</translation>
+    </message>
+    <message>
+        <source>Lengths are in mm, volumes in ml, everywhere; numbers have the decimal mark of the language.</source>
+        <translation>Las longitudes están siempre en mm y los volúmenes en ml; los números llevan el signo decimal del idioma.</translation>
+    </message>
+    <message>
+        <source>Look</source>
+        <translation>Aspecto</translation>
+    </message>
+    <message>
+        <source>As the system</source>
+        <translation>Como el sistema</translation>
+    </message>
+    <message>
+        <source>The next start uses the language.</source>
+        <translation>El próximo inicio usa el idioma.</translation>
+    </message>
+    <message>
+        <source>Theme</source>
+        <translation>Tema</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Inicio</translation>
+    </message>
+    <message>
+        <source>Show the welcome</source>
+        <translation>Mostrar la bienvenida</translation>
+    </message>
+    <message>
+        <source>Folders that dialogs begin in</source>
+        <translation>Carpetas en que empiezan los diálogos</translation>
+    </message>
+    <message>
+        <source>Organs and sessions</source>
+        <translation>Órganos y sesiones</translation>
+    </message>
+    <message>
+        <source>Pictures</source>
+        <translation>Imágenes</translation>
+    </message>
+    <message>
+        <source>Movies</source>
+        <translation>Películas</translation>
+    </message>
+    <message>
+        <source>Choose...</source>
+        <translation>Elegir...</translation>
     </message>
 </context>
 <context>
@@ -4822,6 +4941,17 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
     </message>
 </context>
 <context>
+    <name>viscera::app::TaskCard</name>
+    <message>
+        <source>Drag the bright dot: the organ follows.</source>
+        <translation>Arrastre el punto claro: el órgano lo sigue.</translation>
+    </message>
+    <message>
+        <source>Done. Ctrl+Z takes it back. F1 opens the guide at what you are doing.</source>
+        <translation>Hecho. Ctrl+Z lo deshace. F1 abre la guía en lo que está haciendo.</translation>
+    </message>
+</context>
+<context>
     <name>viscera::app::TimelineBar</name>
     <message>
         <source>To the start of the cycle (Home)</source>
@@ -5263,136 +5393,6 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
     <message>
         <source>Open folder</source>
         <translation>Abrir carpeta</translation>
-    </message>
-</context>
-<context>
-    <name>viscera::app::RepairValueBox</name>
-    <message>
-        <source>Unit</source>
-        <translation>Unidad</translation>
-    </message>
-    <message>
-        <source>Life size</source>
-        <translation>Tamaño natural</translation>
-    </message>
-    <message>
-        <source>The factor by which the organ gets the usual volume of its kind</source>
-        <translation>El factor con el que el órgano obtiene el volumen habitual de los suyos</translation>
-    </message>
-    <message>
-        <source>About %1 triangles. Details smaller than %2 mm are lost.</source>
-        <translation>Unos %1 triángulos. Se pierden los detalles de menos de %2 mm.</translation>
-    </message>
-</context>
-<context>
-    <name>viscera::app::GuideWindow</name>
-    <message>
-        <source>User guide</source>
-        <translation>Guía del usuario</translation>
-    </message>
-    <message>
-        <source>Search the guide</source>
-        <translation>Buscar en la guía</translation>
-    </message>
-    <message>
-        <source>Sections</source>
-        <translation>Secciones</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n sections</source>
-        <translation>
-            <numerusform>%n sección</numerusform>
-            <numerusform>%n secciones</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
-    <name>viscera::app::SettingsDialog</name>
-    <message>
-        <source>Settings</source>
-        <translation>Ajustes</translation>
-    </message>
-    <message>
-        <source>Lengths are in mm, volumes in ml, everywhere; numbers have the decimal mark of the language.</source>
-        <translation>Las longitudes están siempre en mm y los volúmenes en ml; los números llevan el signo decimal del idioma.</translation>
-    </message>
-    <message>
-        <source>Look</source>
-        <translation>Aspecto</translation>
-    </message>
-    <message>
-        <source>As the system</source>
-        <translation>Como el sistema</translation>
-    </message>
-    <message>
-        <source>The next start uses the language.</source>
-        <translation>El próximo inicio usa el idioma.</translation>
-    </message>
-    <message>
-        <source>Theme</source>
-        <translation>Tema</translation>
-    </message>
-    <message>
-        <source>Start</source>
-        <translation>Inicio</translation>
-    </message>
-    <message>
-        <source>Show the welcome</source>
-        <translation>Mostrar la bienvenida</translation>
-    </message>
-    <message>
-        <source>Folders that dialogs begin in</source>
-        <translation>Carpetas en que empiezan los diálogos</translation>
-    </message>
-    <message>
-        <source>Organs and sessions</source>
-        <translation>Órganos y sesiones</translation>
-    </message>
-    <message>
-        <source>Pictures</source>
-        <translation>Imágenes</translation>
-    </message>
-    <message>
-        <source>Movies</source>
-        <translation>Películas</translation>
-    </message>
-    <message>
-        <source>Choose...</source>
-        <translation>Elegir...</translation>
-    </message>
-</context>
-<context>
-    <name>viscera::app::TaskCard</name>
-    <message>
-        <source>Drag the bright dot: the organ follows.</source>
-        <translation>Arrastre el punto claro: el órgano lo sigue.</translation>
-    </message>
-    <message>
-        <source>Done. Ctrl+Z takes it back. F1 opens the guide at what you are doing.</source>
-        <translation>Hecho. Ctrl+Z lo deshace. F1 abre la guía en lo que está haciendo.</translation>
-    </message>
-</context>
-<context>
-    <name>viscera::app::ResectionBox</name>
-    <message>
-        <source>Volumes on both sides of the cut</source>
-        <translation>Volúmenes a ambos lados del corte</translation>
-    </message>
-    <message>
-        <source>Stays</source>
-        <translation>Queda</translation>
-    </message>
-    <message>
-        <source>Cut away</source>
-        <translation>Cortado</translation>
-    </message>
-    <message>
-        <source>The volumes of the visible, closed organs on both sides of the plane, in this pose</source>
-        <translation>Los volúmenes de los órganos visibles y cerrados a ambos lados del plano, en esta pose</translation>
-    </message>
-    <message>
-        <source>Cut face %1 cm²</source>
-        <translation>Cara del corte %1 cm²</translation>
     </message>
 </context>
 </TS>

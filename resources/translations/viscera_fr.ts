@@ -336,6 +336,10 @@ N&#xa0;: noms, H&#xa0;: poignées, X&#xa0;: paroi, R&#xa0;: rétablir, T&#xa0;: 
         <source>Label in the view</source>
         <translation>Étiquette dans la vue</translation>
     </message>
+    <message>
+        <source>Left</source>
+        <translation>Gauche</translation>
+    </message>
 </context>
 <context>
     <name>NewFile</name>
@@ -1539,6 +1543,28 @@ N&#xa0;: noms, H&#xa0;: poignées, X&#xa0;: paroi, R&#xa0;: rétablir, T&#xa0;: 
     </message>
 </context>
 <context>
+    <name>viscera::app::GuideWindow</name>
+    <message>
+        <source>User guide</source>
+        <translation>Guide de l’utilisateur</translation>
+    </message>
+    <message>
+        <source>Search the guide</source>
+        <translation>Chercher dans le guide</translation>
+    </message>
+    <message>
+        <source>Sections</source>
+        <translation>Sections</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n sections</source>
+        <translation>
+            <numerusform>%n section</numerusform>
+            <numerusform>%n sections</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>viscera::app::HandleController</name>
     <message numerus="yes">
         <source>Turn %n handles</source>
@@ -1873,7 +1899,7 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez sur l’organe en mode
     </message>
     <message>
         <source>&amp;First task: drag a dot</source>
-        <translation>&amp;Premier essai : tirer un point</translation>
+        <translation>&amp;Premier essai&#xa0;: tirer un point</translation>
     </message>
 </context>
 <context>
@@ -3415,10 +3441,6 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
 <context>
     <name>viscera::app::PositionBox</name>
     <message>
-        <source>Left</source>
-        <translation>Gauche</translation>
-    </message>
-    <message>
         <source>No handle is selected. Click one in the view or in the list.</source>
         <translation>Aucune poignée n’est sélectionnée. Cliquez sur l’une d’elles dans la vue ou dans la liste.</translation>
     </message>
@@ -3512,6 +3534,25 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     </message>
 </context>
 <context>
+    <name>viscera::app::RepairValueBox</name>
+    <message>
+        <source>Unit</source>
+        <translation>Unité</translation>
+    </message>
+    <message>
+        <source>Life size</source>
+        <translation>Taille réelle</translation>
+    </message>
+    <message>
+        <source>The factor by which the organ gets the usual volume of its kind</source>
+        <translation>Le facteur qui donne à l’organe le volume habituel de son espèce</translation>
+    </message>
+    <message>
+        <source>About %1 triangles. Details smaller than %2 mm are lost.</source>
+        <translation>Environ %1 triangles. Les détails de moins de %2 mm sont perdus.</translation>
+    </message>
+</context>
+<context>
     <name>viscera::app::Repairs</name>
     <message>
         <source>Turn triangles outward</source>
@@ -3601,6 +3642,29 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
             <numerusform>%n commande est dans le presse-papiers.</numerusform>
             <numerusform>%n commandes sont dans le presse-papiers.</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::ResectionBox</name>
+    <message>
+        <source>Volumes on both sides of the cut</source>
+        <translation>Volumes des deux côtés de la coupe</translation>
+    </message>
+    <message>
+        <source>Stays</source>
+        <translation>Reste</translation>
+    </message>
+    <message>
+        <source>Cut away</source>
+        <translation>Coupé</translation>
+    </message>
+    <message>
+        <source>The volumes of the visible, closed organs on both sides of the plane, in this pose</source>
+        <translation>Les volumes des organes visibles et fermés des deux côtés du plan, dans cette pose</translation>
+    </message>
+    <message>
+        <source>Cut face %1 cm²</source>
+        <translation>Face de coupe %1 cm²</translation>
     </message>
 </context>
 <context>
@@ -3963,7 +4027,7 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     </message>
     <message>
         <source>The slices are not at even distances: at most %1 of %2 are. What shall be read?</source>
-        <translation>Les coupes ne sont pas régulièrement espacées : %1 sur %2 au plus le sont. Que faut-il lire ?</translation>
+        <translation>Les coupes ne sont pas régulièrement espacées&#xa0;: %1 sur %2 au plus le sont. Que faut-il lire&#xa0;?</translation>
     </message>
     <message>
         <source>Read other slices...</source>
@@ -4088,7 +4152,7 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     </message>
     <message>
         <source>Save this session?</source>
-        <translation>Enregistrer cette session ?</translation>
+        <translation>Enregistrer cette session&#xa0;?</translation>
     </message>
     <message>
         <source>If you discard them, the changes since the last saving are lost.</source>
@@ -4104,6 +4168,61 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     <message>
         <source>This version moves the organ differently from the one that saved the session: handles differ by up to %1 mm.</source>
         <translation>Cette version anime l’organe autrement que celle qui a enregistré la session&#xa0;: les poignées diffèrent de %1 mm au plus.</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::SettingsDialog</name>
+    <message>
+        <source>Settings</source>
+        <translation>Paramètres</translation>
+    </message>
+    <message>
+        <source>Lengths are in mm, volumes in ml, everywhere; numbers have the decimal mark of the language.</source>
+        <translation>Les longueurs sont partout en mm, les volumes en ml&#xa0;; les nombres ont le séparateur décimal de la langue.</translation>
+    </message>
+    <message>
+        <source>Look</source>
+        <translation>Apparence</translation>
+    </message>
+    <message>
+        <source>As the system</source>
+        <translation>Comme le système</translation>
+    </message>
+    <message>
+        <source>The next start uses the language.</source>
+        <translation>Le prochain démarrage utilise la langue.</translation>
+    </message>
+    <message>
+        <source>Theme</source>
+        <translation>Thème</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Démarrage</translation>
+    </message>
+    <message>
+        <source>Show the welcome</source>
+        <translation>Afficher l’accueil</translation>
+    </message>
+    <message>
+        <source>Folders that dialogs begin in</source>
+        <translation>Dossiers où commencent les dialogues</translation>
+    </message>
+    <message>
+        <source>Organs and sessions</source>
+        <translation>Organes et sessions</translation>
+    </message>
+    <message>
+        <source>Pictures</source>
+        <translation>Images</translation>
+    </message>
+    <message>
+        <source>Movies</source>
+        <translation>Films</translation>
+    </message>
+    <message>
+        <source>Choose...</source>
+        <translation>Choisir...</translation>
     </message>
 </context>
 <context>
@@ -4822,6 +4941,17 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     </message>
 </context>
 <context>
+    <name>viscera::app::TaskCard</name>
+    <message>
+        <source>Drag the bright dot: the organ follows.</source>
+        <translation>Tirez le point clair&#xa0;: l’organe suit.</translation>
+    </message>
+    <message>
+        <source>Done. Ctrl+Z takes it back. F1 opens the guide at what you are doing.</source>
+        <translation>C’est fait. Ctrl+Z l’annule. F1 ouvre le guide là où vous en êtes.</translation>
+    </message>
+</context>
+<context>
     <name>viscera::app::TimelineBar</name>
     <message>
         <source>To the start of the cycle (Home)</source>
@@ -5263,136 +5393,6 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     <message>
         <source>Open folder</source>
         <translation>Ouvrir un dossier</translation>
-    </message>
-</context>
-<context>
-    <name>viscera::app::RepairValueBox</name>
-    <message>
-        <source>Unit</source>
-        <translation>Unité</translation>
-    </message>
-    <message>
-        <source>Life size</source>
-        <translation>Taille réelle</translation>
-    </message>
-    <message>
-        <source>The factor by which the organ gets the usual volume of its kind</source>
-        <translation>Le facteur qui donne à l’organe le volume habituel de son espèce</translation>
-    </message>
-    <message>
-        <source>About %1 triangles. Details smaller than %2 mm are lost.</source>
-        <translation>Environ %1 triangles. Les détails de moins de %2 mm sont perdus.</translation>
-    </message>
-</context>
-<context>
-    <name>viscera::app::GuideWindow</name>
-    <message>
-        <source>User guide</source>
-        <translation>Guide de l’utilisateur</translation>
-    </message>
-    <message>
-        <source>Search the guide</source>
-        <translation>Chercher dans le guide</translation>
-    </message>
-    <message>
-        <source>Sections</source>
-        <translation>Sections</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n sections</source>
-        <translation>
-            <numerusform>%n section</numerusform>
-            <numerusform>%n sections</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
-    <name>viscera::app::SettingsDialog</name>
-    <message>
-        <source>Settings</source>
-        <translation>Paramètres</translation>
-    </message>
-    <message>
-        <source>Lengths are in mm, volumes in ml, everywhere; numbers have the decimal mark of the language.</source>
-        <translation>Les longueurs sont partout en mm, les volumes en ml ; les nombres ont le séparateur décimal de la langue.</translation>
-    </message>
-    <message>
-        <source>Look</source>
-        <translation>Apparence</translation>
-    </message>
-    <message>
-        <source>As the system</source>
-        <translation>Comme le système</translation>
-    </message>
-    <message>
-        <source>The next start uses the language.</source>
-        <translation>Le prochain démarrage utilise la langue.</translation>
-    </message>
-    <message>
-        <source>Theme</source>
-        <translation>Thème</translation>
-    </message>
-    <message>
-        <source>Start</source>
-        <translation>Démarrage</translation>
-    </message>
-    <message>
-        <source>Show the welcome</source>
-        <translation>Afficher l’accueil</translation>
-    </message>
-    <message>
-        <source>Folders that dialogs begin in</source>
-        <translation>Dossiers où commencent les dialogues</translation>
-    </message>
-    <message>
-        <source>Organs and sessions</source>
-        <translation>Organes et sessions</translation>
-    </message>
-    <message>
-        <source>Pictures</source>
-        <translation>Images</translation>
-    </message>
-    <message>
-        <source>Movies</source>
-        <translation>Films</translation>
-    </message>
-    <message>
-        <source>Choose...</source>
-        <translation>Choisir...</translation>
-    </message>
-</context>
-<context>
-    <name>viscera::app::TaskCard</name>
-    <message>
-        <source>Drag the bright dot: the organ follows.</source>
-        <translation>Tirez le point clair : l’organe suit.</translation>
-    </message>
-    <message>
-        <source>Done. Ctrl+Z takes it back. F1 opens the guide at what you are doing.</source>
-        <translation>C’est fait. Ctrl+Z l’annule. F1 ouvre le guide là où vous en êtes.</translation>
-    </message>
-</context>
-<context>
-    <name>viscera::app::ResectionBox</name>
-    <message>
-        <source>Volumes on both sides of the cut</source>
-        <translation>Volumes des deux côtés de la coupe</translation>
-    </message>
-    <message>
-        <source>Stays</source>
-        <translation>Reste</translation>
-    </message>
-    <message>
-        <source>Cut away</source>
-        <translation>Coupé</translation>
-    </message>
-    <message>
-        <source>The volumes of the visible, closed organs on both sides of the plane, in this pose</source>
-        <translation>Les volumes des organes visibles et fermés des deux côtés du plan, dans cette pose</translation>
-    </message>
-    <message>
-        <source>Cut face %1 cm²</source>
-        <translation>Face de coupe %1 cm²</translation>
     </message>
 </context>
 </TS>

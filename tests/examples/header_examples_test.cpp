@@ -34,6 +34,7 @@
 #include "viscera/deformation/deformer.h"
 #include "viscera/geometry/coarse_triangles.h"
 #include "viscera/geometry/median_tree.h"
+#include "viscera/geometry/surface_gap.h"
 #include "viscera/geometry/volume.h"
 #include "viscera/heart/cardiac_cycle.h"
 #include "viscera/lesson/lesson_plan.h"
@@ -53,6 +54,7 @@
 #include "viscera/scene/slice_view.h"
 #include "viscera/scene/text_font.h"
 #include "viscera/sequences/breathing.h"
+#include "viscera/strain/heart_strain.h"
 #include "viscera/thesis/item.h"
 #include "viscera/tracking/mask.h"
 
@@ -89,6 +91,25 @@ Points cubeCorners() {
   const sample_organs::SampleLibrary samples = sample_organs::standardLibrary();
   const auto results = makeAll(chosenItems({"3.14"}), {systems, samples}, progress);
   return results.size();
+}
+
+[[maybe_unused]] double longitudinalStrain(const geometry::TriangleMesh& cavity,
+                                           const strain::MovingHeart& heart, Progress& progress) {
+  using namespace strain; // Its own tests have hearts in motion.
+  const FoundAxes axes = findAxes(cavity, nullptr, {});
+  const HeartStrain strain = heartStrain(heart, axes, nullptr, {}, progress);
+  const double gls = strain.gls->peak.value; // -0.17: shorter by 17 %.
+  return gls;
+}
+
+[[maybe_unused]] double gapAfterADrag(const geometry::TriangleMesh& a, const geometry::TriangleMesh& b,
+                                      const Points& moved) {
+  using namespace geometry; // Its own tests measure gaps.
+  SurfaceBoxes liver(a.points, a.triangles), vessel(b.points, b.triangles);
+  SurfaceGap gap = gapBetween(liver, vessel);
+  liver.follow(moved); // Each pose of a drag.
+  gap = gapBetween(liver, vessel, gap);
+  return gap.mm;
 }
 
 [[maybe_unused]] Eigen::Index makeLiver(Progress& progress) {

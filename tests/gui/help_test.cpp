@@ -67,7 +67,7 @@ TEST_F(WindowTest, TheWelcomeLeavesMostOfASmallViewFree) {
   const auto& card = *window().findChild<app::WelcomeCard*>();
   const auto buttons = card.findChildren<QPushButton*>();
   ASSERT_EQ(buttons.size(), 4);
-  EXPECT_LE(card.height(), window().viewArea().height() / 3);
+  EXPECT_TRUE(waitUntil([&] { return card.height() <= window().viewArea().height() / 3; })) << card.height();
   EXPECT_TRUE(buttons[1]->isVisible()) << "the samples";
   window().resize(1280, 800);
   settle();
@@ -124,14 +124,14 @@ TEST_F(Tour, MayBeUnderWayWhenTheWindowEnds) {
   EXPECT_TRUE(frame.isNull()) << "the window takes its frames with it";
 }
 
-TEST_F(Tour, GoesOnWithReturnAndSpaceAndLeavesTheHeartBeating) {
+TEST_F(Tour, GoesOnWithReturnAndSpace) {
   next(); // The step that plays.
   ASSERT_TRUE(window().playback().player().playing());
   const QString before = card().findChild<QLabel*>()->text();
   QTest::keyClick(&view(), Qt::Key_Space);
   settle();
   EXPECT_NE(card().findChild<QLabel*>()->text(), before);
-  EXPECT_TRUE(window().playback().player().playing()) << "Space is the tour's as long as it is shown";
+  EXPECT_EQ(window().mode(), "handles") << "Space is the tour's as long as it is shown, and is one step";
   for (std::size_t step = 2; step < card().steps().size(); ++step)
     QTest::keyClick(&window(), Qt::Key_Return);
   settle();
@@ -224,7 +224,6 @@ TEST_F(WindowTest, SettingsAreInOneDialogAndApplyAtOnce) {
   auto& again = *window().findChild<app::SettingsDialog*>();
   EXPECT_EQ(again.findChild<QComboBox*>(QStringLiteral("settingsLanguage"))->currentData().toString(),
             QStringLiteral("de"));
-  theme.setCurrentIndex(0);
   window().actions()["theme.dark"]->trigger();
 }
 

@@ -517,6 +517,7 @@ TEST_F(Import, RemovesFragmentsBelowASizeThatIsSeenBefore) {
 
 TEST_F(Import, ScalesAnOrganOfMetresToLifeSize) {
   open(write(sphere(4, 1350), QStringLiteral("stomach.stl")));
+  EXPECT_EQ(repairButton(QStringLiteral("scale"))->text(), QStringLiteral("Scale..."));
   press(repairButton(QStringLiteral("scale")));
   auto& box = *panel().findChild<app::RepairValueBox*>();
   press(box.findChild<QPushButton*>(QStringLiteral("lifeSize")));

@@ -63,7 +63,8 @@ TEST_F(Room, TheChartKeepsItsHeightOnAWalkThroughTheModesAndIsAwayWhereItIsEmpty
   key(Qt::Key_3);
   EXPECT_NEAR(chart->height(), height, 4);
   key(Qt::Key_4);
-  EXPECT_NEAR(chart->height(), height, 4) << "it is there before a drag along the timeline shows the sequence";
+  EXPECT_NEAR(chart->height(), height, 4)
+      << "it is there before a drag along the timeline shows the sequence";
   key(Qt::Key_1);
   EXPECT_FALSE(chart->isVisible()) << "nothing is charted";
   key(Qt::Key_3);

@@ -108,7 +108,7 @@ TEST_F(ManyOrgans, AreDescribedOnlyWhereOneIsSelected) {
     if (one->name != "spleen")
       others.push_back(one->id);
   ASSERT_TRUE(window().workspace().perform(document::removeOrgans(others)));
-  EXPECT_EQ(name.text(), QStringLiteral("spleen")) << "no other can be meant";
+  EXPECT_EQ(name.text(), QStringLiteral("Spleen")) << "no other can be meant";
 }
 
 TEST_F(ManyOrgans, AreFoundByAPartOfTheirName) {

@@ -133,13 +133,16 @@ std::set<QString> textsIn(const QString& source) {
       QStringLiteral(R"re(//[^\n]*|R"\([\s\S]*?\)"|'(?:[^'\\\n]|\\.)'|((?:"(?:[^"\\\n]|\\.)*"\s*)+))re"));
   static const QRegularExpression words(QStringLiteral(R"([A-Za-z]{2,} +[A-Za-z0-9%"]|^an? [a-z]+$)"));
   static const QRegularExpression none(QStringLiteral(
-      R"(%[.0-9]*[dgfsxu]\b|^qhull|^surf |^group color/|^(doubled|missing) slice$|^mixed sizes$|^uneven spacing$)"
+      R"(%[.0-9]*[dgfsxu]\b|^qhull|^surf |^group color/|^(doubled|missing) slice$|^part read$|^mixed sizes$|^uneven spacing$)"
       R"(|\\n|^# |^element face|^(axis mins|(byte|line) skip|data file|space (directions|origin|units))$)"
       R"(|^((un)?signed|short|long) [a-z ]+$|^kidney (left|right)$|^label map$)"
       // Units, fonts, where a number is published, and how the circulation's parameters were found.
       R"(|^mmHg s/ml$|^(Noto|DejaVu|Liberation) Sans$|doi 10\.|^form: |^0 in health$|^fitted to the values)"
       // What is looked for in a file, and formats' names in tables.
       R"(|^visualization toolkit$|^Viscera (session|sequence)$|^3D Slicer (markups|fiducials)$|^Philips PAR/REC$|^Zeiss CZI$)"
+      // What the command line alone says of strain.
+      R"(|^(basal|mid|apical) [a-z]+$|^(Longitudinal|Circumferential|Radial) strain$|^, time to peak$)"
+      R"(|^change of the length of a material contour |^engineering strain )"
       // What names a place in a file.
       R"(|^NIfTI data type $|^system parameter $|^, handle "$)"));
   // And DICOM's terms for its kinds of objects.

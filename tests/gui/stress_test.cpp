@@ -17,14 +17,11 @@
 #include <vtkActor2D.h>
 #include <vtkActor2DCollection.h>
 #include <vtkMapper.h>
-#include <vtkProperty.h>
 #include <vtkRenderer.h>
 #include <vtkScalarsToColors.h>
 #include <vtkTextActor.h>
 
-#include "shapes.h"
 #include "temporary_folder.h"
-#include "viscera/document/organ_commands.h"
 #include "viscera/live/stress_mark_files.h"
 #include "viscera/live/stress_quantity.h"
 #include "viscera/presentation/stress_values.h"
@@ -59,42 +56,6 @@ TEST(SteppedRange, GoesInRoundStepsAndDoesNotCreep) {
   const scene::ValueRange again = steppedRange(Quantity::volumeRatio, {0.82, 1.1}, ratio);
   EXPECT_EQ(again.low, ratio.low);
   EXPECT_EQ(again.high, ratio.high);
-}
-
-TEST_F(StressModeTest, AtRestAHintSaysWhatToDoAndNoHistogramIsDrawn) {
-  enter();
-  const auto* hint = find<QLabel>("stressHint");
-  ASSERT_NE(hint, nullptr);
-  EXPECT_TRUE(hint->isVisible());
-  EXPECT_TRUE(hint->text().contains(QStringLiteral("drag a handle"))) << hint->text().toStdString();
-  EXPECT_EQ(model().shown().legendRange(), (scene::ValueRange{0, 0}));
-  Points pose = document().pose();
-  pose.row(9) *= 1.3;
-  ASSERT_TRUE(window().workspace().perform(document::setPose(pose)));
-  ASSERT_TRUE(waitUntil([&] { return model().shown().deformed() && !hint->isVisible(); }));
-  EXPECT_GT(model().shown().legendRange().high, 0);
-}
-
-/// The eyes of their rows are open.
-TEST_F(StressModeTest, OtherOrgansStayAsGlassAroundTheMapAndOneWithoutHandlesSaysSo) {
-  document::NewOrgan far;
-  far.organ = document::makeOrgan("spleen", sphere(3, 30, Vec3(400, 0, 0)));
-  ASSERT_TRUE(window().workspace().perform(document::addOrgans({far})));
-  ASSERT_TRUE(window().workspace().perform(document::addEnclosingHandles()));
-  const document::OrganId ball = document().organs().front()->id, spleen = document().organs().back()->id;
-  window().workspace().selection().setOrgan(ball);
-  enter();
-  const auto other = drawn().actorOf(spleen);
-  ASSERT_NE(other, nullptr);
-  EXPECT_TRUE(other->visible());
-  EXPECT_LE(other->actor()->GetProperty()->GetOpacity(), 0.25) << "the map is seen through it";
-  key(Qt::Key_1);
-  EXPECT_EQ(other->actor()->GetProperty()->GetOpacity(), 1);
-  window().workspace().selection().setOrgan(spleen);
-  enter();
-  const auto* hint = find<QLabel>("stressHint");
-  EXPECT_TRUE(waitUntil([&] { return hint->text().contains(QStringLiteral("No handle is near Spleen")); }))
-      << hint->text().toStdString();
 }
 
 TEST_F(StressModeTest, KeyFourShowsTheMapAndLeavingPutsTheLooksBack) {
@@ -585,19 +546,6 @@ TEST_F(TwoStressMaps, OfTwoPosesHaveOneRangeAndOneLegendWhileThatIsWanted) {
   window().play().comparison().end();
   settle();
   EXPECT_EQ(model().shown().range(), model().shown().ownRange());
-}
-
-TEST_F(StressModeTest, ACancelledTaskSaysSoAndGoesOnWhenAsked) {
-  key(Qt::Key_1);
-  window().setMode("stress");
-  window().workspace().jobs().cancelAll();
-  ASSERT_TRUE(
-      waitUntil([this] { return model().live().status().state == live::StressStatus::State::cancelled; }));
-  EXPECT_TRUE(find<QLabel>("stressState")->isVisible());
-  EXPECT_TRUE(organ().visible());
-  model().live().retry();
-  ASSERT_TRUE(waitUntil([this] { return model().shown().ready(); }));
-  EXPECT_FALSE(find<QLabel>("stressState")->isVisible());
 }
 
 } // namespace

@@ -23,7 +23,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-constexpr double kMm2PerCm2 = 100;
+constexpr double kMm2OfCm2 = 100;
 constexpr std::size_t kMostPairs = 66; ///< All of twelve organs.
 
 /// "X,Y,Z:NX,NY,NZ": a point of the plane, and the direction that it faces.
@@ -121,10 +121,9 @@ private:
   /// Of all pairs, or of one organ with all others.
   ordered_json distances(const std::vector<PosedSurface>& surfaces, const OrganGroup& group, Listing& listing,
                          Progress& progress) const {
-    const std::optional<std::size_t> from =
-        from_.empty() ? std::nullopt : std::optional(placeOf(from_, group));
     const std::size_t count = surfaces.size();
-    if (!from && count * (count - 1) / 2 > kMostPairs)
+    const std::size_t from = from_.empty() ? count : placeOf(from_, group); // `count`: from each.
+    if (from == count && count * (count - 1) / 2 > kMostPairs)
       throw UsageError("there are too many pairs of organs", std::to_string(count) + " organs",
                        "name one with --from");
     std::deque<geometry::SurfaceBoxes> boxes;
@@ -135,7 +134,7 @@ private:
     ordered_json list = ordered_json::array();
     for (std::size_t a = 0; a < count; ++a)
       for (std::size_t b = 0; b < count; ++b) {
-        if (from ? a != *from || b == a : b <= a)
+        if (from < count ? a != from || b == a : b <= a)
           continue;
         progress.throwIfCancelled();
         const geometry::SurfaceGap gap = geometry::gapBetween(boxes[a], boxes[b]);
@@ -168,9 +167,9 @@ private:
       organs.push_back({{"organ", organ.name},
                         {"frontMl", front},
                         {"backMl", back},
-                        {"faceCm2", sides.faceMm2 / kMm2PerCm2}});
+                        {"faceCm2", sides.faceMm2 / kMm2OfCm2}});
       listing.add(organ.name, fixed(front, 3) + " ml in front of the plane, " + fixed(back, 3) +
-                                  " ml behind it, face " + fixed(sides.faceMm2 / kMm2PerCm2, 2) + " cm2");
+                                  " ml behind it, face " + fixed(sides.faceMm2 / kMm2OfCm2, 2) + " cm2");
     }
     return {
         {"originMm", numbersJson(plane.origin)}, {"normal", numbersJson(plane.normal)}, {"organs", organs}};

@@ -4,6 +4,7 @@
 #include <QCoreApplication>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QLocale>
 #include <QMenu>
 #include <QPushButton>
 
@@ -60,6 +61,12 @@ QString repairText(const char* text) {
   return QCoreApplication::translate("viscera::app::Repairs", text);
 }
 
+/// Whether a click asks for a value. A surface is made anew at the usual resolution at one click; a finer one
+/// is asked for by the menu.
+bool asksFirst(const std::string& repair) {
+  return repair == "remove-fragments" || repair == "scale";
+}
+
 } // namespace
 
 QString repairName(const std::string& id) {
@@ -85,11 +92,11 @@ QString repairName(const std::string& id) {
   const auto value = id.find('=');
   if (value != std::string::npos) {
     const bool scales = id.starts_with("scale");
-    const QString number = text(id.substr(value + 1));
+    const QString stated = text(id.substr(value + 1)), number = QLocale().toString(stated.toDouble(), 'g', 6);
     return QStringLiteral("%1: %2").arg(repairName(id.substr(0, value)),
                                         id.starts_with("remesh") ? number + QStringLiteral(" mm")
                                         : scales                 ? QStringLiteral("\u00d7 ") + number
-                                                                 : number);
+                                                                 : stated);
   }
   for (const medical_io::LengthUnit& unit : medical_io::lengthUnits())
     if (id == "unit-" + std::string(unit.id))
@@ -118,7 +125,7 @@ QString subjectName(medical_io::FindingSubject subject) {
   return QCoreApplication::translate("viscera::app::Findings", kNames.at(subject));
 }
 
-FindingLine::FindingLine(const medical_io::Finding& finding, QWidget* parent) : QWidget(parent) {
+FindingLine::FindingLine(const medical_io::Finding& finding, QWidget* parent, bool asks) : QWidget(parent) {
   auto* row = makeLayout<QHBoxLayout>(this, 8);
   row->addWidget(severityLabel(finding.severity, this), 0, Qt::AlignTop);
   auto* column = new QVBoxLayout;
@@ -131,7 +138,8 @@ FindingLine::FindingLine(const medical_io::Finding& finding, QWidget* parent) : 
   auto* flow = new FlowLayout(buttons, kButtonSpacing);
   flow->setContentsMargins(0, 0, 0, 0);
   for (const std::string& id : finding.repairs) {
-    auto* button = new QPushButton(repairName(id), buttons);
+    auto* button = new QPushButton(
+        asks && asksFirst(id) ? repairName(id) + QStringLiteral("...") : repairName(id), buttons);
     button->setObjectName(QStringLiteral("repair"));
     button->setProperty("repair", text(id));
     button->setToolTip(repairTip(id));
@@ -156,7 +164,7 @@ OrganCheck::OrganCheck(const document::DraftOrgan& organ, const Detail& detail, 
     for (const medical_io::Finding& finding : organ.assessment.findings)
       if (finding.severity == severity &&
           (detail.size || finding.subject != medical_io::FindingSubject::size)) {
-        auto* line = new FindingLine(finding, this);
+        auto* line = new FindingLine(finding, this, true);
         connect(line, &FindingLine::repairRequested, this, &OrganCheck::request);
         column->addWidget(line);
       }
@@ -213,9 +221,8 @@ void OrganCheck::addRepairs(QMenu& menu) {
   }
 }
 
-/// A surface is made anew at the usual resolution at one click; a finer one is asked for by the menu.
 void OrganCheck::request(const QString& id) {
-  if (id == QLatin1String("remove-fragments") || id == QLatin1String("scale"))
+  if (asksFirst(id.toStdString()))
     return ask(id.toStdString());
   Q_EMIT repairRequested(id);
 }

@@ -28,7 +28,8 @@ class FindingLine final : public QWidget {
   Q_OBJECT
 
 public:
-  explicit FindingLine(const medical_io::Finding& finding, QWidget* parent = nullptr);
+  /// With `asks`, the buttons of repairs that ask for a value first end with three dots.
+  explicit FindingLine(const medical_io::Finding& finding, QWidget* parent = nullptr, bool asks = false);
 
 Q_SIGNALS:
   void repairRequested(const QString& id);

@@ -178,7 +178,7 @@ void PlayPage::syncPatientCirculation() {
 
 void PlayPage::makeRecording(Settings& settings) {
   record_ = new MovieBox(settings, this);
-  add(new CollapsibleSection(tr("Record a movie"), record_, true, this));
+  addFolded(tr("Record a movie"), record_, true);
   MovieRecorder& recorder = mode_.recorder();
   connect(record_, &MovieBox::recordRequested, &mode_, &PlayMode::record);
   connect(record_, &MovieBox::cancelRequested, &recorder, &MovieRecorder::cancel);
@@ -188,11 +188,11 @@ void PlayPage::makeRecording(Settings& settings) {
 
 void PlayPage::makeOwnMotions(const ModeParts& parts) {
   auto* curve = new CurveBox(parts.workspace, playback_, parts.settings, this);
-  add(new CollapsibleSection(tr("Prescribe a volume"), curve, false, this));
+  addFolded(tr("Prescribe a volume"), curve, false);
   auto* keys = new KeyBox(parts.workspace, playback_, mode_.keySequence(), parts.settings, this);
-  add(new CollapsibleSection(tr("Key sequence"), keys, false, this));
+  addFolded(tr("Key sequence"), keys, false);
   auto* fit = new FitBox(parts.workspace, playback_, parts.picture, *parts.area.view(), this);
-  add(new CollapsibleSection(tr("Fit a sequence to an organ"), fit, false, this));
+  addFolded(tr("Fit a sequence to an organ"), fit, false);
   connect(offer_, &FitOffer::fitChosen, fit, &FitBox::fit);
 }
 

@@ -14,6 +14,7 @@
 #include "viscera/presentation/presenter.h"
 #include "window/actions.h"
 #include "window/language.h"
+#include "window/widgets/wrapped_label.h"
 
 namespace viscera::app {
 

@@ -101,6 +101,8 @@ void WelcomeCard::showEvent(QShowEvent* event) {
 
 void WelcomeCard::fit() {
   const QSize room = parentWidget()->size();
+  for (QWidget* part : findChildren<QWidget*>())
+    part->ensurePolished(); // Before, it has another size.
   for (QWidget* part : lesser_)
     part->show();
   for (QWidget* part : lesser_)

@@ -67,6 +67,11 @@ QWidget* Page::addSection(const QString& title) {
   return section;
 }
 
+void Page::addFolded(const QString& title, QWidget* contents, bool open) {
+  section_ = nullptr;
+  add(new CollapsibleSection(title, contents, open, this));
+}
+
 void Page::add(QWidget* widget) {
   (section_ ? section_ : column_)->addWidget(widget);
   facts_ = nullptr;

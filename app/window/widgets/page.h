@@ -39,6 +39,8 @@ protected:
   QWidget* addSection(const QString& title);
   /// Shows a section, or hides it where it would be empty: a page of dashes says nothing.
   static void setSectionShown(QWidget* section, bool shown) { section->setVisible(shown); }
+  /// A section that can be folded, after the present one.
+  void addFolded(const QString& title, QWidget* contents, bool open);
   void add(QWidget* widget);
   /// A line of a name and a value that can be selected; returns the value.
   QLabel* addFact(const QString& name);
@@ -55,7 +57,7 @@ protected:
 
 private:
   QVBoxLayout* column_;            ///< Of the sections.
-  QVBoxLayout* section_ = nullptr; ///< Of the present section.
+  QVBoxLayout* section_ = nullptr; ///< Of the present section; null between sections.
   QFormLayout* facts_ = nullptr;   ///< The layout of the present section, in which successive facts are
                                    ///< aligned.
 };

@@ -35,7 +35,7 @@ TaskCard::TaskCard(Workspace& workspace, QWidget* parent)
 }
 
 void TaskCard::start() {
-  done_ = false;
+  done_ = moved_ = false;
   end_->stop();
   text_->setText(tr("Drag the bright dot: the organ follows."));
   show();
@@ -43,7 +43,10 @@ void TaskCard::start() {
 }
 
 void TaskCard::look(const document::Change& change) {
-  if (done_ || isHidden() || change.interactive || !change.pose())
+  if (done_ || isHidden())
+    return;
+  moved_ = moved_ || change.pose();
+  if (!moved_ || change.interactive) // The end of a drag is a change by itself, after those of the pose.
     return;
   done_ = true;
   text_->setText(tr("Done. Ctrl+Z takes it back. F1 opens the guide at what you are doing."));

@@ -27,7 +27,7 @@ private:
   Workspace& workspace_;
   QLabel* text_;
   QTimer* end_;
-  bool done_ = false;
+  bool moved_ = false, done_ = false;
   Subscription subscription_;
 };
 

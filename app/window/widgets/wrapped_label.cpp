@@ -43,6 +43,7 @@ double WrappedLabel::layOut(QTextLayout& lines, int width) const {
 }
 
 int WrappedLabel::heightForWidth(int width) const {
+  ensurePolished();
   if (!breaksWords(width))
     return QLabel::heightForWidth(width);
   QString said = text();

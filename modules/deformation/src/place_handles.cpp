@@ -261,7 +261,7 @@ Points placeHandles(const std::vector<const geometry::TriangleMesh*>& organs, co
       sites.emplace_back(*organ, placement.offsetFraction);
     }
   if (sites.empty())
-    throw DataError("there is no surface for handles", "handles", "load a closed surface");
+    throw DataError("There is no organ to enclose", "handles", "load a closed surface");
   Points ends(2 * static_cast<Eigen::Index>(sites.size()), 3);
   for (std::size_t i = 0; i < sites.size(); ++i) {
     ends.row(2 * static_cast<Eigen::Index>(i)) = sites[i].box.low.transpose();

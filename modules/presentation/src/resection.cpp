@@ -33,11 +33,11 @@ std::vector<Resected> resected(const OrganCut& cut, const document::DocumentStat
   for (const auto& organ : *state.organs) {
     if (!organ->look.visible || !organ->closed())
       continue;
-    const geometry::SidesOfPlane sides = geometry::sidesOfPlane(
-        {&pointsOf(organ->id), &organ->mesh->triangles}, {plane.origin, plane.normal});
+    const geometry::SidesOfPlane sides =
+        geometry::sidesOfPlane({&pointsOf(organ->id), &organ->mesh->triangles}, {plane.origin, plane.normal});
     if (sides.cuts())
-      found.push_back({organ->id, sides.frontMm3 / kMm3PerMl, sides.backMm3 / kMm3PerMl,
-                       sides.faceMm2 / kMm2PerCm2});
+      found.push_back(
+          {organ->id, sides.frontMm3 / kMm3PerMl, sides.backMm3 / kMm3PerMl, sides.faceMm2 / kMm2PerCm2});
   }
   return found;
 }

@@ -152,7 +152,7 @@ void BullsEyeItem::paintSector(vtkContext2D* painter, const BullsEyeFigure& figu
   if (!sector.value)
     return;
   const double middle = (sector.fromDegrees + sector.toDegrees) / 2 * std::numbers::pi / 180;
-  const double at = inner > 0 ? (inner + outer) / 2 : 0;
+  const double at = whole ? 0 : (inner + outer) / 2;
   setText(painter, kValuePixels, isLight(color) ? Vec3(0.05, 0.05, 0.08) : Vec3(1, 1, 1));
   painter->DrawString(static_cast<float>(place.x + at * std::cos(middle)),
                       static_cast<float>(place.y + at * std::sin(middle)),

@@ -82,7 +82,8 @@ TEST_F(CliConvert, RepairsBySizeAndWithAResolution) {
       runJson({"convert", path("fine.ply"), path("same.ply"), "--remove-fragments", "5mm"})["triangles"],
       fine["triangles"]);
   EXPECT_EQ(run({"convert", file, path("no.ply"), "--remove-fragments", "5kg"}).exitCode, 64);
-  EXPECT_EQ(run({"convert", put("thing.off", cubeOff(60)), path("no.ply"), "--scale", "life-size"}).exitCode, 65);
+  EXPECT_EQ(run({"convert", put("thing.off", cubeOff(60)), path("no.ply"), "--scale", "life-size"}).exitCode,
+            65);
 }
 
 TEST_F(CliConvert, UnitsAreThoseOfTheInput) {

@@ -23,13 +23,15 @@ protected:
       off << mesh.points(i, 0) + corner.x() << ' ' << mesh.points(i, 1) + corner.y() << ' '
           << mesh.points(i, 2) + corner.z() << '\n';
     for (Eigen::Index t = 0; t < mesh.triangles.rows(); ++t)
-      off << "3 " << mesh.triangles(t, 0) << ' ' << mesh.triangles(t, 1) << ' ' << mesh.triangles(t, 2) << '\n';
+      off << "3 " << mesh.triangles(t, 0) << ' ' << mesh.triangles(t, 1) << ' ' << mesh.triangles(t, 2)
+          << '\n';
     return put(name, off.str());
   }
 };
 
 TEST_F(MeasureCli, GivesTheDistancesOfAllPairsOrFromOneOrgan) {
-  const std::string a = box("a.off", {0, 0, 0}), b = box("b.off", {23, 34, 0}), c = box("c.off", {10, 10, 10});
+  const std::string a = box("a.off", {0, 0, 0}), b = box("b.off", {23, 34, 0}),
+                    c = box("c.off", {10, 10, 10});
   const json all = runJson({"measure", a, b, c});
   ASSERT_EQ(all["distances"].size(), 3u);
   EXPECT_EQ(all["distances"][0]["from"], "a");
@@ -50,7 +52,7 @@ TEST_F(MeasureCli, GivesTheVolumesOnBothSidesOfAPlane) {
   EXPECT_NEAR(cut["organs"][0]["faceCm2"].get<double>(), 6, 1e-9);
   EXPECT_NEAR(cut["normal"][2].get<double>(), -1, 1e-12);
   EXPECT_THAT(run({"measure", a, "--plane", "0,0,10:0,0,1"}).out, HasSubstr("ml in front of the plane"));
-  expectFailure({"measure", a, "--plane", "0,0,10"}, kUsage, "a plane is");
+  expectFailure({"measure", a, "--plane", "0,0,10"}, kUsage, "A plane is");
   expectFailure({"measure", a, "--plane", "0,0,10:0,0,0"}, kUsage, "must not be zero");
 }
 
@@ -62,8 +64,8 @@ TEST_F(MeasureCli, MeasuresInThePoseAndMovesABoneAsARigidBody) {
   for (Eigen::Index i = 0; i < around.points.rows(); ++i) {
     const Vec3 at = around.points.row(i).transpose() - Vec3(30, 30, 30);
     const auto point = [&](const Vec3& p) {
-      return R"({"label": "H-)" + std::to_string(i + 1) + R"(", "position": [)" + std::to_string(p.x()) + ", " +
-             std::to_string(p.y()) + ", " + std::to_string(p.z()) + "]}";
+      return R"({"label": "H-)" + std::to_string(i + 1) + R"(", "position": [)" + std::to_string(p.x()) +
+             ", " + std::to_string(p.y()) + ", " + std::to_string(p.z()) + "]}";
     };
     points += (i > 0 ? "," : "") + point(at);
     posed += (i > 0 ? "," : "") + point(at.x() > 0 ? Vec3(at + Vec3(25, 0, 15)) : at);

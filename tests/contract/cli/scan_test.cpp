@@ -54,12 +54,16 @@ TEST_F(CliScan, InfoOfADicomFolderNamesWhatIsOdd) {
   EXPECT_EQ(info["modality"], "CT");
   EXPECT_EQ(info["unit"], "HU");
   EXPECT_EQ(info["transferSyntax"], "Little Endian Explicit");
-  EXPECT_EQ(info["series"].size(), 1U);
+  ASSERT_EQ(info["series"].size(), 3U) << "the longest even part, the other one, all resampled";
   EXPECT_EQ(info["series"][0]["files"], 16);
-  ASSERT_EQ(info["findings"].size(), 1U);
-  EXPECT_EQ(info["findings"][0]["kind"], "missing-slice");
+  EXPECT_EQ(info["series"][0]["slices"],
+            json({{"first", 5}, {"last", 16}, {"all", 16}, {"resampled", false}}));
+  EXPECT_TRUE(info["series"][2]["slices"]["resampled"].get<bool>());
+  ASSERT_EQ(info["findings"].size(), 2U);
+  EXPECT_EQ(info["findings"][0]["kind"], "part-read");
+  EXPECT_EQ(info["findings"][1]["kind"], "missing-slice");
   EXPECT_EQ(info["size"][2], 12);
-  EXPECT_EQ(info["warnings"].size(), 1U);
+  EXPECT_EQ(info["warnings"].size(), 2U);
   expectFailure({"info", path("dicom"), "--series", "9.9"}, kUsage, "It has no series 9.9");
 }
 

@@ -20,7 +20,34 @@ std::string typeDeclaredBy(const std::string& line) {
   std::smatch found;
   return std::regex_match(line, found, declaration) ? found[1].str() : std::string();
 }
+
+/// Whether a CMakeLists.txt in the file's folder or below or above it has the file's name without its ending
+/// as a word.
+bool namedInCMake(const std::filesystem::path& file) {
+  const std::regex word("(^|[^A-Za-z0-9_])" + file.stem().string() + "($|[^A-Za-z0-9_])");
+  const auto named = [&word](const std::filesystem::path& list) {
+    const std::vector<std::string> lines = linesOf(list);
+    return std::any_of(lines.begin(), lines.end(),
+                       [&word](const std::string& line) { return std::regex_search(line, word); });
+  };
+  const std::filesystem::path top = VISCERA_SOURCE_DIR;
+  for (std::filesystem::path folder = file.parent_path(); folder != top; folder = folder.parent_path())
+    if (named(folder / "CMakeLists.txt"))
+      return true;
+  for (const auto& entry : std::filesystem::directory_iterator(file.parent_path()))
+    if (entry.is_directory() && named(entry.path() / "CMakeLists.txt"))
+      return true;
+  return false;
+}
 } // namespace
+
+/// A file that no target lists is neither compiled nor, where it is a test, missed.
+TEST(SourceFiles, AreListedInCMake) {
+  for (const std::string folder : {"app", "modules", "tests"})
+    for (const std::filesystem::path& file : sourcesUnder(folder))
+      EXPECT_TRUE(file.extension() != ".cpp" || namedInCMake(file)) << shortName(file) << " is in no target";
+  EXPECT_FALSE(namedInCMake(std::filesystem::path(VISCERA_SOURCE_DIR) / "tests/unit/core/of_no_target.cpp"));
+}
 
 TEST(SourceFiles, AreShortEnoughToRead) {
   for (const std::string folder : {"app", "modules", "tests"})

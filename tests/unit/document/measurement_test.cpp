@@ -122,7 +122,7 @@ TEST(Gap, IsTheShortestWayBetweenTwoOrgansInEveryPose) {
   EXPECT_TRUE(s.document.measurements().empty());
 }
 
-TEST(Gap, IsBetweenTwoOrgansWhosePlacesNobodyMoves) {
+TEST(Gap, IsBetweenTwoOrgansAndCannotBeDragged) {
   TwoBoxSession s;
   EXPECT_THROW(s.undo.perform(addGap(s.box().id, s.box().id)), UsageError);
   s.undo.perform(addGap(s.box().id, s.other().id));

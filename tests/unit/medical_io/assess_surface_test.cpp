@@ -147,7 +147,7 @@ TEST(AssessSurface, CrumbsOfASegmentationAreOfferedToGo) {
   mesh.points << large.points, crumb.points;
   mesh.triangles.resize(large.triangles.rows() + crumb.triangles.rows(), 3);
   mesh.triangles << large.triangles, crumb.triangles.array() + static_cast<std::int32_t>(large.points.rows());
-  expectOneClick(mesh, "2 separate pieces, 1 of them is a small fragment of", "keep-largest");
+  expectOneClick(mesh, "2 separate pieces, 1 of them is a small fragment of", "remove-fragments");
 }
 
 TEST(AssessSurface, IntersectionsAreCountedAndMadeAnew) {

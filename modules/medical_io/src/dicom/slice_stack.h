@@ -61,9 +61,9 @@ std::vector<SliceGroup> groupFrames(const FrameList& list);
 std::vector<SlicePhase> phasesOf(const FrameList& list, const SliceGroup& group,
                                  std::vector<ScanFinding>& findings);
 
-/// Orders a phase's slices along their normal: the longest part of them that is even to 1 %, and where that is
-/// not all of them, every other even part of three slices or more, and last all of them resampled to one grid,
-/// where they lie on a line.
+/// Orders a phase's slices along their normal: the longest part of them that is even to 1 %, and where that
+/// is not all of them, every other even part of three slices or more, and last all of them resampled to one
+/// grid, where they lie on a line.
 std::vector<SliceStack> stackSlices(const FrameList& list, const SlicePhase& phase);
 
 } // namespace viscera::medical_io

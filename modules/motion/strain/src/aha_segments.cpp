@@ -10,10 +10,11 @@ namespace {
 using std::numbers::pi;
 
 constexpr double kSixth = pi / 3, kFourth = pi / 2;
-/// From the anterior insertion, the septum's middle is a sixth further, and its apical segment 45 degrees to
-/// either side of it.
+/// The septum's middle lies a sixth of the circle behind the anterior insertion, and its apical segment
+/// reaches 45 degrees to either side of it.
 constexpr double kApicalSeptum = kSixth - kFourth / 2;
-/// From the insertion on: anteroseptal, inferoseptal, inferior, inferolateral, anterolateral, anterior.
+/// The walls follow the insertion in this order: anteroseptal, inferoseptal, inferior, inferolateral,
+/// anterolateral, anterior.
 constexpr std::array<int, 6> kRing = {2, 3, 4, 5, 6, 1};
 /// Septal, inferior, lateral, anterior.
 constexpr std::array<int, 4> kApex = {14, 15, 16, 13};

@@ -110,7 +110,7 @@ double HeartAxes::distanceOf(const Vec3& point) const {
 
 FoundAxes findAxes(const geometry::TriangleMesh& leftCavity, const geometry::TriangleMesh* rightCavity,
                    const AxisLandmarks& given) {
-  geometry::requireValid(leftCavity, "left ventricle");
+  geometry::requireValid(leftCavity, "heart");
   ValveCaps caps = valveCaps(
       leftCavity, given.base && given.apex ? std::optional<Vec3>(*given.base - *given.apex) : std::nullopt);
   const Vec3 base = given.base.value_or(caps.largestMiddle);

@@ -340,7 +340,8 @@ private:
     return valveCaps({surface.rest, surface.triangles, {}}, towardsBase).triangles;
   }
 
-  /// From the tricuspid annulus to the right ventricle's apex, on the side away from the left one.
+  /// The contour runs from the tricuspid annulus to the right ventricle's apex, on the side away from the
+  /// left one.
   std::optional<ContourStrain> rightFreeWall() const {
     if (auto listed = listedNamed("rightFreeWall"))
       return listed;
@@ -367,7 +368,8 @@ private:
     return contourStrain("rightFreeWall", free, right.phases, heart_.seconds, heart_.reference);
   }
 
-  /// From one side of the mitral annulus over the roof of the atrium to the other, in two planes.
+  /// The contours run from one side of the mitral annulus over the roof of the atrium to the other, in two
+  /// planes.
   std::optional<ContourStrain> reservoir() const {
     if (auto listed = listedNamed("leftReservoir")) {
       listed->peak = longestOf(listed->curve, heart_.seconds);

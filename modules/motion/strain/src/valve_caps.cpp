@@ -169,7 +169,7 @@ ValveCaps flatCap(const TriangleMesh& mesh, const Facets& facets, const Vec3& to
 ValveCaps valveCaps(const TriangleMesh& cavity, const std::optional<Vec3>& towardsBase) {
   const Facets facets = facetsOf(cavity);
   if (cavity.triangles.rows() < kFewestTriangles || !(facets.normals.rowwise().norm().sum() > 0))
-    throw DataError("The surface encloses nothing", "left ventricle", "choose the surface of its cavity");
+    throw DataError("The surface encloses nothing", "heart", "choose the surface of its cavity");
   ValveCaps fans = fanCaps(cavity, facets);
   if (fans.caps > 0)
     return fans;

@@ -219,7 +219,7 @@ WallPoints wallPoints(const WitnessMesh& mesh, const WallSurfaces& surfaces, con
   const std::vector<Element> elements = elementsOf(mesh, heights);
   const Values given = boundaryDepth(mesh, heights, surfaces, axes, cap, threads);
   if ((given.array() == 0).count() == 0 || (given.array() == 1).count() == 0)
-    throw DataError("The tissue does not reach from the cavity to the outer surface", "left ventricle",
+    throw DataError("The tissue does not reach from the cavity to the outer surface", "heart",
                     "choose the surfaces of one heart");
   progress.report(0.2, "layers of the wall");
   const Values depth = harmonic(elements, given);

@@ -15,7 +15,7 @@ struct Segment {
   int number = 0;        ///< 1 to 17.
   std::string_view name; ///< "basal anterior"
   int ring = 0;          ///< 0 base, 1 middle, 2 apex, 3 the cap.
-  /// In the bull's eye, degrees, anticlockwise from its right (the lateral wall): 90 is the anterior wall,
+  /// The bull's eye counts degrees anticlockwise from its right (the lateral wall): 90 is the anterior wall,
   /// above, 180 the septum. Of the cap the whole circle.
   double fromDegrees = 0, toDegrees = 360;
   bool septal = false; ///< Segments 2, 3, 8, 9 and 14, between both ventricles.

@@ -124,6 +124,10 @@ ContourStrain contourStrain(const std::string& name, const MaterialContour& cont
 /// listed contour with a surface or a vertex that does not exist or less than two vertices; `Cancelled`.
 /// O(phases x (points of the wall x handles + vertices log vertices)). Does not depend on the number of
 /// threads.
+///
+///     const FoundAxes axes = findAxes(cavity, nullptr, {});
+///     const HeartStrain strain = heartStrain(heart, axes, nullptr, {}, progress);
+///     const double gls = strain.gls->peak.value; // -0.17: shorter by 17 %.
 HeartStrain heartStrain(const MovingHeart& heart, const FoundAxes& axes, const MovingWall* wall,
                         const std::vector<ListedContour>& listed, Progress& progress, Threads threads = {});
 
