@@ -231,6 +231,12 @@ PLACES = """(() => { viscera.render(); const shown = viscera.nameItems.filter(i 
     foreign: shown.filter(i => i.seen < i.s.firstVertex || i.seen >= i.s.firstVertex + i.s.vertexCount || !i.part && parts.some(p => p.vertex === i.seen)).map(i => i.text)}; })()"""
 
 
+def check_short_names(b):
+    """Short forms of phases differ, so that no two are the same on a phone."""
+    found = b.run("(names => [...new Set(names)].map(t => viscera.shortOf(t, names)))(viscera.lesson.motion ? viscera.lesson.motion.phases.flat().map(p => p[0]) : [])")
+    check("short names of phases differ", len(set(found)) == len(found) and "AS" not in found, found)
+
+
 def check_places(b, truth):
     """From every side, at every phase, on the opaque wall and through it, names shown are seen where their lines end."""
     middles = b.run("viscera.lesson.motion ? viscera.lesson.motion.phases[viscera.state.rate].map(p => (p[1] + p[2]) / 2) : [0]")
@@ -351,6 +357,7 @@ def main(arguments):
             check_keys(b, truth)
             check_quiz(b, truth)
             check_places(b, truth)
+            check_short_names(b)
         if arguments.reference:
             check_reference(b, pathlib.Path(arguments.reference))
         check_layout(b, "1280 wide", slides=False)
