@@ -69,12 +69,12 @@ void QuizPrompt::sync() {
 void QuizPrompt::place() {
   if (isHidden())
     return;
-  const int width = std::min(kPromptWidth, parentWidget()->width() - 2 * kPromptTop);
-  setFixedWidth(std::max(1, width));
+  const int wide = std::min(kPromptWidth, parentWidget()->width() - 2 * kPromptTop);
+  setFixedWidth(std::max(1, wide));
   layout()->activate();
-  resize(this->width(),
-         layout()->hasHeightForWidth() ? layout()->totalHeightForWidth(this->width()) : sizeHint().height());
-  move((parentWidget()->width() - this->width()) / 2, kPromptTop);
+  resize(width(),
+         layout()->hasHeightForWidth() ? layout()->totalHeightForWidth(width()) : sizeHint().height());
+  move((parentWidget()->width() - width()) / 2, kPromptTop);
   raise();
 }
 
