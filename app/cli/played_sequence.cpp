@@ -321,7 +321,8 @@ PlayedSequence fromSession(const PlayRequest& request, CommandContext& context) 
   const document::OpenedSession opened =
       document::readSession(request.sequence, context.samples, context.progress);
   const document::DocumentState& state = opened.contents.state;
-  const presentation::ViewState view = presentation::viewFromJson(opened.contents.view);
+  const presentation::ViewState view =
+      presentation::viewFromJson(opened.contents.view, *opened.contents.state.circulation);
   PlayedSequence played;
   played.ofSession = true;
   played.warnings = opened.warnings;

@@ -65,7 +65,7 @@ live::LiveStress::Options stressAtOnce(Threads threads) {
 /// From a side that is asked for, a view that cannot be read is as at first.
 presentation::ViewState viewOf(const document::OpenedSession& opened, bool fromSide) {
   try {
-    return presentation::viewFromJson(opened.contents.view);
+    return presentation::viewFromJson(opened.contents.view, *opened.contents.state.circulation);
   } catch (const DataError& error) {
     if (fromSide)
       return {};

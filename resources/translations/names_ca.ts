@@ -6808,6 +6808,14 @@
         <source>between the contractions of both, shorter than the PR interval of 0.12 to 0.20 s</source>
         <translation>entre les contraccions de tots dos, més curt que l’interval PR de 0,12 a 0,20 s</translation>
     </message>
+    <message>
+        <source>Tricuspid valve</source>
+        <translation>Vàlvula tricúspide</translation>
+    </message>
+    <message>
+        <source>Pulmonary valve</source>
+        <translation>Vàlvula pulmonar</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app</name>

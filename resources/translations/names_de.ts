@@ -6808,6 +6808,14 @@
         <source>between the contractions of both, shorter than the PR interval of 0.12 to 0.20 s</source>
         <translation>zwischen den Kontraktionen beider, kürzer als das PQ-Intervall von 0,12 bis 0,20 s</translation>
     </message>
+    <message>
+        <source>Tricuspid valve</source>
+        <translation>Trikuspidalklappe</translation>
+    </message>
+    <message>
+        <source>Pulmonary valve</source>
+        <translation>Pulmonalklappe</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app</name>

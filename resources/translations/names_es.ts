@@ -6808,6 +6808,14 @@
         <source>between the contractions of both, shorter than the PR interval of 0.12 to 0.20 s</source>
         <translation>entre las contracciones de ambos, más corto que el intervalo PR de 0,12 a 0,20 s</translation>
     </message>
+    <message>
+        <source>Tricuspid valve</source>
+        <translation>Válvula tricúspide</translation>
+    </message>
+    <message>
+        <source>Pulmonary valve</source>
+        <translation>Válvula pulmonar</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app</name>

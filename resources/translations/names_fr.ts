@@ -6808,6 +6808,14 @@
         <source>between the contractions of both, shorter than the PR interval of 0.12 to 0.20 s</source>
         <translation>entre les contractions des deux, plus court que l’intervalle PR de 0,12 à 0,20 s</translation>
     </message>
+    <message>
+        <source>Tricuspid valve</source>
+        <translation>Valve tricuspide</translation>
+    </message>
+    <message>
+        <source>Pulmonary valve</source>
+        <translation>Valve pulmonaire</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app</name>

@@ -3510,6 +3510,22 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
 <context>
     <name>viscera::app::QuizTool</name>
     <message>
+        <source>%1 right, %2 wrong</source>
+        <translation>%1 correctes, %2 incorrectes</translation>
+    </message>
+    <message>
+        <source>Neither</source>
+        <translation>Cap de les dues</translation>
+    </message>
+    <message>
+        <source>%1: which valve is open?</source>
+        <translation>%1: quina vàlvula és oberta?</translation>
+    </message>
+    <message>
+        <source>No. %1</source>
+        <translation>No. %1</translation>
+    </message>
+    <message>
         <source>Click: %1</source>
         <translation>Feu clic a: %1</translation>
     </message>

@@ -3510,6 +3510,22 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
 <context>
     <name>viscera::app::QuizTool</name>
     <message>
+        <source>%1 right, %2 wrong</source>
+        <translation>%1 richtig, %2 falsch</translation>
+    </message>
+    <message>
+        <source>Neither</source>
+        <translation>Keine von beiden</translation>
+    </message>
+    <message>
+        <source>%1: which valve is open?</source>
+        <translation>%1: Welche Klappe ist offen?</translation>
+    </message>
+    <message>
+        <source>No. %1</source>
+        <translation>Nein. %1</translation>
+    </message>
+    <message>
         <source>Click: %1</source>
         <translation>Anklicken: %1</translation>
     </message>

@@ -3510,6 +3510,22 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
 <context>
     <name>viscera::app::QuizTool</name>
     <message>
+        <source>%1 right, %2 wrong</source>
+        <translation>%1 correctas, %2 incorrectas</translation>
+    </message>
+    <message>
+        <source>Neither</source>
+        <translation>Ninguna de las dos</translation>
+    </message>
+    <message>
+        <source>%1: which valve is open?</source>
+        <translation>%1: ¿qué válvula está abierta?</translation>
+    </message>
+    <message>
+        <source>No. %1</source>
+        <translation>No. %1</translation>
+    </message>
+    <message>
         <source>Click: %1</source>
         <translation>Haga clic: %1</translation>
     </message>

@@ -3510,6 +3510,22 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
 <context>
     <name>viscera::app::QuizTool</name>
     <message>
+        <source>%1 right, %2 wrong</source>
+        <translation>%1 justes, %2 fausses</translation>
+    </message>
+    <message>
+        <source>Neither</source>
+        <translation>Aucune des deux</translation>
+    </message>
+    <message>
+        <source>%1: which valve is open?</source>
+        <translation>%1 : quelle valve est ouverte ?</translation>
+    </message>
+    <message>
+        <source>No. %1</source>
+        <translation>Non. %1</translation>
+    </message>
+    <message>
         <source>Click: %1</source>
         <translation>Cliquez&#xa0;: %1</translation>
     </message>

@@ -103,6 +103,20 @@ protected:
   }
 };
 
+/// Beside the textbook's beat, too, and drawn as buttons.
+TEST_F(PlayedCirculation, ScenariosAreButtonsThatAreAlwaysThere) {
+  ASSERT_FALSE(model().on());
+  for (const circulation::Scenario& scenario : circulation::scenarios()) {
+    const auto* button = window().findChild<QAbstractButton*>(
+        QStringLiteral("scenario.%1").arg(QString::fromStdString(scenario.id)));
+    ASSERT_NE(button, nullptr) << scenario.id;
+    EXPECT_TRUE(button->isVisibleTo(window().findChild<QWidget*>(QStringLiteral("circulationBox"))))
+        << scenario.id;
+    EXPECT_TRUE(button->property("raised").toBool()) << scenario.id;
+    EXPECT_FALSE(button->isChecked()) << scenario.id;
+  }
+}
+
 TEST_F(PlayedCirculation, AClickOnAScenarioLetsTheHeartFollowItAndUndoGivesTheTextbookBack) {
   const sequences::Sequence* textbook = window().playback().sequence();
   choose("exercise");

@@ -11,6 +11,7 @@
 #include <QTest>
 #include <QTreeWidget>
 
+#include <nlohmann/json.hpp>
 #include <vtkCamera.h>
 #include <vtkRenderer.h>
 
@@ -19,6 +20,7 @@
 #include "viscera/document/key_sequence_commands.h"
 #include "viscera/document/organ_commands.h"
 #include "viscera/document/session_file.h"
+#include "viscera/heart/cardiac_times.h"
 #include "viscera/presentation/view_state.h"
 #include "viscera/sample_organs/sample_organ.h"
 #include "window/panels/curve_box.h"
@@ -473,6 +475,28 @@ TEST_F(PlayMode, ASessionKeepsThePrescribedVolume) {
   EXPECT_TRUE(std::any_of(labels.begin(), labels.end(), [](const QLabel* label) {
     return label->text().contains(QStringLiteral("lv.csv"));
   }));
+}
+
+/// Its beat began with the contraction of the atria.
+TEST_F(PlayMode, ASessionOfBeforeOpensAtTheInstantItWasPausedAt) {
+  window().playback().pause();
+  window().playback().seek(0.4);
+  const double volume = volumeOf("LV");
+  const double rate = window().playback().player().ratePerMinute();
+  document::SessionContents contents = window().sessions().contents();
+  auto view = nlohmann::json::parse(contents.view);
+  view["format"] = 2;
+  view["playing"]["fraction"] = 0.4 - heart::kBeforeAtria * rate / 60;
+  contents.view = view.dump();
+  const QString name = path(QStringLiteral("before.viscera"));
+  Progress quiet;
+  document::writeSession(name.toStdString(), contents, quiet);
+  reopenWindow();
+  open(name);
+  EXPECT_TRUE(waitUntil([&] { return std::abs(window().playback().player().fraction() - 0.4) < 1e-9; }))
+      << message().toStdString();
+  EXPECT_TRUE(waitUntil([&] { return std::abs(volumeOf("LV") - volume) < 1e-3; })) << volumeOf("LV");
+  EXPECT_FALSE(message().contains(QStringLiteral("differently"))) << message().toStdString();
 }
 
 TEST_F(PlayMode, APrescribedVolumeOfASessionThatIsNoneIsTold) {

@@ -124,6 +124,48 @@ TEST_F(Parts, AQuizHidesTheNamesAndAClickAnswers) {
   EXPECT_GT(named().size(), 3U) << "the names are back";
 }
 
+TEST_F(Parts, QuestionAndScoreStandOnTheView) {
+  key(Qt::Key_Q, Qt::ShiftModifier);
+  auto& prompt = find<QWidget>("quizPrompt");
+  EXPECT_TRUE(prompt.isVisible());
+  EXPECT_EQ(prompt.parentWidget(), &view());
+  EXPECT_TRUE(prompt.isAncestorOf(window().findChild<QLabel*>(QStringLiteral("quizQuestion"))));
+  EXPECT_EQ(label("quizScore"), QString());
+  const presentation::PartQuiz& quiz = *window().explore().quiz().quiz();
+  const std::string asked = presentation::nameOf(*quiz.asked(), document().organs());
+  click(placeOf(asked == "Apex" ? "Right atrium" : "Apex"));
+  EXPECT_EQ(label("quizScore"), QStringLiteral("0 right, 1 wrong"));
+  key(Qt::Key_Escape);
+  EXPECT_FALSE(prompt.isVisible());
+}
+
+/// Valves lie in the wall: a click cannot reach them, so the phases of the beat ask for them.
+TEST_F(Parts, AQuizAsksForPartsThatAClickReachesAndThenForTheValveThatIsOpen) {
+  key(Qt::Key_Q, Qt::ShiftModifier);
+  // As clicks on the parts would answer, from whatever side they are seen.
+  auto& tool = const_cast<app::QuizTool&>(window().explore().quiz());
+  while (const presentation::Part* part = tool.quiz()->asked()) {
+    EXPECT_TRUE(tool.choices().isEmpty());
+    EXPECT_EQ(part->organ, document().organs().front()->id) << "not of a cavity in it";
+    const app::ClickedPlace place{
+        part->organ, window().workspace().live().points(part->organ).row(part->vertex).transpose()};
+    ASSERT_TRUE(tool.click(&place));
+  }
+  const int parts = static_cast<int>(tool.quiz()->all().size());
+  EXPECT_EQ(label("quizScore"), QStringLiteral("%1 right, 0 wrong").arg(parts));
+  int asked = 0;
+  for (; !tool.choices().isEmpty() && asked < 10; ++asked) {
+    const QString question = label("quizQuestion");
+    const int open = question.contains(QStringLiteral("ejection"))     ? 1
+                     : question.contains(QStringLiteral("Isovolumic")) ? 2
+                                                                       : 0;
+    tool.choose(open);
+  }
+  EXPECT_EQ(asked, 3);
+  EXPECT_EQ(label("quizScore"), QStringLiteral("%1 right, 0 wrong").arg(parts + asked));
+  EXPECT_TRUE(label("quizQuestion").startsWith(QStringLiteral("All "))) << "it is over";
+}
+
 TEST_F(Parts, TwoQuickAnswersAreTwoAndHideNothing) {
   ASSERT_TRUE(window().workspace().perform(document::addOrgans({ball("other", 5, 2, Vec3(0, 0, 150))})));
   settle();

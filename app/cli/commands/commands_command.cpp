@@ -30,7 +30,8 @@ public:
                        "name a .viscera file; the window saves one by File > Save");
     const document::OpenedSession opened = document::readSession(file_, context.samples, context.progress);
     const report::SessionScript script = report::sessionScript(
-        {opened.contents.state, presentation::viewFromJson(opened.contents.view), file_});
+        {opened.contents.state,
+         presentation::viewFromJson(opened.contents.view, *opened.contents.state.circulation), file_});
     Outcome outcome;
     outcome.json = {{"session", file_}, {"script", script.text}, {"commands", script.commands}};
     outcome.text = script.text;

@@ -185,7 +185,8 @@ Outcome LessonCommand::writeReady(CommandContext& context) {
 LessonCommand::Material LessonCommand::ofSession(CommandContext& context) const {
   const document::OpenedSession opened =
       document::readSession(request_.sequence, context.samples, context.progress);
-  const presentation::ViewState view = presentation::viewFromJson(opened.contents.view);
+  const presentation::ViewState view =
+      presentation::viewFromJson(opened.contents.view, *opened.contents.state.circulation);
   Material material;
   material.warnings = opened.warnings;
   material.document = std::make_unique<BoundDocument>(opened.contents.state, context);

@@ -116,7 +116,7 @@ private:
       const document::OpenedSession opened =
           document::readSession(files_.front(), context.samples, context.progress);
       material.state = opened.contents.state;
-      material.view = presentation::viewFromJson(opened.contents.view);
+      material.view = presentation::viewFromJson(opened.contents.view, *opened.contents.state.circulation);
       material.view.shown.rest = false; // A report shows the pose, even if the view shows the handles at
                                         // rest.
       material.file = files_.front();

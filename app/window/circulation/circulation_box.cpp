@@ -72,9 +72,9 @@ CirculationBox::CirculationBox(Workspace& workspace, Playback& playback, Circula
   setObjectName(QStringLiteral("circulationBox"));
   auto* column = makeLayout<QVBoxLayout>(this, 8);
   makeChoice();
+  column->addWidget(makeScenarios()); // Always there: a scenario is one click away from the textbook's beat.
   column->addWidget(details_);
   auto* inner = makeLayout<QVBoxLayout>(details_, 8);
-  inner->addWidget(makeScenarios());
   summary_ = makeRemark({}, details_);
   failure_ = makeRemark({}, details_);
   failure_->setObjectName(QStringLiteral("circulationComplaint"));
@@ -127,13 +127,14 @@ void CirculationBox::makeChoice() {
 }
 
 QWidget* CirculationBox::makeScenarios() {
-  auto* box = new QWidget(details_);
+  auto* box = new QWidget(this);
   auto* flow = new FlowLayout(box, 4);
   for (const circulation::Scenario& scenario : circulation::scenarios()) {
     auto* button = new QToolButton(box);
     button->setObjectName(QStringLiteral("scenario.%1").arg(text(scenario.id)));
     button->setText(inWords(scenario.name));
     button->setToolTip(inWords(scenario.summary));
+    button->setProperty("raised", true);
     button->setCheckable(true);
     connect(button, &QToolButton::clicked, this, [this, id = text(scenario.id)] {
       Q_EMIT scenarioChosen(id);
@@ -209,7 +210,7 @@ void CirculationBox::sync() {
   markSource(choice.drives);
   details_->setVisible(choice.drives);
   for (const auto& [id, button] : scenarios_)
-    button->setChecked(!choice.fitted && id == choice.scenario);
+    button->setChecked(choice.drives && !choice.fitted && id == choice.scenario);
   summary_->setText(choice.fitted ? tr("Fitted to the volume and the ejection fraction of a left ventricle.")
                                   : inWords(circulation::scenario(choice.scenario).summary));
   for (const auto& [name, control] : controls_)

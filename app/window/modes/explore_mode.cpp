@@ -9,9 +9,11 @@
 #include "window/panels/cut_box.h"
 #include "window/panels/explore_page.h"
 #include "window/quiz/quiz_box.h"
+#include "window/quiz/quiz_prompt.h"
 #include "window/slices/slice_panes.h"
 #include "window/view/view_area.h"
 #include "window/view/view_model.h"
+#include "window/view/view_widget.h"
 #include "window/widgets/ready_made.h"
 
 namespace viscera::app {
@@ -60,6 +62,7 @@ ExploreMode::ExploreMode(const ModeParts& parts, SlicePanes& slices, Actions& ac
                        {tr("&Measurements"), "distance", {}, tr("Show the measurements")},
                        &presentation::ViewState::measurements);
   addQuiz(actions);
+  new QuizPrompt(quiz_, *parts.area.view()); // The view owns it.
 }
 
 void ExploreMode::addQuiz(Actions& actions) {
@@ -135,7 +138,7 @@ QWidget* ExploreMode::makeCut(const Actions& actions) {
 
 QWidget* ExploreMode::makePage(const Actions& actions) {
   return new ExplorePage(workspace_, actions, makeCut(actions), new MeasureBox(workspace_, tool_, actions),
-                         new QuizBox(quiz_, actions));
+                         new QuizBox(actions));
 }
 
 QString ExploreMode::hint() const {

@@ -3,25 +3,16 @@
 #include <QWidget>
 
 #include "window/actions.h"
-#include "window/quiz/quiz_tool.h"
-
-class QLabel;
 
 namespace viscera::app {
 
-/// The controls for the labels of organ parts, and for the quiz about them.
+/// The controls for the labels of organ parts, and the button that starts the quiz about them; its questions
+/// stand on the view (`QuizPrompt`).
 class QuizBox final : public QWidget {
   Q_OBJECT
 
 public:
-  QuizBox(QuizTool& tool, const Actions& actions, QWidget* parent = nullptr);
-
-private:
-  void sync();
-
-  QuizTool& tool_;
-  QLabel* question_;
-  QLabel* result_;
+  explicit QuizBox(const Actions& actions, QWidget* parent = nullptr);
 };
 
 } // namespace viscera::app

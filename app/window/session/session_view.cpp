@@ -138,7 +138,8 @@ void SessionView::gatherWanted(presentation::ViewState& state) const {
 }
 
 void SessionView::apply(const std::string& text) {
-  presentation::ViewState state = presentation::viewFromJson(text);
+  presentation::ViewState state =
+      presentation::viewFromJson(text, window_.workspace.document().circulation());
   stopMakingMotions();
   waiting_.reset();
   Wanted wanted;

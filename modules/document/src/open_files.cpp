@@ -514,6 +514,7 @@ Organ organFrom(const sample_organs::SampleSurface& surface, std::string name) {
   organ.look.color = surface.color;
   organ.look.vertexColors =
       true; // A cavity has one paint, which is its blood's, while `color` is the tissue's.
+  organ.places = surface.places;
   return organ;
 }
 
@@ -527,7 +528,6 @@ std::vector<NewOrgan> organsFrom(const sample_organs::SampleOrgan& sample) {
     NewOrgan item{organFrom(surface, name), own ? -1 : 0};
     item.organ.origin.sample = sample.name + "@" + sample_organs::nameOf(sample.resolution);
     item.organ.origin.surface = surface.name;
-    item.organ.places = surface.places;
     list.push_back(std::move(item));
   }
   return list;

@@ -35,6 +35,14 @@ std::string fittedRecipe(const std::string& sequence, const Landmarks& given) {
   return json{{"sequence", sequence}, {"landmarks", landmarks}}.dump();
 }
 
+std::string sequenceOf(const std::string& recipe) {
+  try {
+    return textIn(parseJson<json>(recipe, {}, {}), "sequence");
+  } catch (const Error&) {
+    return {};
+  }
+}
+
 std::optional<sample_organs::Resolution> sampleHeartOf(const std::string& recipe) {
   try {
     const auto made = parseJson<json>(recipe, {}, {});

@@ -27,6 +27,19 @@ std::vector<Part> partsOf(const document::OrganList& organs) {
   return parts;
 }
 
+std::vector<Part> clickableParts(const document::OrganList& organs) {
+  const auto find = [&](document::OrganId id) {
+    return std::find_if(organs.begin(), organs.end(), [id](const auto& organ) { return organ->id == id; });
+  };
+  std::vector<Part> parts = partsOf(organs);
+  std::erase_if(parts, [&](const Part& part) {
+    const auto organ = find(part.organ);
+    const auto around = organ == organs.end() ? organs.end() : find((*organ)->parent);
+    return around != organs.end() && (*around)->look.visible;
+  });
+  return parts;
+}
+
 const std::string& nameOf(const Part& part, const document::OrganList& organs) {
   static const std::string none;
   for (const auto& organ : organs)

@@ -200,12 +200,16 @@ void Presenter::Parts::updateLabels(const Scene& scene, bool others) {
     return;
   labelled = std::move(wanted);
   std::vector<scene::OrganLabels::Item> items;
+  const std::vector<Part> named = labelled.ofOrgans ? partsOf(*scene.state.organs) : std::vector<Part>();
   for (const auto& organ : *scene.state.organs) {
     if (!labelled.ofOrgans)
       break;
     const auto inside = [&](const auto& other) { return other->parent == organ->id; };
     const bool full = std::any_of(scene.state.organs->begin(), scene.state.organs->end(), inside);
     items.push_back({labelOf(*organ, translate), organs.actorOf(organ->id), full});
+    for (const Part& part : named)
+      if (part.organ == organ->id)
+        items.back().places.push_back(part.vertex);
   }
   std::vector<Part> parts;
   if (labelled.parts)

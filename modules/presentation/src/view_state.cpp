@@ -8,17 +8,19 @@
 
 #include <nlohmann/json.hpp>
 
+#include "former_beat.h"
 #include "viscera/core/error.h"
 #include "viscera/core/json_reader.h"
 #include "viscera/presentation/stress_values.h"
 
-// The view of a session as JSON: written in format 2, read in formats 1 and 2 (docs/session_format.md).
+// The view of a session as JSON: written in format 3, read in formats 1 to 3 (docs/session_format.md).
 namespace viscera::presentation {
 namespace {
 
 using nlohmann::ordered_json;
 
-constexpr int kFormat = 2;
+/// Since format 2 switches have names of their own; since 3 a heart's beat begins before its atria contract.
+constexpr int kFormat = 3, kNamedSwitches = 2, kBeatBeforeAtria = 3;
 constexpr const char* kView = "the session's view";
 constexpr const char* kViewAdvice = "the organs and the handles are complete; save the session anew";
 constexpr double kShortestNormal = 1e-6;
@@ -449,7 +451,8 @@ anatomy::Person personFrom(const JsonReader& json, const ordered_json& item, con
   return person;
 }
 
-ViewState viewFrom(const JsonReader& json, const ordered_json& item) {
+ViewState viewFrom(const JsonReader& json, const ordered_json& item,
+                   const document::CirculationChoice& circulation) {
   ViewState view;
   json.readIfThere(item, "mode", "", view.mode);
   const auto take = [&](const char* key, auto& part, auto from) {
@@ -473,7 +476,9 @@ ViewState viewFrom(const JsonReader& json, const ordered_json& item) {
   view.shownPose = rowsFrom(json, item, "shownPose", "");
   int format = 1;
   json.readIfThere(item, "format", "", format);
-  if (format < kFormat) {
+  if (format < kBeatBeforeAtria)
+    beginBeforeAtria(view, circulation);
+  if (format < kNamedSwitches) {
     readSwitchesOfFormat1(json, item, view);
     return view;
   }
@@ -566,10 +571,10 @@ std::string toJson(const ViewState& state) {
   return item.dump();
 }
 
-ViewState viewFromJson(const std::string& text) {
+ViewState viewFromJson(const std::string& text, const document::CirculationChoice& circulation) {
   const JsonReader json(kView, kViewAdvice);
   try {
-    return viewFrom(json, json.parse(text));
+    return viewFrom(json, json.parse(text), circulation);
   } catch (const JsonError& error) {
     throw DataError("The view cannot be restored completely", error.where(), kViewAdvice);
   }

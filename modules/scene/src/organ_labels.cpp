@@ -16,6 +16,7 @@
 
 #include "before_render.h"
 #include "flat_shape.h"
+#include "front_grid.h"
 #include "view_furniture.h"
 #include "view_geometry.h"
 
@@ -33,7 +34,6 @@ constexpr double kInside = 7; ///< How far inside the edge a line ends.
 constexpr double kLabelsBottom = 44;
 constexpr double kLegend = 120;
 constexpr double kLeaderOpacity = 0.75;
-constexpr double kCell = 16;
 /// Organs that let less than this through hide what is behind them.
 constexpr double kOpaque = 0.9;
 /// Vertices of an organ that are looked at in a frame; more where its parts are named, so that no cell of the
@@ -53,97 +53,12 @@ constexpr int kDotCorners = 12;
 constexpr double kHidden = 0.04;
 /// An opaque part that faces away from the reader by more than that (a cosine) is its organ's back.
 constexpr double kBack = 0.3;
+/// The line of an organ's own label ends where it faces the reader by that much at least, if it has parts.
+constexpr double kFacing = 0.25;
 /// A cut organ that faces away by more than that would show its inside without its cut face.
 constexpr double kHollow = 0.05;
 /// How high on an organ the line of a label at the edge starts, as a part of its height.
 constexpr double kEdgeHeight = 0.7;
-
-/// Who is in front, in coarse cells of the display: a line may only end where its organ is seen.
-class FrontGrid {
-public:
-  FrontGrid(const ViewGeometry& view)
-      : cell_(kCell * view.pixelRatio), columns_(cellsIn(2 * view.centerX)), rows_(cellsIn(view.pixelHeight)),
-        fronts_(columns_ * rows_) {}
-
-  void add(const DisplayPoint& place, std::size_t owner, bool inside = false) {
-    const auto cell = cellOf(place);
-    if (cell && place.depth < fronts_[*cell].depth)
-      fronts_[*cell] = {place.depth, owner, inside};
-  }
-
-  /// How far away the nearest thing in the place's cell is; infinite where there is none.
-  double depthAt(const DisplayPoint& place) const {
-    const auto cell = cellOf(place);
-    return cell ? fronts_[*cell].depth : kNothing;
-  }
-
-  /// Whether the nearest thing in the place's cell was added as an inside.
-  bool isInsideAt(const DisplayPoint& place) const {
-    const auto cell = cellOf(place);
-    return cell && fronts_[*cell].inside;
-  }
-
-  /// Whether `owner` is the nearest thing in the place's cell.
-  bool isInFront(std::size_t owner, const ScreenPlace& place) const {
-    const auto cell = cellOf({place.x, place.y});
-    return cell && std::isfinite(fronts_[*cell].depth) && fronts_[*cell].owner == owner;
-  }
-
-  std::size_t cells() const { return fronts_.size(); }
-
-  /// In how many cells `owner` is in front.
-  std::size_t countOf(std::size_t owner) const {
-    return static_cast<std::size_t>(std::count_if(fronts_.begin(), fronts_.end(), [&](const Front& front) {
-      return front.owner == owner && std::isfinite(front.depth);
-    }));
-  }
-
-  /// The middle of the cells in which `owner` is in front, moved into the nearest one of them.
-  std::optional<std::array<double, 2>> middleOf(std::size_t owner) const {
-    std::vector<std::array<double, 2>> seen;
-    std::array<double, 2> mean{0, 0};
-    for (std::size_t i = 0; i < fronts_.size(); ++i) {
-      if (fronts_[i].owner != owner || !std::isfinite(fronts_[i].depth))
-        continue;
-      seen.push_back({(static_cast<double>(i % columns_) + 0.5) * cell_,
-                      (static_cast<double>(i / columns_) + 0.5) * cell_});
-      mean[0] += seen.back()[0];
-      mean[1] += seen.back()[1];
-    }
-    if (seen.empty())
-      return std::nullopt;
-    for (double& part : mean)
-      part /= static_cast<double>(seen.size());
-    const auto away = [&](const auto& place) { return std::hypot(place[0] - mean[0], place[1] - mean[1]); };
-    const auto nearest = *std::min_element(seen.begin(), seen.end(),
-                                           [&](const auto& a, const auto& b) { return away(a) < away(b); });
-    return away(nearest) < cell_ ? mean : nearest;
-  }
-
-  std::optional<std::size_t> cellOf(const DisplayPoint& place) const {
-    if (place.x < 0 || place.y < 0)
-      return std::nullopt;
-    const auto column = static_cast<std::size_t>(place.x / cell_);
-    const auto row = static_cast<std::size_t>(place.y / cell_);
-    return column < columns_ && row < rows_ ? std::optional(row * columns_ + column) : std::nullopt;
-  }
-
-private:
-  static constexpr double kNothing = std::numeric_limits<double>::infinity();
-  struct Front {
-    double depth = kNothing;
-    std::size_t owner = 0;
-    bool inside = false;
-  };
-  std::size_t cellsIn(double pixels) const {
-    return static_cast<std::size_t>(std::max(1.0, std::ceil(pixels / cell_)));
-  }
-
-  double cell_;
-  std::size_t columns_;
-  std::size_t rows_;
-  std::vector<Front> fronts_;
-};
 
 /// What is in front. Where the nearest of the organs that are cut open is the inside of one, its cut face
 /// hides what is there.
@@ -161,6 +76,9 @@ struct Sighting {
   std::size_t cells = 0; ///< Of the front that its vertices lie in ...
   std::size_t front = 0; ///< ... and those of them in which it is in front; all where it is translucent.
   bool seen = false;
+  /// Of a translucent organ that has a label: its own cells, whatever is before them.
+  std::shared_ptr<FrontGrid> own = nullptr;
+  bool atPlace = false; ///< The line ends at (x, y), also of an organ that is labelled at its edge.
 };
 
 /// How many vertices of an organ are looked at for its size in the view.
@@ -169,7 +87,7 @@ Eigen::Index verticesFor(const OrganActor& organ, const ViewGeometry& view) {
   const double depth = view.project(box.center()).depth;
   if (!(depth > 0))
     return kMostVertices;
-  const double across = box.diagonal() / (view.worldPerPixel(depth) * kCell * view.pixelRatio);
+  const double across = box.diagonal() / (view.worldPerPixel(depth) * FrontGrid::kCell * view.pixelRatio);
   const double wanted = kVerticesInCell * across * across / 2;
   return static_cast<Eigen::Index>(
       std::clamp(wanted, static_cast<double>(kMostVertices), static_cast<double>(kMostVerticesForParts)));
@@ -180,9 +98,22 @@ double turnedAway(const OrganActor& organ, Eigen::Index vertex, const ViewGeomet
   return organ.normals().row(vertex).cast<double>().dot(view.forward.transpose());
 }
 
-Sighting sight(const OrganActor& organ, std::size_t owner, const ViewGeometry& view, Eigen::Index most,
-               Footprint& all, Fronts& fronts) {
+/// How far a point of an organ is from its named parts, of the organ's size; infinite where it has none.
+double offParts(const OrganActor& organ, const std::vector<Eigen::Index>& places, Eigen::Index vertex,
+                double size) {
+  double least = FrontGrid::kNothing;
+  for (const Eigen::Index place : places)
+    if (place >= 0 && place < organ.points().rows())
+      least = std::min(least, (organ.points().row(place) - organ.points().row(vertex)).norm());
+  return least / size;
+}
+
+/// `item` is the label of the organ as a whole; null for none.
+Sighting sight(const OrganActor& organ, const OrganLabels::Item* item, std::size_t owner,
+               const ViewGeometry& view, Eigen::Index most, Footprint& all, Fronts& fronts) {
   Sighting sighting{Footprint(view.pixelHeight)};
+  if (item && organ.opacity() < kOpaque)
+    sighting.own = std::make_shared<FrontGrid>(view);
   const Points& points = organ.points();
   const Eigen::Index stride = std::max<Eigen::Index>(1, points.rows() / most);
   // What lies between the vertices that are looked at is covered, too.
@@ -205,10 +136,18 @@ Sighting sight(const OrganActor& organ, std::size_t owner, const ViewGeometry& v
       met[*cell] = true;
       ++sighting.cells;
     }
+    FrontGrid::Front front{place.depth, owner};
+    front.x = place.x;
+    front.y = place.y;
+    if (item && !item->places.empty())
+      front.offParts =
+          turnedAway(organ, i, view) < -kFacing ? offParts(organ, item->places, i, box.norm()) : 0;
     if (organ.opacity() >= kOpaque)
-      fronts.opaque.add(place, owner);
+      fronts.opaque.add(place, front);
+    if (sighting.own)
+      sighting.own->add(place, front);
     if (organ.isCut())
-      fronts.cut.add(place, owner, turnedAway(organ, i, view) > kHollow);
+      fronts.cut.add(place, {place.depth, owner, turnedAway(organ, i, view) > kHollow});
     sighting.x += place.x;
     sighting.y += place.y;
     sighting.bottom = std::min(sighting.bottom, place.y);
@@ -249,6 +188,54 @@ std::optional<Sighting> sightPart(const OrganLabels::Item& item, const Sighting&
 bool isCovered(const Sighting& organ) {
   return organ.cells > 0 &&
          static_cast<double>(organ.front) < std::max(1.0, kSeenPart * static_cast<double>(organ.cells));
+}
+
+/// Finds where the line of an organ's own label ends: where the organ is seen, and on none of its named
+/// parts. Nothing while there is no such place. `before` is where it ended, `others` are all organs that are
+/// seen.
+std::optional<Sighting> placeWhole(const OrganLabels::Item& item, std::size_t row, Sighting organ,
+                                   const Fronts& fronts, const std::optional<ScreenPlace>& before,
+                                   const std::map<const OrganActor*, Sighting>& others) {
+  const bool solid = !organ.own;
+  const FrontGrid& grid = solid ? fronts.opaque : *organ.own;
+  const auto isSeen = [&](std::size_t cell) {
+    const FrontGrid::Front& front = grid.at(cell);
+    return front.any() && front.owner == row && (solid || front.depth < fronts.opaque.at(cell).depth);
+  };
+  organ.front = 0;
+  for (std::size_t cell = 0; cell < grid.cells(); ++cell)
+    organ.front += isSeen(cell) ? 1 : 0;
+  if (isCovered(organ))
+    return std::nullopt;
+  // What is in a translucent organ would seem to be meant.
+  const auto isClear = [&](std::size_t cell) {
+    if (!isSeen(cell) || solid || !item.atEdge)
+      return isSeen(cell);
+    const FrontGrid::Front& opaque = fronts.opaque.at(cell);
+    return !opaque.any() && std::none_of(others.begin(), others.end(), [&](const auto& other) {
+      return other.first != item.organ.get() && other.second.own && other.second.own->at(cell).any();
+    });
+  };
+  const auto move = [&](const std::array<double, 2>& to) {
+    organ.x = to[0];
+    organ.y = to[1];
+  };
+  const auto cellBefore = before ? grid.cellOf({before->x, before->y, 0}) : std::nullopt;
+  if (!item.places.empty()) {
+    organ.atPlace = true;
+    if (cellBefore && isClear(*cellBefore) && grid.at(*cellBefore).offParts > FrontGrid::kOffParts)
+      move({before->x, before->y});
+    else if (const auto cell = grid.farthestOffParts(isClear))
+      move({grid.at(*cell).x, grid.at(*cell).y});
+    else
+      return std::nullopt;
+  } else if (solid && cellBefore && isSeen(*cellBefore)) {
+    move({before->x, before->y});
+  } else if (const auto middle = grid.cellOf({organ.x, organ.y, 0}); solid || !middle || !isSeen(*middle)) {
+    if (const auto seen = grid.middleWhere(isSeen))
+      move(*seen);
+  }
+  return organ;
 }
 
 /// The text in two lines of much the same length; as it is, when it is one word.
@@ -343,7 +330,8 @@ void OrganLabels::Parts::checkOrgans(const ViewGeometry& geometry, bool going, F
       continue;
     const auto named = std::find_if(items.begin(), items.end(),
                                     [&](const Item& item) { return item.organ == organ && item.vertex < 0; });
-    Sighting sighting = sight(*organ, static_cast<std::size_t>(named - items.begin()), geometry,
+    const Item* item = named == items.end() ? nullptr : &*named;
+    Sighting sighting = sight(*organ, item, static_cast<std::size_t>(named - items.begin()), geometry,
                               parts ? kMostVerticesForParts : verticesFor(*organ, geometry), all, fronts);
     if (sighting.seen)
       seen.emplace(organ.get(), std::move(sighting));
@@ -356,22 +344,8 @@ void OrganLabels::Parts::checkOrgans(const ViewGeometry& geometry, bool going, F
       sightings[i] = sightPart(items[i], organ->second, geometry, fronts);
       continue;
     }
-    sightings[i] = organ->second;
-    if (items[i].organ->opacity() >= kOpaque) {
-      sightings[i]->front = fronts.opaque.countOf(i);
-      if (isCovered(*sightings[i])) {
-        sightings[i].reset();
-        continue;
-      }
-    }
     const auto before = going ? layout->targets[i] : std::nullopt;
-    if (before && fronts.opaque.isInFront(i, *before)) {
-      sightings[i]->x = before->x;
-      sightings[i]->y = before->y;
-    } else if (const auto middle = fronts.opaque.middleOf(i)) {
-      sightings[i]->x = (*middle)[0];
-      sightings[i]->y = (*middle)[1];
-    }
+    sightings[i] = placeWhole(items[i], i, organ->second, fronts, before, seen);
   }
 }
 
@@ -413,7 +387,7 @@ bool OrganLabels::Parts::stillFits(const ViewGeometry& geometry,
 /// What the label of a row names, without its size.
 LabelRequest OrganLabels::Parts::requestFor(std::size_t row, const Sighting& organ, double ratio) const {
   LabelRequest label{organ.x, organ.y};
-  if (items[row].atEdge) {
+  if (items[row].atEdge && !organ.atPlace) {
     label.y = organ.bottom + kEdgeHeight * (organ.top - organ.bottom);
     label.edge = &organ.covered;
     label.inside = (kVertexReach + kInside) * ratio;

@@ -226,6 +226,31 @@ NAMES = """(() => {
     clipped: list.filter(e => e.scrollWidth > e.clientWidth + 1 || e.scrollHeight > e.clientHeight + 1).map(e => e.textContent.slice(0, 30))}; })()"""
 
 
+PLACES = """(() => { viscera.render(); const shown = viscera.nameItems.filter(i => i.shown), parts = viscera.nameItems.filter(i => i.part);
+  return {hidden: shown.filter(i => viscera.isHidden(i.s, i.seen, i.ring)).map(i => i.text),
+    foreign: shown.filter(i => i.seen < i.s.firstVertex || i.seen >= i.s.firstVertex + i.s.vertexCount || !i.part && parts.some(p => p.vertex === i.seen)).map(i => i.text)}; })()"""
+
+
+def check_short_names(b):
+    """Short forms of phases differ, so that no two are the same on a phone."""
+    found = b.run("(names => [...new Set(names)].map(t => viscera.shortOf(t, names)))(viscera.lesson.motion ? viscera.lesson.motion.phases.flat().map(p => p[0]) : [])")
+    check("short names of phases differ", len(set(found)) == len(found) and "AS" not in found, found)
+
+
+def check_places(b, truth):
+    """From every side, at every phase, on the opaque wall and through it, names shown are seen where their lines end."""
+    middles = b.run("viscera.lesson.motion ? viscera.lesson.motion.phases[viscera.state.rate].map(p => (p[1] + p[2]) / 2) : [0]")
+    b.run("viscera.setPlaying(false), viscera.showNames(true)")
+    for opacity in (1, 0.3):
+        for side in ("anterior", "posterior", "left", "right", "superior", "inferior"):
+            for fraction in middles[::3]:
+                b.run(f"viscera.setGlass({opacity}), viscera.setSide('{side}'), viscera.seek({fraction}), viscera.render()")
+                time.sleep(0.35)  # What is seen is looked for three times a second.
+                found = b.run(PLACES)
+                check(f"names from {side}, {opacity}, at {fraction:.2f} end at their own seen parts", not found["hidden"] and not found["foreign"], found)
+    b.run("viscera.setSide('anterior'), viscera.render()")
+
+
 def check_names(b, truth):
     """On a phone names are hidden at first; who asks for them has them beside one another, clear of all controls."""
     check("a phone shows no names at first", b.run("!viscera.state.names && document.getElementById('labels').getAttribute('aria-pressed') === 'false'"))
@@ -244,6 +269,22 @@ def check_names(b, truth):
     b.run("document.getElementById('labels').click(), viscera.setSide('anterior'), viscera.render()")
 
 
+ASKABLE = """(() => { const apart = (v, w) => Math.hypot(...[0, 1, 2].map(i => viscera.placeOf(v)[i] - viscera.placeOf(w)[i]));
+  const all = viscera.askable(), parts = viscera.nameItems.filter(i => i.part);
+  return {names: all.map(a => a.item.text), wrong: all.filter(({item, vertex}) => vertex < item.s.firstVertex || vertex >= item.s.firstVertex + item.s.vertexCount
+    || parts.some(p => p !== item && apart(p.vertex, vertex) < (item.part ? apart(item.vertex, vertex) : 1))).map(a => a.item.text)}; })()"""
+
+
+def check_askable(b):
+    """In every phase a name is asked at its own place only: on its surface, and no other name is nearer."""
+    middles = b.run("viscera.lesson.motion ? viscera.lesson.motion.phases[viscera.state.rate].map(p => (p[1] + p[2]) / 2) : [0]")
+    for fraction in middles:
+        found = b.run(f"viscera.seek({fraction}), viscera.render(), {ASKABLE}")
+        check(f"names are asked at their own places, at {fraction:.2f}", not found["wrong"], found["wrong"])
+        rings = b.run("viscera.nameItems.filter(i => i.ring).map(i => i.text)")
+        check(f"every valve can be asked, at {fraction:.2f}", set(rings) <= set(found["names"]), found["names"])
+
+
 def check_quiz(b, truth):
     if not b.run("!document.getElementById('ask').hidden"):
         check("a quiz is offered", not truth["quiz"])
@@ -251,14 +292,19 @@ def check_quiz(b, truth):
     asked = set()
     b.run("document.getElementById('ask').click(), viscera.render()")
     check("names are hidden in the quiz", b.run("getComputedStyle(document.getElementById('names')).visibility === 'hidden'"))
-    for i in range(6):
+    check_askable(b)
+    questions = b.run("viscera.quiz.questions")
+    for i in range(questions):
+        check(f"question {i + 1} stands on the picture", b.run("document.getElementById('stage').contains(document.getElementById('question'))"))
+        own = b.run("(q => q.item && [[...document.getElementById('choices').children].map(c => c.textContent).includes(q.item.text), document.getElementById('choices').children[q.answer].textContent === q.item.text])(viscera.quiz)")
+        check(f"question {i + 1} has the marked part's name among its choices", own is None or own == [True, True], own)
         asked.add(b.run("document.getElementById('question').textContent"))
         check(f"question {i + 1} has an answer", b.run("viscera.quiz.answer >= 0 && document.getElementById('choices').children.length > 1"))
         wrong = i == 1
         b.run("(c => c[%s].click())(document.getElementById('choices').children)" % ("(viscera.quiz.answer + 1) % c.length" if wrong else "viscera.quiz.answer"))
         check(f"answer {i + 1} is judged", b.run("document.getElementById('verdict').textContent").startswith(beginning(b, "wrongAnswer" if wrong else "rightAnswer")))
         b.run("document.getElementById('next').click()")
-    done = b.run("[viscera.lesson.strings.done.replace('%1', 5).replace('%2', 6), document.getElementById('question').textContent]")
+    done = b.run("[viscera.lesson.strings.done.replace('%1', viscera.quiz.questions - 1).replace('%2', viscera.quiz.questions), document.getElementById('question').textContent]")
     check("the quiz counts", done[0] == done[1], done)
     check("the quiz asks what there is to ask", len(asked) == truth["quiz"], asked)
     check("nothing is kept", b.run("document.cookie === '' && (() => { try { return localStorage.length; } catch (e) { return 0; } })() === 0"))
@@ -310,6 +356,8 @@ def main(arguments):
             check_hands(b, touch=False)
             check_keys(b, truth)
             check_quiz(b, truth)
+            check_places(b, truth)
+            check_short_names(b)
         if arguments.reference:
             check_reference(b, pathlib.Path(arguments.reference))
         check_layout(b, "1280 wide", slides=False)

@@ -40,6 +40,21 @@ TEST_F(PartNames, OfHiddenOrgansAreNotThere) {
   EXPECT_TRUE(partsOf({std::make_shared<const document::Organ>(hidden)}).empty());
 }
 
+/// A click meets what is around a cavity.
+TEST_F(PartNames, InAVisibleOrganCannotBeClicked) {
+  document::Organ cavity = *organs_[0], wall = *organs_[1];
+  cavity.parent = wall.id;
+  const auto within = [&](bool visible) {
+    wall.look.visible = visible;
+    return document::OrganList{std::make_shared<const document::Organ>(cavity),
+                               std::make_shared<const document::Organ>(wall)};
+  };
+  EXPECT_EQ(clickableParts(organs_), partsOf(organs_));
+  EXPECT_TRUE(clickableParts(within(true)).empty());
+  EXPECT_EQ(partsOf(within(true)).size(), 3U);
+  EXPECT_EQ(clickableParts(within(false)).size(), 3U);
+}
+
 TEST_F(PartNames, TheNearestPartIsToldInThePresentPose) {
   const std::vector<Part> parts = partsOf(organs_);
   Points turned = organs_[0]->mesh->points;

@@ -157,6 +157,39 @@ TEST(NamedPlacesOfTheBody, LieOfEachOtherAsTheOrgansDo) {
         << organ << ": " << part << " and " << other;
 }
 
+/// A name beside a vessel is not on it: its vertex has the vessel's paint.
+TEST(NamedPlacesOfTheBody, OfTheCoronaryArteriesLieOnThem) {
+  Progress progress;
+  const auto surface = sample_organs::sampleSurface(projectLibrary(), "heart", "outer",
+                                                    sample_organs::Resolution::medium, progress);
+  const Eigen::RowVector3d artery = 255 * Eigen::RowVector3d(0.80, 0.12, 0.09);
+  for (const char* name : {"Right coronary artery", "Left anterior descending artery"}) {
+    Eigen::Index vertex = 0;
+    (surface.mesh->points.rowwise() - placeOf("heart", "outer", name).transpose())
+        .rowwise()
+        .squaredNorm()
+        .minCoeff(&vertex);
+    EXPECT_LT((surface.mesh->colors.row(vertex).cast<double>() - artery).norm(), 40) << name;
+  }
+}
+
+/// Each valve is at the base of its ventricle, with the size of its ring.
+TEST(NamedPlacesOfTheBody, OfTheValvesAreOnTheirVentricles) {
+  Progress progress;
+  const std::pair<const char*, const char*> valves[] = {
+      {"lv", "Mitral valve"}, {"lv", "Aortic valve"}, {"rv", "Tricuspid valve"}, {"rv", "Pulmonary valve"}};
+  for (const auto& [surface, name] : valves) {
+    const auto cavity = sample_organs::sampleSurface(projectLibrary(), "heart", surface,
+                                                     sample_organs::Resolution::low, progress);
+    const Vec3 at = placeOf("heart", surface, name);
+    EXPECT_LT((cavity.mesh->points.rowwise() - at.transpose()).rowwise().norm().minCoeff(),
+              kFarthestFromSurface)
+        << name;
+    for (const geometry::NamedPlace& place : cavity.places)
+      EXPECT_TRUE(place.ringMm > 8 && place.ringMm < 20) << place.name;
+  }
+}
+
 /// The definition of the heart has its parts apart from each other.
 TEST(NamedPlacesOfTheBody, OfTheHeartLieOnTheirOwnPart) {
   const std::pair<const char*, const char*> parts[] = {

@@ -217,7 +217,7 @@ TEST_F(Labels, LinesEndWhereTheOrganIsSeenThoughAnotherOneIsInFrontOfIt) {
   EXPECT_NEAR(named("Right ventricle").targetX, covering[0], 12);
 }
 
-TEST(LabelsOfOrgans, AreLeftOutBehindAnOpaqueOneAndKeptBehindATranslucentOne) {
+TEST(LabelsOfOrgans, AreLeftOutInAndBehindAnOpaqueOneAndKeptInATranslucentOne) {
   tests::ViewInWindow window(640, 480);
   OrganLabels labels(window.view);
   const auto muscle = window.addOrgan(tests::sphere(6, 100));
@@ -237,11 +237,73 @@ TEST(LabelsOfOrgans, AreLeftOutBehindAnOpaqueOneAndKeptBehindATranslucentOne) {
   };
   EXPECT_EQ(names(), (std::vector<std::string>{"Beside", "Muscle"}));
   inside->setOpacity(0.5);
-  EXPECT_EQ(names(), (std::vector<std::string>{"Inside", "Beside", "Muscle"}))
-      << "a translucent one keeps its";
+  EXPECT_EQ(names(), (std::vector<std::string>{"Beside", "Muscle"})) << "a translucent one is hidden, too";
   inside->setOpacity(1);
   muscle->setOpacity(0.3);
   EXPECT_EQ(names().size(), 4U) << "one sees through it";
+}
+
+Eigen::Index nearestTo(const OrganActor& organ, const Vec3& place) {
+  Eigen::Index nearest = 0;
+  (organ.points().rowwise() - place.transpose()).rowwise().squaredNorm().minCoeff(&nearest);
+  return nearest;
+}
+
+/// From each side, solid and as glass with a chamber in it.
+TEST(LabelsOfOrgans, WithNamedPartsEndOnNoneOfThem) {
+  tests::ViewInWindow window(640, 480);
+  OrganLabels labels(window.view);
+  const auto wall = window.addOrgan(tests::sphere(5, 60));
+  const auto chamber = window.addOrgan(tests::sphere(3, 25));
+  OrganLabels::Item whole{"Whole", wall, true};
+  const std::vector<Vec3> places = {{0, -60, 0}, {0, 60, 0},  {60, 0, 0},   {-60, 0, 0},
+                                    {0, 0, 60},  {0, 0, -60}, {42, -42, 0}, {-42, 42, 0}};
+  for (const Vec3& place : places)
+    whole.places.push_back(nearestTo(*wall, place));
+  labels.setItems({whole, {"Chamber", chamber}});
+  labels.setShown(true);
+  for (const double opacity : {1.0, 0.3}) {
+    wall->setOpacity(opacity);
+    for (const auto side : {StandardView::anterior, StandardView::posterior, StandardView::left,
+                            StandardView::right, StandardView::superior, StandardView::inferior}) {
+      window.view.lookFrom(side);
+      window.view.renderer()->GetActiveCamera()->Zoom(0.6);
+      window.render();
+      std::size_t chambers = 0;
+      for (const auto& label : labels.drawn()) {
+        chambers += label.text == "Chamber" ? 1 : 0;
+        if (label.text != "Whole")
+          continue;
+        const auto pick = window.view.pick(label.targetX, label.targetY);
+        ASSERT_TRUE(pick) << "the line ends beside the organ";
+        EXPECT_EQ(pick->organ, wall.get());
+        for (const Eigen::Index vertex : whole.places)
+          EXPECT_GT((wall->points().row(vertex).transpose() - pick->position).norm(), 8);
+      }
+      EXPECT_EQ(chambers, opacity < 1 ? 1U : 0U) << "a chamber has its name where it is seen";
+    }
+  }
+}
+
+/// An organ that shows nothing but named parts has no name of its own beside theirs.
+TEST(LabelsOfOrgans, AreLeftOutWhereNothingButNamedPartsIsSeen) {
+  tests::ViewInWindow window(640, 480);
+  OrganLabels labels(window.view);
+  const auto ball = window.addOrgan(tests::sphere(4, 40));
+  OrganLabels::Item whole{"Whole", ball};
+  for (Eigen::Index vertex = 0; vertex < ball->points().rows(); ++vertex)
+    if (ball->points()(vertex, 1) < 0) // In front.
+      whole.places.push_back(vertex);
+  labels.setItems({whole});
+  labels.setShown(true);
+  window.view.lookFrom(StandardView::anterior);
+  window.view.renderer()->GetActiveCamera()->Zoom(0.6);
+  window.render();
+  EXPECT_TRUE(labels.drawn().empty());
+  window.view.lookFrom(StandardView::posterior);
+  window.view.renderer()->GetActiveCamera()->Zoom(0.6);
+  window.render();
+  EXPECT_EQ(labels.drawn().size(), 1U);
 }
 
 TEST(LabelsOfOrgans, StandWhereTheyWereWhenAnOpaqueOneHasPassedInFrontOfThem) {

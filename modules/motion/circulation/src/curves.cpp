@@ -19,10 +19,23 @@ std::string nameOf(Valve valve) {
   return kNames[at(valve)];
 }
 
+namespace {
+
+long stepsBefore(const Parameters& parameters, double period, std::size_t count, double beforeAtria) {
+  const double back = (conductionSeconds(parameters) + beforeAtria) / period;
+  return std::lround(back * static_cast<double>(count));
+}
+
+} // namespace
+
+double drawnBefore(const Parameters& parameters, int samples, double beforeAtria) {
+  const auto count = static_cast<std::size_t>(samples);
+  return static_cast<double>(stepsBefore(parameters, 60 / parameters.rate, count, beforeAtria)) / samples;
+}
+
 std::size_t firstDrawn(const Parameters& parameters, const Beat& beat, double beforeAtria) {
   const std::size_t count = beat.time.size() - 1;
-  const double back = (conductionSeconds(parameters) + beforeAtria) / beat.period;
-  const auto samples = static_cast<std::size_t>(std::lround(back * static_cast<double>(count)));
+  const auto samples = static_cast<std::size_t>(stepsBefore(parameters, beat.period, count, beforeAtria));
   return (2 * count - samples) % count;
 }
 

@@ -68,7 +68,7 @@ let last = 0; function frame(now) {
   last = now;
   if (state.playing && !dragging) seek(state.fraction + cycles);
   if (quiz.around >= 0 && !calm.matches) seek(quiz.around + 0.03 * Math.sin(now / 700));
-  if (changed || turned) render();
+  if (changed || turned || stale && performance.now() - lastBehind > 300) render();
   requestAnimationFrame(frame);
 }
 new ResizeObserver(() => { turned = changed = true; shortenPhases(); }).observe($('stage'));
@@ -80,6 +80,6 @@ if (motion) { $('rate').max = motion.rates.length - 1; $('rates').hidden = motio
 setPlaying(!calm.matches); if (slides.length) showSlide(0);
 if (lesson.eye && !(slides[0] || {}).position) lookFrom(lesson.eye);
 /** For tests: all that the controls do, and the numbers behind the picture. */
-window.viscera = {lesson, state, camera, times, points, surfaces, handles, quiz, gl, seek, setRate, setPlaying, setGlass, setLight, showHandles, showNames, showSlide, showSurface, setSide, setQuiz, judge, reset, render, project, placeOf,
+window.viscera = {lesson, state, camera, times, points, surfaces, handles, quiz, gl, seek, setRate, setPlaying, setGlass, setLight, showHandles, showNames, showSlide, showSurface, setSide, setQuiz, judge, askable, shortOf, nameItems, isHidden, reset, render, project, placeOf,
   pull: (h, by) => { handles[h].pull = [...by]; takePulls(); pullsChanged = changed = true; }, volumes: () => surfaces.map(s => volumeOf(s)), measures: () => measurements.map(m => measure(m).value)};
 $('failure').hidden = true; render(); requestAnimationFrame(frame); document.documentElement.dataset.ready = Math.round(performance.now());

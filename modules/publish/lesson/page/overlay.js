@@ -1,24 +1,24 @@
 // What lies over the picture: names with their lines, handles, measurements, the scale.
 const css = name => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
-let lastBehind = 0; const kFacing = 0.12, kTouch = 28, kMouse = 16;
+let lastBehind = 0, stale = false; const kFacing = 0.12, kTouch = 28, kMouse = 16, kSolid = 0.9, kTried = 6, apart = (v, w) => Math.hypot(...[0, 1, 2].map(i => points[3 * v + i] - points[3 * w + i]));
 const nameItems = surfaces.flatMap(s => {
-  const parts = s.labels.map(({text, vertex}) => ({s, text, vertex, part: true}));
+  const parts = s.labels.map(({text, vertex, ring}) => ({s, text, vertex, ring, part: true}));
   return parts.length && (s.wall || surfaces.length === 1) ? parts : [{s, text: s.title}, ...parts];
 });
 for (const item of nameItems) $('names').append(item.box = Object.assign(element('span', item.text, item.part ? 'name part' : 'name'), {dir: 'auto'}));
-/** Of a whole surface: a place that faces the eye and lies away from the other surfaces, which may stand before it. */
-function bestAnchor(s, middles) {
-  let best = -Infinity, found = s.anchors[0];
-  for (const v of s.anchors) {
+/** Of a whole surface: places that face the eye and lie away from the other surfaces, which may stand before it, and from its named parts; the best first. */
+function bestAnchors(s, middles) {
+  const worthOf = v => {
     const p = project(placeOf(v)), facing = -dot(normalOf(v), ahead);
     let worth = Math.min(facing, 0.5) * size[1] * (s.wall ? 0.2 : 0.8) + (s.wall ? -p[1] : 0);
     for (const [other, m] of middles) if (other !== s && !other.wall) worth += Math.hypot(p[0] - m[0], p[1] - m[1]) * (s.wall ? 0.3 : 1);
-    if (worth > best) { best = worth; found = v; }
-  }
-  return found;
+    return worth;
+  };
+  return s.free.filter(v => -dot(normalOf(v), ahead) > kFacing).map(v => [worthOf(v), v]).sort((a, b) => b[0] - a[0]).slice(0, kTried).map(x => x[1]);
 }
-/** Whether a surface hides one of its own vertices from the eye (Moeller and Trumbore 1997). */
-function isBehind({firstTriangle, triangleCount}, vertex) {
+for (const s of surfaces) { const extent = Math.max(...s.anchors.map(v => apart(v, s.anchors[0]))); s.free = s.anchors.filter(v => s.labels.every(l => apart(l.vertex, v) > 0.15 * extent)); }
+/** Whether a surface hides a vertex from the eye by more than a part of the way to it (Moeller and Trumbore 1997). */
+function isBehind({firstTriangle, triangleCount}, vertex, least) {
   const p = placeOf(vertex), d = p.map((x, i) => eye[i] - x);
   for (let t = 3 * firstTriangle, end = t + 3 * triangleCount; t < end; t += 3) {
     const a = 3 * triangles[t], b = 3 * triangles[t + 1], c = 3 * triangles[t + 2], px = points[a], py = points[a + 1], pz = points[a + 2];
@@ -27,9 +27,21 @@ function isBehind({firstTriangle, triangleCount}, vertex) {
     const x = p[0] - px, y = p[1] - py, z = p[2] - pz, s = (x * nx + y * ny + z * nz) / det;
     if (!(s >= 0 && s <= 1)) continue;
     const qx = y * uz - z * uy, qy = z * ux - x * uz, qz = x * uy - y * ux, w = (d[0] * qx + d[1] * qy + d[2] * qz) / det;
-    if (w >= 0 && s + w <= 1 && (vx * qx + vy * qy + vz * qz) / det > 0.01) return true;
+    if (w >= 0 && s + w <= 1 && (vx * qx + vy * qy + vz * qz) / det > least) return true;
   }
   return false;
+}
+/** Whether the way from a place to the eye comes near a surface's ball. */
+function mayHide({ball}, p) {
+  const d = p.map((x, i) => eye[i] - x), c = p.map((x, i) => ball.at[i] - x), t = Math.max(0, dot(c, d) / dot(d, d));
+  return Math.hypot(...c.map((x, i) => x - t * d[i])) < ball.radius;
+}
+/** Whether something opaque stands before a vertex; before the ring of a valve only what is around its chamber does, since it is drawn over what is in it. */
+const isHidden = (s, vertex, ring) => surfaces.some(o => o.on && (o === s ? !ring : o.now >= kSolid && (!ring || o.wall) && mayHide(o, placeOf(vertex))) && isBehind(o, vertex, o === s ? 0.01 : 0.002));
+/** Finds out whether a name's place is seen, and of a whole surface, where: null for nowhere. */
+function findPlace(i, middles) {
+  if (i.part) i.seen = (i.ring || -dot(normalOf(i.vertex), ahead) > kFacing) && !isHidden(i.s, i.vertex, i.ring) ? i.vertex : null;
+  else i.seen = bestAnchors(i.s, middles).find(v => !isHidden(i.s, v)) ?? null;
 }
 /** Puts boxes of one side below one another, each as near to its place as it can be; what finds no room is left out. */
 function column(items, top, bottom) {
@@ -41,15 +53,21 @@ function column(items, top, bottom) {
   y = bottom;
   for (const i of kept.reverse()) { i.top = Math.min(i.top, y - i.box.offsetHeight); y = i.top - 2; }
 }
+/** The middles of all surfaces that are shown, in the picture; and their balls. */
+function findMiddles() {
+  for (const s of surfaces) { const at = [0, 1, 2].map(i => s.anchors.reduce((sum, v) => sum + points[3 * v + i], 0) / s.anchors.length); s.ball = {at, radius: 5 + Math.max(...s.anchors.map(v => Math.hypot(...placeOf(v).map((x, i) => x - at[i]))))}; }
+  return surfaces.filter(s => s.on).map(s => [s, project(s.ball.at)]);
+}
 function placeNames() {
-  const middles = surfaces.filter(s => s.on).map(s => [s, project([0, 1, 2].map(i => s.anchors.reduce((sum, v) => sum + points[3 * v + i], 0) / s.anchors.length))]);
   const late = performance.now() - lastBehind > 300; if (late) lastBehind = performance.now();
+  stale = !late;
+  const middles = late ? findMiddles() : [];
   for (const i of nameItems) {
-    const vertex = i.part ? i.vertex : bestAnchor(i.s, middles);
-    i.worth = i.part ? -dot(normalOf(vertex), ahead) : 1;
-    if (i.part && late) i.behind = i.worth > kFacing && isBehind(i.s, vertex);
+    if (late && i.s.on) findPlace(i, middles);
+    const vertex = i.seen ?? i.vertex ?? i.s.anchors[0];
+    i.worth = !i.part ? 1 : i.ring ? 0.9 : -dot(normalOf(vertex), ahead);
     [i.x, i.y] = project(placeOf(vertex));
-    i.shown = named() && !quiz.on && i.s.on && !i.behind && i.worth > kFacing && i.x > 0 && i.x < size[0] && i.y > 0 && i.y < size[1];
+    i.shown = named() && !quiz.on && i.s.on && i.seen !== null && i.worth > kFacing && i.x > 0 && i.x < size[0] && i.y > 0 && i.y < size[1];
     i.box.style.display = i.shown ? '' : 'none';
   }
   const top = $('tools').offsetTop + $('tools').offsetHeight + 6, bottom = Math.min(size[1] - 40, $('held').textContent ? $('held').offsetTop - 4 : size[1]);
@@ -63,6 +81,13 @@ function placeNames() {
   return shown.filter(i => i.shown);
 }
 const ringAt = (c, x, y, radius, fill, line) => { c.beginPath(); c.arc(x, y, radius, 0, 7); c.fillStyle = fill; c.fill(); c.strokeStyle = line; c.stroke(); };
+/** A valve: its ring, across the way of the blood. */
+function drawRing(c, {vertex, ring}) {
+  const n = normalOf(vertex), a = [n[1], -n[0], 0], s = Math.hypot(...a) || 1, u = a.map(x => x / s), v = [n[1] * u[2] - n[2] * u[1], n[2] * u[0] - n[0] * u[2], n[0] * u[1] - n[1] * u[0]], p = placeOf(vertex);
+  c.beginPath();
+  for (let k = 0; k <= 36; ++k) { const [x, y] = project(p.map((x, i) => x + ring * (Math.cos(k * Math.PI / 18) * u[i] + Math.sin(k * Math.PI / 18) * v[i]))); c.lineTo(x, y); }
+  c.setLineDash([5, 4]); c.stroke(); c.setLineDash([]);
+}
 const drawHandles = (c, text) => handles.forEach((h, i) => {
   const [x, y] = project(placeOf(h.vertex)), held = i === state.held;
   ringAt(c, x, y, held ? 10 : 7, held ? css('--accent') : '#e69f00', held ? text : '#fff');
@@ -91,10 +116,10 @@ function drawOver() {
     const fromLeft = i.x < size[0] / 2;
     c.globalAlpha = 0.65; c.strokeStyle = text; c.beginPath();
     c.moveTo(fromLeft ? i.left + i.box.offsetWidth + 2 : i.left - 2, i.top + i.box.offsetHeight / 2); c.lineTo(i.x, i.y); c.stroke();
-    c.globalAlpha = 1; ringAt(c, i.x, i.y, 2.5, text, css('--bottom'));
+    c.globalAlpha = 1; if (i.ring) drawRing(c, i); ringAt(c, i.x, i.y, 2.5, text, css('--bottom'));
   }
   if (!quiz.on) drawMeasurements(c, text);
   if (state.handles) drawHandles(c, text);
-  if (quiz.vertex >= 0) { const [x, y] = project(placeOf(quiz.vertex)); c.lineWidth = 3; ringAt(c, x, y, 11, '#e69f0055', '#e69f00'); c.fillStyle = text; c.font = 'bold 16px system-ui'; c.fillText('?', x - 4, y + 6); }
+  if (quiz.vertex >= 0) { const [x, y] = project(placeOf(quiz.vertex)); c.lineWidth = 3; c.strokeStyle = '#e69f00'; if (quiz.item && quiz.item.ring) drawRing(c, quiz.item); ringAt(c, x, y, 11, '#e69f0055', '#e69f00'); c.fillStyle = text; c.font = 'bold 16px system-ui'; c.fillText('?', x - 4, y + 6); }
   else drawScale(c, text);
 }

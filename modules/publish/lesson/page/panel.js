@@ -46,10 +46,18 @@ function writePhase() {
   if ($('phase').textContent !== name) $('phase').textContent = name;
   $('time').value = state.fraction; $('time').setAttribute('aria-valuetext', say('timeText', number(state.fraction * 60 / motion.rates[state.rate], 2), name));
 }
-/** Where a phase's name finds no room, the initials of its longer words stand for it. */
+/** The initials of a name's longer words, with as many letters of the first as tell it from all others; AS is aortic stenosis to its readers. */
+function shortOf(text, names) {
+  const words = t => { const all = t.split(/\s+/), long = all.filter(w => [...w].length > 3); return long.length ? long : all; };
+  const short = (t, n) => words(t).map((w, i) => { const l = [...w]; return (l[0] || '').toUpperCase() + (i ? '' : l.slice(1, n).join('').toLowerCase()); }).join('');
+  let n = 1; while (n < 9 && (short(text, n) === 'AS' || names.some(other => other !== text && short(other, n) === short(text, n)))) ++n;
+  return short(text, n) || '\u2026';
+}
+/** Where a phase's name finds no room, its short form stands for it. */
 function shortenPhases() {
-  for (const span of $('phases').children) span.textContent = span.title;
-  for (const span of $('phases').children) if (span.scrollWidth > span.clientWidth) span.textContent = span.title.replace(/(^|\s)\S{1,3}(?=\s|$)/gu, '').split(/\s+/).map(word => [...word][0] || '').join('').toUpperCase() || '\u2026';
+  const spans = [...$('phases').children], names = spans.map(span => span.title);
+  for (const span of spans) span.textContent = span.title;
+  for (const span of spans) if (span.scrollWidth > span.clientWidth) span.textContent = shortOf(span.title, names);
 }
 function setRate(index) {
   state.rate = index; $('rate').value = index; pullsChanged = changed = true;

@@ -82,7 +82,7 @@ PlannedSurface plannedSurface(const Organ& organ, const document::DocumentState&
   // Parts of a sample organ have names in its definition; a lesson that names some itself means those.
   if (surface.labels.empty())
     for (const geometry::NamedPlace& place : organ.places)
-      surface.labels.push_back({place.name, place.at});
+      surface.labels.push_back({words.said(place.name.c_str()), place.at, place.ringMm});
   return surface;
 }
 

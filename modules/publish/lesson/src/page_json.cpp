@@ -60,8 +60,12 @@ ordered_json surfaceJson(const PlannedSurface& planned, const LessonSurface& sur
       milliliters.push_back(threeDecimals(ml));
     json["curves"].push_back(std::move(milliliters));
   }
-  for (std::size_t i = 0; i < planned.labels.size(); ++i)
-    json["labels"].push_back({{"text", planned.labels[i].text}, {"vertex", surface.labels[i]}});
+  for (std::size_t i = 0; i < planned.labels.size(); ++i) {
+    ordered_json label = {{"text", planned.labels[i].text}, {"vertex", surface.labels[i]}};
+    if (planned.labels[i].ringMm > 0)
+      label["ring"] = threeDecimals(planned.labels[i].ringMm);
+    json["labels"].push_back(std::move(label));
+  }
   return json;
 }
 

@@ -112,7 +112,7 @@ private:
   static void readPlaces(Fields& fields, SurfaceDefinition& surface) {
     for (const json& content : fields.list("places", 0)) {
       Fields place(content, surface.where + ", \"places\"");
-      surface.places.push_back({place.text("name"), place.vector("at")});
+      surface.places.push_back({place.text("name"), place.vector("at"), place.number("ring", 0)});
       place.requireNothingElse();
     }
   }

@@ -205,7 +205,7 @@ TEST(Page, IsShortEnoughToRead) {
         ++lines;
     }
   EXPECT_GT(lines, 300u);
-  EXPECT_LE(lines, 700u);
+  EXPECT_LE(lines, 760u);
 }
 
 TEST(Page, IsWrittenWholeOrNotAtAll) {

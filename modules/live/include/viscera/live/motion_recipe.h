@@ -18,6 +18,9 @@ std::string sampleRecipe(const std::string& sequence, sample_organs::Resolution 
 /// The recipe of a shipped sequence fitted to another organ, with the landmarks that the user gave.
 std::string fittedRecipe(const std::string& sequence, const Landmarks& given);
 
+/// The shipped sequence that a recipe makes, "heartbeat"; empty for a text that is no recipe.
+std::string sequenceOf(const std::string& recipe);
+
 /// The resolution of the sample heart in a recipe of its beat; empty for any other recipe.
 std::optional<sample_organs::Resolution> sampleHeartOf(const std::string& recipe);
 

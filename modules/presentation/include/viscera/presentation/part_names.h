@@ -23,6 +23,9 @@ struct Part {
 /// All parts of visible organs, in the order of the document. O(places x vertices).
 std::vector<Part> partsOf(const document::OrganList& organs);
 
+/// The parts that a click can reach: of visible organs that are not in another visible one.
+std::vector<Part> clickableParts(const document::OrganList& organs);
+
 /// The part's name, in English.
 const std::string& nameOf(const Part& part, const document::OrganList& organs);
 

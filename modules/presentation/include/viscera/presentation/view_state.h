@@ -8,6 +8,7 @@
 
 #include "viscera/anatomy/norms.h"
 #include "viscera/core/arrays.h"
+#include "viscera/document/circulation_choice.h"
 #include "viscera/document/ids.h"
 #include "viscera/presentation/scan_look.h"
 #include "viscera/presentation/stress_look.h"
@@ -191,8 +192,10 @@ struct ViewState {
 /// The view as JSON text, for a session (docs/session_format.md, "view").
 std::string toJson(const ViewState& view);
 
-/// Reads what `toJson` wrote, and the views of sessions of format 1. Values that are missing or out of range
-/// get their defaults. Throws `DataError` for text that is not a view.
-ViewState viewFromJson(const std::string& text);
+/// Reads what `toJson` wrote, and the views of sessions of formats 1 and 2. Values that are missing or out of
+/// range get their defaults. `circulation` is the session's: a heartbeat of those formats began at another
+/// instant, which depends on what moved the heart, and its fractions are read as those of today's beat.
+/// Throws `DataError` for text that is not a view.
+ViewState viewFromJson(const std::string& text, const document::CirculationChoice& circulation = {});
 
 } // namespace viscera::presentation

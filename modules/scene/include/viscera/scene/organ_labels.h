@@ -29,6 +29,9 @@ public:
     /// The line ends at this vertex of the organ while the reader can see it, and the label is left out while
     /// not; -1: anywhere on the organ.
     Eigen::Index vertex = -1;
+    /// Of a whole organ: the vertices of its parts that have names. Its line ends where the organ is seen and
+    /// away from them; the label is left out where there is no such place.
+    std::vector<Eigen::Index> places = {};
   };
 
   /// A label as it was drawn last, in device pixels from the lower left corner.

@@ -19,6 +19,10 @@ struct NamedCurve {
 /// `ecg_mV` and `sound`. O(samples).
 std::vector<NamedCurve> curvesOf(const Parameters& parameters, const Beat& beat, const Indices& indices);
 
+/// The part of a beat of `samples` even steps by which diagrams and the moving heart begin earlier than its
+/// curves, which begin with the ventricles' contraction: a whole number of steps. O(1).
+double drawnBefore(const Parameters& parameters, int samples, double beforeAtria);
+
 /// The sample of a beat with which diagrams and the moving heart begin: `beforeAtria` seconds before the
 /// atria contract. The curves of a beat begin later, with the ventricles' contraction.
 std::size_t firstDrawn(const Parameters& parameters, const Beat& beat, double beforeAtria);

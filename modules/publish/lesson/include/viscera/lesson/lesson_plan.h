@@ -34,6 +34,7 @@ struct LessonSource {
 struct PlannedLabel {
   std::string text;
   Vec3 at = Vec3::Zero(); ///< mm, LPS, at rest; it moves with the nearest vertex.
+  double ringMm = 0;      ///< Of a valve: the radius of the ring that is drawn there.
 };
 
 /// An organ that a lesson will show, with its name and look.
