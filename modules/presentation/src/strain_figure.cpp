@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -15,20 +16,10 @@ using live::StrainDirection;
 using live::StrainMoment;
 
 constexpr double kPercentOfPart = 100, kMsOfSecond = 1000;
+// Safe for people who do not tell red from green (Okabe and Ito).
+const Vec3 kAlongColor(0.84, 0.37, 0.0), kAroundColor(0.0, 0.45, 0.70), kAcrossColor(0.0, 0.62, 0.45);
 /// Ends of the scales of colours, per cent.
 constexpr double kShortening = 30, kThickening = 60, kDifference = 15;
-
-const char* titleOf(StrainDirection direction) {
-  switch (direction) {
-  case StrainDirection::longitudinal:
-    return "Longitudinal strain";
-  case StrainDirection::circumferential:
-    return "Circumferential strain";
-  case StrainDirection::radial:
-    return "Radial strain";
-  }
-  return "";
-}
 
 /// Red to one side, blue to the other, white at zero: safe for people who do not tell red from green. Of
 /// shortening, which is negative, the low end is red, as clinics draw strain.
@@ -71,6 +62,18 @@ scene::PanelCurve panelCurve(const std::string& name, const Vec3& color, const s
 
 } // namespace
 
+const char* titleOf(StrainDirection direction) {
+  switch (direction) {
+  case StrainDirection::longitudinal:
+    return "Longitudinal strain";
+  case StrainDirection::circumferential:
+    return "Circumferential strain";
+  case StrainDirection::radial:
+    return "Radial strain";
+  }
+  return "";
+}
+
 scene::BullsEyeFigure strainBullsEye(const live::StrainReading& reading, StrainDirection direction,
                                      StrainMoment moment, std::size_t phase) {
   scene::BullsEyeFigure figure = emptyFigure();
@@ -108,7 +111,24 @@ scene::BullsEyeFigure strainDifference(const live::StrainReading& reading, const
   return figure;
 }
 
-scene::CurvePanel strainPanel(const live::StrainReading& reading) {
+std::vector<GlobalStrain> globalStrains(const live::StrainReading& reading) {
+  const strain::HeartStrain& strain = reading.strain;
+  std::vector<GlobalStrain> known;
+  const auto add = [&](const char* name, const Vec3& color, const char* norm,
+                       const std::optional<strain::ContourStrain>& contour) {
+    if (!contour)
+      return;
+    const anatomy::Norm& healthy = anatomy::norm(norm);
+    known.push_back({name, color, kPercentOfPart * contour->peak.value, kMsOfSecond * contour->peak.seconds,
+                     anatomy::rangeOf(healthy), &healthy});
+  };
+  add("GLS", kAlongColor, "lv.gls", strain.gls);
+  add("GCS", kAroundColor, "lv.gcs", strain.gcs);
+  add("GRS", kAcrossColor, "lv.grs", strain.grs);
+  return known;
+}
+
+scene::CurvePanel strainPanel(const live::StrainReading& reading, int segment, StrainDirection direction) {
   const strain::HeartStrain& strain = reading.strain;
   scene::CurvePanel panel;
   panel.xTitle = "Time (s)";
@@ -118,18 +138,42 @@ scene::CurvePanel strainPanel(const live::StrainReading& reading) {
   panel.right = 0.97;
   panel.bottom = 0.17;
   panel.top = 0.95;
-  // Safe for people who do not tell red from green (Okabe and Ito).
-  const auto add = [&](const std::string& name, const Vec3& color,
+  const auto add = [&](const char* name, const Vec3& color,
                        const std::optional<strain::ContourStrain>& contour) {
     if (contour)
       panel.curves.push_back(panelCurve(name, color, strain.seconds, contour->curve));
   };
-  add("GLS", Vec3(0.84, 0.37, 0.0), strain.gls);
-  add("GCS", Vec3(0.0, 0.45, 0.70), strain.gcs);
-  add("GRS", Vec3(0.0, 0.62, 0.45), strain.grs);
+  add("GLS", kAlongColor, strain.gls);
+  add("GCS", kAroundColor, strain.gcs);
+  add("GRS", kAcrossColor, strain.grs);
   add("RV free wall", Vec3(0.80, 0.24, 0.48), strain.rightFreeWall);
   add("Left atrium", Vec3(0.90, 0.62, 0.0), strain.leftReservoir);
+  for (const GlobalStrain& global : globalStrains(reading))
+    panel.bands.push_back({{global.healthyPercent.low, global.healthyPercent.high}, global.color});
+  if (segment < 1 || segment > strain::kSegments)
+    return panel;
+  const std::vector<double>& curve = live::strainCurve(strain.segment(segment), direction);
+  if (!curve.empty()) {
+    const Vec3 color = direction == StrainDirection::longitudinal      ? kAlongColor
+                       : direction == StrainDirection::circumferential ? kAroundColor
+                                                                       : kAcrossColor;
+    panel.curves.push_back(panelCurve(std::to_string(segment), color, strain.seconds, curve));
+    panel.curves.back().dashed = true;
+  }
   return panel;
+}
+
+Values strainOnSurface(const scene::BullsEyeFigure& figure, const std::vector<int>& segments, int chosen) {
+  Values values =
+      Values::Constant(static_cast<Eigen::Index>(segments.size()), std::numeric_limits<double>::quiet_NaN());
+  for (std::size_t i = 0; i < segments.size(); ++i) {
+    const int segment = segments[i];
+    if (segment < 1 || (chosen > 0 && segment != chosen))
+      continue;
+    if (const auto& value = figure.sectors[static_cast<std::size_t>(segment - 1)].value)
+      values[static_cast<Eigen::Index>(i)] = *value;
+  }
+  return values;
 }
 
 } // namespace viscera::presentation

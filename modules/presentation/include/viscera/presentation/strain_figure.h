@@ -1,7 +1,10 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
+#include <vector>
 
+#include "viscera/anatomy/norms.h"
 #include "viscera/live/strain_reading.h"
 #include "viscera/scene/bulls_eye.h"
 #include "viscera/scene/curve_panels.h"
@@ -19,7 +22,31 @@ scene::BullsEyeFigure strainBullsEye(const live::StrainReading& reading, live::S
 scene::BullsEyeFigure strainDifference(const live::StrainReading& reading, const live::StrainReading& before,
                                        live::StrainDirection direction);
 
-/// Curves of length strain (GLS, GCS) and of the strain across the wall (GRS) over the cycle, in per cent.
-scene::CurvePanel strainPanel(const live::StrainReading& reading);
+/// "Longitudinal strain", for the language of the reader to translate, like all words of the figures.
+const char* titleOf(live::StrainDirection direction);
+
+/// One of GLS, GCS and GRS with its peak, and what healthy adults have.
+struct GlobalStrain {
+  std::string name; ///< "GLS"
+  Vec3 color;       ///< In charts.
+  double peakPercent = 0;
+  double peakMs = 0;
+  anatomy::Range healthyPercent;
+  const anatomy::Norm* norm = nullptr; ///< Its people, method and source; never null.
+};
+
+/// Those of the three that are known.
+std::vector<GlobalStrain> globalStrains(const live::StrainReading& reading);
+
+/// Curves of length strain (GLS, GCS) and of the strain across the wall (GRS) over the cycle, in per cent,
+/// with the bands of healthy adults' peaks. With a segment, 1 to 17, also its curve in that direction,
+/// dashed.
+scene::CurvePanel strainPanel(const live::StrainReading& reading, int segment = 0,
+                              live::StrainDirection direction = live::StrainDirection::longitudinal);
+
+/// The values of a bull's eye on a surface: for each vertex the value of its segment (1 to 17, as
+/// `live::StrainGauge::segmentsOn` says), NaN where there is none. With a `chosen` segment that one's alone.
+/// O(vertices).
+Values strainOnSurface(const scene::BullsEyeFigure& figure, const std::vector<int>& segments, int chosen = 0);
 
 } // namespace viscera::presentation
