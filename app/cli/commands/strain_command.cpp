@@ -26,6 +26,7 @@
 #include "viscera/live/sequence_setup.h"
 #include "viscera/live/strain_reading.h"
 #include "viscera/live/witness_sampling.h"
+#include "viscera/presentation/strain_figure.h"
 
 namespace viscera::app::cli {
 namespace {
@@ -262,7 +263,9 @@ Outcome StrainCommand::run(CommandContext& context) {
   if (!csv_.empty())
     live::writeStrainTable(csv_, *reading);
   if (!png_.empty())
-    drawStrain(png_, *reading, size, theme_ == "dark");
+    presentation::writeStrainPicture(
+        png_, *reading,
+        {size.width, size.height, theme_ == "dark" ? scene::darkTheme() : scene::lightTheme()});
   Outcome outcome;
   outcome.json = parseJson<nlohmann::ordered_json>(live::strainJson(*reading), "strain", {});
   outcome.text = strainText(*reading);

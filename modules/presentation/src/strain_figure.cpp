@@ -7,6 +7,11 @@
 #include <optional>
 #include <utility>
 
+#include <vtkImageData.h>
+#include <vtkRenderWindow.h>
+
+#include "viscera/scene/picture.h"
+#include "viscera/scene/surfaceless_window.h"
 #include "viscera/strain/aha_segments.h"
 
 namespace viscera::presentation {
@@ -60,6 +65,18 @@ scene::PanelCurve panelCurve(const std::string& name, const Vec3& color, const s
   return curve;
 }
 
+/// A picture that a figure fills alone.
+template <class Figure>
+vtkSmartPointer<vtkImageData> pictureOf(const StrainPicture& wanted, int height, Figure& figure) {
+  scene::SurfacelessWindow window(wanted.width, height);
+  figure.setWindow(window.window());
+  figure.setTheme(wanted.theme);
+  figure.update();
+  vtkSmartPointer<vtkImageData> picture = scene::grabPicture(window.window());
+  figure.setWindow(nullptr);
+  return picture;
+}
+
 } // namespace
 
 const char* titleOf(StrainDirection direction) {
@@ -83,7 +100,6 @@ scene::BullsEyeFigure strainBullsEye(const live::StrainReading& reading, StrainD
   figure.range = {-end, end};
   figure.colors = strainColors(!radial);
   if (moment == StrainMoment::timeToPeak) {
-    figure.title += ", time to peak";
     figure.unit = "ms";
     figure.colors = scene::colorMapByName("cividis");
     figure.range = {0, std::max(1.0, kMsOfSecond * reading.strain.seconds.back())};
@@ -99,7 +115,7 @@ scene::BullsEyeFigure strainBullsEye(const live::StrainReading& reading, StrainD
 scene::BullsEyeFigure strainDifference(const live::StrainReading& reading, const live::StrainReading& before,
                                        StrainDirection direction) {
   scene::BullsEyeFigure figure = strainBullsEye(reading, direction, StrainMoment::peak);
-  figure.title += ", difference";
+  figure.title = "Difference of both";
   figure.range = {-kDifference, kDifference};
   for (const strain::Segment& segment : strain::segments()) {
     scene::BullsEyeSector& sector = figure.sectors[static_cast<std::size_t>(segment.number - 1)];
@@ -161,6 +177,43 @@ scene::CurvePanel strainPanel(const live::StrainReading& reading, int segment, S
     panel.curves.back().dashed = true;
   }
   return panel;
+}
+
+void translate(scene::BullsEyeFigure& figure, const std::function<std::string(const std::string&)>& words) {
+  if (!words)
+    return;
+  figure.title = words(figure.title);
+  for (std::string& side : figure.sides)
+    side = words(side);
+}
+
+void translate(scene::CurvePanel& panel, const std::function<std::string(const std::string&)>& words) {
+  if (!words)
+    return;
+  panel.xTitle = words(panel.xTitle);
+  panel.yTitle = words(panel.yTitle);
+  for (scene::PanelCurve& curve : panel.curves)
+    curve.name = words(curve.name);
+}
+
+void writeStrainPicture(const std::filesystem::path& file, const live::StrainReading& reading,
+                        const StrainPicture& picture) {
+  std::vector<scene::BullsEyeFigure> figures;
+  for (const StrainDirection direction :
+       {StrainDirection::longitudinal, StrainDirection::circumferential, StrainDirection::radial})
+    if (direction != StrainDirection::radial || reading.strain.wall) {
+      figures.push_back(strainBullsEye(reading, direction, StrainMoment::peak));
+      translate(figures.back(), picture.translate);
+    }
+  scene::CurvePanel curves = strainPanel(reading);
+  translate(curves, picture.translate);
+  scene::BullsEyes eyes;
+  eyes.setFigures(std::move(figures));
+  scene::CurvePanels panels;
+  panels.setPanels({std::move(curves)});
+  const int half = picture.height / 2;
+  scene::writeSmallPng(
+      file, scene::contactSheet({pictureOf(picture, half, eyes), pictureOf(picture, half, panels)}, 1));
 }
 
 Values strainOnSurface(const scene::BullsEyeFigure& figure, const std::vector<int>& segments, int chosen) {

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstddef>
+#include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -8,6 +10,7 @@
 #include "viscera/live/strain_reading.h"
 #include "viscera/scene/bulls_eye.h"
 #include "viscera/scene/curve_panels.h"
+#include "viscera/scene/theme.h"
 
 /// Draws the strain of a heart: bull's eyes of its 17 segments, and curves over the cycle.
 namespace viscera::presentation {
@@ -43,6 +46,23 @@ std::vector<GlobalStrain> globalStrains(const live::StrainReading& reading);
 /// dashed.
 scene::CurvePanel strainPanel(const live::StrainReading& reading, int segment = 0,
                               live::StrainDirection direction = live::StrainDirection::longitudinal);
+
+/// Size and colours of a picture of strain.
+struct StrainPicture {
+  int width = 1600, height = 1200; ///< Pixels.
+  scene::Theme theme = scene::lightTheme();
+  /// Translates a text into the language of the user; empty: English.
+  std::function<std::string(const std::string&)> translate = {};
+};
+
+/// The bull's eyes of the peaks above the curves, as a PNG. Needs no display. Throws `CannotCreateError`, and
+/// `Error` without OpenGL.
+void writeStrainPicture(const std::filesystem::path& file, const live::StrainReading& reading,
+                        const StrainPicture& picture = {});
+
+/// Puts the words of a figure into a language.
+void translate(scene::BullsEyeFigure& figure, const std::function<std::string(const std::string&)>& words);
+void translate(scene::CurvePanel& panel, const std::function<std::string(const std::string&)>& words);
 
 /// The values of a bull's eye on a surface: for each vertex the value of its segment (1 to 17, as
 /// `live::StrainGauge::segmentsOn` says), NaN where there is none. With a `chosen` segment that one's alone.
