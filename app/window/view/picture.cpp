@@ -152,9 +152,16 @@ void Picture::setMap(std::optional<presentation::SurfaceMap> map) {
   markOutdated();
 }
 
+void Picture::setSegments(std::optional<presentation::SurfaceMap> segments) {
+  if (!segments && !segments_)
+    return;
+  segments_ = std::move(segments);
+  markOutdated();
+}
+
 bool Picture::hasMoreThanMovies() const {
   const presentation::ScanLook& scan = model_.state().scan;
-  return map_ || !transient_.empty() || !measured_.empty() || (scan.standing && scan.warped);
+  return map_ || segments_ || !transient_.empty() || !measured_.empty() || (scan.standing && scan.warped);
 }
 
 void Picture::markOutdated() {
@@ -182,10 +189,11 @@ void Picture::update() const {
     std::vector<presentation::TransientSurface> transient = transient_;
     if (!view.shown.stress) // They would cover the map.
       transient.insert(transient.end(), measured_.begin(), measured_.end());
-    presenter_.update(
-        {shown, workspace_.live(), view, workspace_.registry(), &stress, map_ ? &*map_ : nullptr, &measuring_,
-         &transient, namedParts_ ? &*namedParts_ : nullptr, warping ? &*warping : nullptr,
-         valves_ && !transientAlone_ ? valves_() : std::nullopt, stressRange_, stressLegend_, pointedOrgan_});
+    const auto& map = map_ ? map_ : segments_;
+    presenter_.update({shown, workspace_.live(), view, workspace_.registry(), &stress, map ? &*map : nullptr,
+                       &measuring_, &transient, namedParts_ ? &*namedParts_ : nullptr,
+                       warping ? &*warping : nullptr, valves_ && !transientAlone_ ? valves_() : std::nullopt,
+                       stressRange_, stressLegend_, pointedOrgan_});
   });
   drawn_ = model_.state();
   Q_EMIT changed();
