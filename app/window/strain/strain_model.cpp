@@ -36,6 +36,10 @@ bool isLeftVentricle(const document::Organ& organ) {
 StrainModel::StrainModel(Workspace& workspace, Playback& playback, QObject* parent)
     : QObject(parent), workspace_(workspace), playback_(playback), jobs_(mailbox()) {
   connect(&playback, &Playback::stateChanged, this, &StrainModel::syncSoon);
+  connect(&playback, &Playback::advanced, this, [this] { // Another mode may want another pose.
+    if (std::exchange(poseWanted_, playback_.wantedPose()) != playback_.wantedPose())
+      syncSoon();
+  });
   subscriptions_.push_back(workspace.onChange([this](const document::Change& change) {
     if (change.organs() || change.rig() || change.system() || change.pose() || change.keySequence())
       syncSoon();

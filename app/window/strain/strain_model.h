@@ -93,6 +93,7 @@ private:
   Playback& playback_;
   QPointer<const MeasuredMotion> measured_;
   bool wanted_ = false;
+  live::WantedPose poseWanted_ = live::WantedPose::sequence; ///< When it was looked at last.
   bool asked_ = false; ///< `sync` is scheduled after the present notification.
   bool running_ = false;
   Basis gaugeOf_;
