@@ -181,13 +181,6 @@ std::vector<strain::ListedContour> presentContours(const MovedOrgans& organs, co
   return contours;
 }
 
-std::size_t fullestPhase(const MovingSurface& left) {
-  std::vector<double> volumes;
-  for (const Points& phase : left.phases)
-    volumes.push_back(geometry::volume(phase, left.triangles));
-  return static_cast<std::size_t>(std::max_element(volumes.begin(), volumes.end()) - volumes.begin());
-}
-
 void warn(const strain::MovingSurface& left, const strain::FoundAxes& axes, StrainReading& reading) {
   if (!axes.oriented)
     reading.warnings.push_back(phrase(
@@ -201,7 +194,10 @@ void warn(const strain::MovingSurface& left, const strain::FoundAxes& axes, Stra
     return geometry::volume(left.phases[phase], left.triangles);
   };
   const double reference = holdsNow(reading.strain.reference);
-  const std::size_t fullest = fullestPhase(left);
+  std::size_t fullest = reading.strain.reference;
+  for (std::size_t phase = 0; phase < left.phases.size(); ++phase)
+    if (holdsNow(phase) > holdsNow(fullest))
+      fullest = phase;
   if (holdsNow(fullest) > (1 + kFuller) * reference)
     reading.warnings.push_back(
         phrase("The left ventricle is fullest in phase %1, and strain is measured from "
@@ -267,7 +263,6 @@ MovedOrgans movedOrgans(MotionRunner& runner, const coordinates::Registry& syste
     moved.seconds.push_back(key * runner.sequence()->standardRatePerMinute() / rate);
   if (moved.seconds.empty()) {
     moved.corresponding = true; // A motion that is computed moves material points.
-    moved.fromEndOfDiastole = false;
     for (int i = 0; i < instants; ++i)
       moved.seconds.push_back(i * kSecondsOfMinute / rate / instants);
   }
@@ -286,7 +281,7 @@ struct StrainGauge::Parts {
 
   std::optional<GaugedSurface> left, right, outer, atrium;
   strain::FoundAxes axes;
-  std::optional<std::size_t> reference;
+  std::size_t reference = 0;
   std::vector<strain::ListedContour> contours;
   std::optional<BoundWall> wall;
   std::vector<std::vector<int>> segments; ///< Of the vertices of each organ.
@@ -382,7 +377,7 @@ StrainReading StrainGauge::read(const MovedOrgans& moved, Progress& progress, Th
   heart.outer = outer ? &*outer : nullptr;
   heart.leftAtrium = atrium ? &*atrium : nullptr;
   heart.seconds = moved.seconds;
-  heart.reference = parts.reference.value_or(moved.fromEndOfDiastole ? 0 : fullestPhase(left));
+  heart.reference = parts.reference;
   StrainReading reading(parts.axes);
   const auto nameOf = [](const std::optional<MovingSurface>& surface) {
     return surface ? surface->name : std::string();

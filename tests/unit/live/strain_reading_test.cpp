@@ -203,21 +203,6 @@ TEST(StrainReading, AGaugeReadsOtherPosesOfTheSameHandles) {
   EXPECT_EQ(read.strain.segment(8).radial, made.strain.segment(8).radial);
 }
 
-/// A computed beat begins before its atria contract, when the ventricle is not full yet.
-TEST(StrainReading, OfAComputedBeatIsMeasuredFromItsFullestPhase) {
-  Progress progress;
-  MovedOrgans moved = heart();
-  const Points& rest = moved.handles.positions;
-  moved.poses = {0.97 * rest, rest, 0.8 * rest, 0.9 * rest, 0.96 * rest};
-  moved.fromEndOfDiastole = false;
-  const StrainReading reading = readStrain(moved, fewWitnesses(), progress);
-  EXPECT_EQ(reading.strain.reference, 1U);
-  EXPECT_NEAR(reading.strain.gcs->peak.value, -0.2, 1e-6);
-  StrainOptions first = fewWitnesses();
-  first.reference = 0;
-  EXPECT_EQ(readStrain(moved, first, progress).strain.reference, 0U) << "what a user says counts";
-}
-
 /// On the surface around both ventricles only what is nearer to the left one has segments.
 TEST(StrainReading, VerticesOfTheLeftVentriclesWallKnowTheirSegments) {
   Progress progress;

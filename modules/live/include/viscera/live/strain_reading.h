@@ -36,9 +36,6 @@ struct MovedOrgans {
   std::vector<std::vector<std::int32_t>> rowOfGiven;
   /// Whether material points are known; empty where the motion does not say.
   std::optional<bool> corresponding;
-  /// Whether the first phase is the end of diastole, as in series of a clinic. A beat that is computed begins
-  /// before its atria contract: strain is measured from the phase in which the left ventricle is fullest.
-  bool fromEndOfDiastole = true;
 };
 
 /// The organs of a sequence file at its keys. Throws `UsageError` for a system that does not exist and for a
@@ -61,8 +58,8 @@ struct StrainOptions {
   /// the left atrium. Those that are empty are found by their names and places.
   std::string left, right, outer, atrium;
   strain::AxisLandmarks landmarks;
-  std::optional<std::size_t> reference; ///< The phase without strain; none: the end of diastole.
-  int witnesses = 40'000;               ///< In the outer surface, cavities included.
+  std::size_t reference = 0; ///< The phase without strain.
+  int witnesses = 40'000;    ///< In the outer surface, cavities included.
   std::vector<strain::ListedContour>
       contours; ///< Vertices as in the files; surfaces by name, or "" for the left.
 };
