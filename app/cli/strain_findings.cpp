@@ -49,6 +49,7 @@ std::string strainText(const live::StrainReading& reading) {
     if (contour)
       listing.add(label, percent(*contour) + range);
   };
+  listing.add("from phase", std::to_string(strain.reference + 1));
   add("GLS", strain.gls, healthyRange("lv.gls"));
   for (const ContourStrain& contour : strain.longitudinal)
     listing.add("  " + contour.name, percent(contour));

@@ -61,7 +61,7 @@ private:
   std::vector<std::size_t> leftOut_;
   double periodMs_ = 0, rate_ = 0;
   int trackedHandles_ = 0, instants_ = 50, witnesses_ = live::StrainOptions().witnesses;
-  std::size_t reference_ = 1;
+  std::optional<std::size_t> reference_;
   bool once_ = false;
   std::string csv_, png_, size_ = "1600x1200", theme_ = "light";
 };
@@ -129,10 +129,10 @@ void StrainCommand::addOptions(CLI::App& options) {
       ->check(CLI::Range(kFewestInstants, kMostInstants))
       ->capture_default_str();
   options
-      .add_option("--reference", reference_, "The phase without strain, counted from 1: the end of diastole")
+      .add_option("--reference", reference_,
+                  "The phase without strain, counted from 1: the end of diastole; found when not said")
       ->type_name("PHASE")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
+      ->check(CLI::PositiveNumber);
   options.add_option("--witnesses", witnesses_, "Witness points inside the outer surface")
       ->type_name("N")
       ->check(CLI::Range(live::WitnessOptions::kFewest, live::WitnessOptions::kMost))
@@ -167,7 +167,8 @@ live::StrainOptions StrainCommand::strainOptions() const {
   options.right = right_;
   options.outer = outer_;
   options.atrium = atrium_;
-  options.reference = reference_ - 1;
+  if (reference_)
+    options.reference = *reference_ - 1;
   options.witnesses = witnesses_;
   for (const auto& [text, option, target] :
        {std::tuple(&base_, "--base", &options.landmarks.base),

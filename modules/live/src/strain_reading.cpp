@@ -181,6 +181,17 @@ std::vector<strain::ListedContour> presentContours(const MovedOrgans& organs, co
   return contours;
 }
 
+/// The phase in which the left ventricle is clearly fuller than in this one.
+std::optional<std::size_t> fullerPhase(const MovingSurface& left, std::size_t reference) {
+  std::vector<double> volumes;
+  for (const Points& phase : left.phases)
+    volumes.push_back(geometry::volume(phase, left.triangles));
+  const auto fullest = std::max_element(volumes.begin(), volumes.end());
+  if (reference >= volumes.size() || *fullest <= (1 + kFuller) * volumes[reference])
+    return std::nullopt;
+  return static_cast<std::size_t>(fullest - volumes.begin());
+}
+
 void warn(const strain::MovingSurface& left, const strain::FoundAxes& axes, StrainReading& reading) {
   if (!axes.oriented)
     reading.warnings.push_back(phrase(
@@ -190,19 +201,11 @@ void warn(const strain::MovingSurface& left, const strain::FoundAxes& axes, Stra
     reading.warnings.push_back(
         phrase("Material points are not known in this motion: lengths of contours can be "
                "read, segments cannot"));
-  const auto holdsNow = [&left](std::size_t phase) {
-    return geometry::volume(left.phases[phase], left.triangles);
-  };
-  const double reference = holdsNow(reading.strain.reference);
-  std::size_t fullest = reading.strain.reference;
-  for (std::size_t phase = 0; phase < left.phases.size(); ++phase)
-    if (holdsNow(phase) > holdsNow(fullest))
-      fullest = phase;
-  if (holdsNow(fullest) > (1 + kFuller) * reference)
+  if (const auto fuller = fullerPhase(left, reading.strain.reference))
     reading.warnings.push_back(
         phrase("The left ventricle is fullest in phase %1, and strain is measured from "
                "phase %2",
-               fullest + 1, reading.strain.reference + 1));
+               *fuller + 1, reading.strain.reference + 1));
   const auto few = std::count_if(reading.strain.segments.begin(), reading.strain.segments.end(),
                                  [](const strain::SegmentStrain& segment) { return !segment.enough; });
   if (few > 0)
@@ -281,7 +284,7 @@ struct StrainGauge::Parts {
 
   std::optional<GaugedSurface> left, right, outer, atrium;
   strain::FoundAxes axes;
-  std::size_t reference = 0;
+  std::optional<std::size_t> reference;
   std::vector<strain::ListedContour> contours;
   std::optional<BoundWall> wall;
   std::vector<std::vector<int>> segments; ///< Of the vertices of each organ.
@@ -377,7 +380,7 @@ StrainReading StrainGauge::read(const MovedOrgans& moved, Progress& progress, Th
   heart.outer = outer ? &*outer : nullptr;
   heart.leftAtrium = atrium ? &*atrium : nullptr;
   heart.seconds = moved.seconds;
-  heart.reference = parts.reference;
+  heart.reference = parts.reference.value_or(fullerPhase(left, 0).value_or(0));
   StrainReading reading(parts.axes);
   const auto nameOf = [](const std::optional<MovingSurface>& surface) {
     return surface ? surface->name : std::string();

@@ -50,7 +50,7 @@ TEST_F(MeasureCli, GivesTheVolumesOnBothSidesOfAPlane) {
   EXPECT_NEAR(cut["organs"][0]["faceCm2"].get<double>(), 6, 1e-9);
   EXPECT_NEAR(cut["normal"][2].get<double>(), -1, 1e-12);
   EXPECT_THAT(run({"measure", a, "--plane", "0,0,10:0,0,1"}).out, HasSubstr("ml in front of the plane"));
-  expectFailure({"measure", a, "--plane", "0,0,10"}, kUsage, "a plane is");
+  expectFailure({"measure", a, "--plane", "0,0,10"}, kUsage, "A plane is");
   expectFailure({"measure", a, "--plane", "0,0,10:0,0,0"}, kUsage, "must not be zero");
 }
 

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <set>
@@ -109,6 +110,22 @@ TEST(StrainReading, WithoutAnOuterSurfaceIsThatOfTheEndocardium) {
   EXPECT_NEAR(*strainValue(reading, 7, StrainDirection::circumferential, StrainMoment::peak), -20, 1);
   EXPECT_NEAR(*strainValue(reading, 7, StrainDirection::circumferential, StrainMoment::timeToPeak), 400,
               1e-6);
+}
+
+/// A series may begin before the end of diastole, as the textbook's beat does.
+TEST(StrainReading, BeginsWhereTheVentricleIsFullest) {
+  Progress progress;
+  MovedOrgans moved = heart();
+  moved.organs.erase(moved.organs.begin());
+  std::rotate(moved.poses.begin(), moved.poses.begin() + 2, moved.poses.end());
+  const StrainReading found = readStrain(moved, {}, progress);
+  EXPECT_NEAR(static_cast<double>(found.strain.reference), 2.5, 0.5) << "the last phase or the first one";
+  EXPECT_NEAR(*strainValue(found, 7, StrainDirection::circumferential, StrainMoment::peak), -20, 1);
+  StrainOptions first;
+  first.reference = 0;
+  const StrainReading asked = readStrain(moved, first, progress);
+  EXPECT_EQ(asked.strain.reference, 0U);
+  EXPECT_EQ(asked.warnings.size(), found.warnings.size() + 1) << "fuller in another phase";
 }
 
 TEST(StrainReading, SaysWhatCannotBeReliedOn) {

@@ -78,8 +78,9 @@ live::MovedOrgans ofReadySequence(const std::string& id, int instants, Progress&
 }
 
 live::StrainOptions optionsFrom(const std::map<std::string, std::string>& names,
-                                const std::map<std::string, Vec3>& landmarks, std::size_t reference,
-                                int witnesses, const Contours& contours) {
+                                const std::map<std::string, Vec3>& landmarks,
+                                std::optional<std::size_t> reference, int witnesses,
+                                const Contours& contours) {
   live::StrainOptions options;
   const auto nameOf = [&names](const char* key) {
     const auto found = names.find(key);
@@ -111,7 +112,7 @@ void addStrain(py::module_& module) {
       [](const std::vector<std::filesystem::path>& motion, const std::string& kind, const Labels& surfaces,
          std::optional<double> period, const std::vector<std::size_t>& leaveOut, bool loop, int handles,
          int instants, const std::map<std::string, std::string>& names,
-         const std::map<std::string, Vec3>& landmarks, std::size_t reference, int witnesses,
+         const std::map<std::string, Vec3>& landmarks, std::optional<std::size_t> reference, int witnesses,
          const Contours& contours, int threads, const py::object& listener) {
         const live::StrainOptions options = optionsFrom(names, landmarks, reference, witnesses, contours);
         const SeriesArguments series{surfaces, period, leaveOut, loop, handles};

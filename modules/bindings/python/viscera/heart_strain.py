@@ -71,7 +71,7 @@ def strain(
     la: str = "",
     landmarks: Mapping[str, ArrayLike] | None = None,
     contours: Mapping[str, Any] | None = None,
-    reference: int = 0,
+    reference: int | None = None,
     witnesses: int = 40_000,
     tracked_handles: int | None = None,
     period: float | None = None,
@@ -92,7 +92,8 @@ def strain(
     contours   lists of vertices in the place of contours that are found, numbered as in the files: {"4ch": [...],
                "base": {"surface": "LV", "vertices": [...], "closed": True}}. Names: fourChamber, twoChamber,
                threeChamber, base, middle, apex, rightFreeWall, leftReservoir.
-    reference  the phase without strain, counted from 0.
+    reference  the phase without strain, counted from 0: the end of diastole; none: the first, or the fullest where the
+               left ventricle holds 3 % more in another.
     witnesses  points in the outer surface, at which the deformation gradient is taken.
     tracked_handles
                how many handles track a series; none: as `track` has them.
@@ -113,7 +114,7 @@ def strain(
         kind = "ready"
     else:
         kind = "series"
-    if reference < 0 or any(phase < 0 for phase in leave_out):
+    if (reference is not None and reference < 0) or any(phase < 0 for phase in leave_out):
         raise UsageError("Phases are counted from 0")
     unknown = set(landmarks or {}) - {"base", "apex", "insertion"}
     if unknown:

@@ -58,7 +58,9 @@ struct StrainOptions {
   /// the left atrium. Those that are empty are found by their names and places.
   std::string left, right, outer, atrium;
   strain::AxisLandmarks landmarks;
-  std::size_t reference = 0; ///< The phase without strain.
+  /// The phase without strain, the end of diastole. None: the first one, or the fullest where the left
+  /// ventricle holds 3 % more in another.
+  std::optional<std::size_t> reference;
   int witnesses = 40'000;    ///< In the outer surface, cavities included.
   std::vector<strain::ListedContour>
       contours; ///< Vertices as in the files; surfaces by name, or "" for the left.
