@@ -167,6 +167,7 @@ void StrainModel::readPose(const Basis& basis) {
   moved.corresponding = true;
   submit(
       basis, [moved = std::move(moved)](Progress&) { return moved; },
+      0, // Also a pose that fills the ventricle.
       [this, pose = workspace_.state().pose](const Reading& reading) {
         pose_ = reading;
         poseOf_ = pose;
@@ -187,6 +188,7 @@ void StrainModel::readCycle(const Basis& basis, const live::MotionCause& cause) 
             moved.measured.push_back(series->series->corresponding[surface].phases);
         return moved;
       },
+      std::nullopt,
       [this, cause](const Reading& reading) {
         cycle_ = reading;
         cycleOf_ = cause;
@@ -195,11 +197,11 @@ void StrainModel::readCycle(const Basis& basis, const live::MotionCause& cause) 
 
 /// What fails is not tried again until organs, handles or the motion are others.
 void StrainModel::submit(const Basis& basis, std::function<live::MovedOrgans(Progress&)> motion,
-                         std::function<void(const Reading&)> take) {
+                         std::optional<std::size_t> reference, std::function<void(const Reading&)> take) {
   running_ = true;
   Q_EMIT changed();
   auto made = std::make_shared<std::shared_ptr<const live::StrainGauge>>(gauge_);
-  auto work = [made, rest = atRest(basis), motion = std::move(motion)](Progress& progress) {
+  auto work = [made, rest = atRest(basis), motion = std::move(motion), reference](Progress& progress) {
     Reading reading;
     inBackground([&] {
       if (!*made)
@@ -207,7 +209,8 @@ void StrainModel::submit(const Basis& basis, std::function<live::MovedOrgans(Pro
           *made = std::make_shared<const live::StrainGauge>(rest, live::StrainOptions(), part);
         });
       runPart(progress, 0.7, 1, [&](Progress& part) {
-        reading = std::make_shared<const live::StrainReading>((*made)->read(motion(part), part));
+        reading =
+            std::make_shared<const live::StrainReading>((*made)->read(motion(part), part, {}, reference));
       });
     });
     return reading;

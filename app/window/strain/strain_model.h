@@ -84,8 +84,9 @@ private:
   std::optional<Series> series(const Basis& basis) const;
   void readPose(const Basis& basis);
   void readCycle(const Basis& basis, const live::MotionCause& cause);
+  /// Against the phase `reference`; none: the end of diastole.
   void submit(const Basis& basis, std::function<live::MovedOrgans(Progress&)> motion,
-              std::function<void(const Reading&)> take);
+              std::optional<std::size_t> reference, std::function<void(const Reading&)> take);
   void forget(const Basis& now);
   void tell(const QString& reason);
 

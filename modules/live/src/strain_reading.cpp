@@ -364,7 +364,8 @@ const std::vector<int>& StrainGauge::segmentsOn(std::size_t organ) const {
   return parts_->segments[organ];
 }
 
-StrainReading StrainGauge::read(const MovedOrgans& moved, Progress& progress, Threads threads) const {
+StrainReading StrainGauge::read(const MovedOrgans& moved, Progress& progress, Threads threads,
+                                std::optional<std::size_t> reference) const {
   const Parts& parts = *parts_;
   const MovingSurface left = parts.left->in(moved, threads);
   std::optional<MovingSurface> right, outer, atrium;
@@ -380,7 +381,7 @@ StrainReading StrainGauge::read(const MovedOrgans& moved, Progress& progress, Th
   heart.outer = outer ? &*outer : nullptr;
   heart.leftAtrium = atrium ? &*atrium : nullptr;
   heart.seconds = moved.seconds;
-  heart.reference = parts.reference.value_or(fullerPhase(left, 0).value_or(0));
+  heart.reference = reference.value_or(parts.reference.value_or(fullerPhase(left, 0).value_or(0)));
   StrainReading reading(parts.axes);
   const auto nameOf = [](const std::optional<MovingSurface>& surface) {
     return surface ? surface->name : std::string();

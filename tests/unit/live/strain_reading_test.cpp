@@ -218,6 +218,9 @@ TEST(StrainReading, AGaugeReadsOtherPosesOfTheSameHandles) {
   EXPECT_NEAR(read.strain.gcs->curve[1], -0.1, 1e-6);
   EXPECT_EQ(read.strain.gls->curve, made.strain.gls->curve);
   EXPECT_EQ(read.strain.segment(8).radial, made.strain.segment(8).radial);
+  pose.poses[1] = 1.1 * pose.handles.positions;
+  EXPECT_EQ(gauge.read(pose, progress).strain.reference, 1U) << "the end of diastole";
+  EXPECT_NEAR(gauge.read(pose, progress, {}, 0).strain.gcs->curve[1], 0.1, 1e-6) << "as asked";
 }
 
 /// On the surface around both ventricles only what is nearer to the left one has segments.

@@ -61,7 +61,7 @@ struct StrainOptions {
   /// The phase without strain, the end of diastole. None: the first one, or the fullest where the left
   /// ventricle holds 3 % more in another.
   std::optional<std::size_t> reference;
-  int witnesses = 40'000;    ///< In the outer surface, cavities included.
+  int witnesses = 40'000; ///< In the outer surface, cavities included.
   std::vector<strain::ListedContour>
       contours; ///< Vertices as in the files; surfaces by name, or "" for the left.
 };
@@ -96,9 +96,11 @@ public:
   StrainGauge(const MovedOrgans& organs, const StrainOptions& options, Progress& progress,
               Threads threads = {});
 
-  /// Measures the poses of `moved`, which has the same organs and handles, or its measured surfaces. A phase
-  /// takes milliseconds. Throws what `strain::heartStrain` throws.
-  StrainReading read(const MovedOrgans& moved, Progress& progress, Threads threads = {}) const;
+  /// Measures the poses of `moved`, which has the same organs and handles, or its measured surfaces; against
+  /// the phase `reference` where it is given, else as the options say. A phase takes milliseconds. Throws
+  /// what `strain::heartStrain` throws.
+  StrainReading read(const MovedOrgans& moved, Progress& progress, Threads threads = {},
+                     std::optional<std::size_t> reference = std::nullopt) const;
 
   /// The segment of each vertex of an organ, 1 to 17, or 0 where it is no wall of the left ventricle; empty
   /// for organs other than its cavity and the surface around it.
