@@ -159,11 +159,14 @@ bool StrainPanel::wanted() const {
 }
 
 void StrainPanel::followView() {
-  const presentation::StrainLook& look = view_.state().strain;
+  const presentation::StrainLook look = view_.state().strain;
+  const std::optional<presentation::StrainLook> before = std::exchange(look_, look);
+  if (before == look)
+    return; // A slice was moved, or another part of the view is another.
   const QSignalBlocker noDirection(direction_), noMoment(moment_);
   direction_->setCurrentIndex(static_cast<int>(look.direction));
   moment_->setCurrentIndex(static_cast<int>(look.moment));
-  if (std::exchange(shownAsWanted_, look.chart) != look.chart)
+  if (!before || before->chart != look.chart)
     Q_EMIT wantedChanged();
   rebuildSoon();
 }

@@ -9,6 +9,7 @@
 #include <memory>
 #include <optional>
 
+#include "viscera/presentation/view_state.h"
 #include "viscera/scene/bulls_eye.h"
 #include "viscera/scene/curve_panels.h"
 #include "window/strain/strain_model.h"
@@ -87,9 +88,9 @@ private:
   std::vector<scene::BullsEyeFigure> figures_;
   scene::CurvePanel curves_; ///< The panel that is drawn.
   std::optional<int> hovered_;
-  bool shownAsWanted_ = false;
-  std::size_t phase_ = 0; ///< Of the drawn bull's eye of an instant.
-  QTimer soon_;           ///< Ends when the picture of the organs is drawn: the charts take as long as that.
+  std::optional<presentation::StrainLook> look_; ///< As it was followed last.
+  std::size_t phase_ = 0;                        ///< Of the drawn bull's eye of an instant.
+  QTimer soon_; ///< Ends when the picture of the organs is drawn: the charts take as long as that.
 };
 
 /// A segment's number and name in the language of the window: "8 mid anteroseptal".

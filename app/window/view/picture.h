@@ -84,6 +84,7 @@ private:
   void bringUpToDate() const;
   void update() const;
   bool differsFromDocument() const;
+  bool segmentsFit() const;
 
   Workspace& workspace_;
   ViewModel& model_;
