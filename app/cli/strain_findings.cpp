@@ -5,14 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include <vtkImageData.h>
-#include <vtkRenderWindow.h>
-
 #include "cli/listing.h"
 #include "viscera/anatomy/norms.h"
-#include "viscera/presentation/strain_figure.h"
-#include "viscera/scene/picture.h"
-#include "viscera/scene/surfaceless_window.h"
 
 namespace viscera::app::cli {
 namespace {
@@ -39,18 +33,6 @@ std::string healthyRange(const char* id) {
   const anatomy::Norm& norm = anatomy::norm(id);
   const anatomy::Range range = anatomy::rangeOf(norm);
   return " (healthy adults " + fixed(range.low, 1) + " to " + fixed(range.high, 1) + ")";
-}
-
-/// A picture that `draw` fills a window with.
-template <class Figure>
-vtkSmartPointer<vtkImageData> figurePicture(const PictureSize& size, bool dark, Figure& figure) {
-  scene::SurfacelessWindow window(size.width, size.height);
-  figure.setWindow(window.window());
-  figure.setTheme(dark ? scene::darkTheme() : scene::lightTheme());
-  figure.update();
-  vtkSmartPointer<vtkImageData> picture = scene::grabPicture(window.window());
-  figure.setWindow(nullptr);
-  return picture;
 }
 
 } // namespace
@@ -96,21 +78,6 @@ std::string strainText(const live::StrainReading& reading) {
     listing.add(std::to_string(place.number) + " " + std::string(place.name), text);
   }
   return listing.text();
-}
-
-void drawStrain(const std::filesystem::path& file, const live::StrainReading& reading,
-                const PictureSize& size, bool dark) {
-  std::vector<scene::BullsEyeFigure> figures;
-  for (const auto& [name, direction] : kStrainDirections)
-    if (direction != StrainDirection::radial || reading.strain.wall)
-      figures.push_back(presentation::strainBullsEye(reading, direction, StrainMoment::peak));
-  const PictureSize half{size.width, size.height / 2};
-  scene::BullsEyes eyes;
-  eyes.setFigures(std::move(figures));
-  scene::CurvePanels panels;
-  panels.setPanels({presentation::strainPanel(reading)});
-  scene::writeSmallPng(
-      file, scene::contactSheet({figurePicture(half, dark, eyes), figurePicture(half, dark, panels)}, 1));
 }
 
 } // namespace viscera::app::cli

@@ -175,8 +175,8 @@ void MainWindow::placePanels() {
   volumePanel_ = new VolumePanel(volumes_, playback_, view_);
   volumePanel_->setMeasured(play_->measured(), play_->makeResiduals());
   layout_->place({new ModeRail(*modes_), organPanel_, handlePanel, makePages(), timeline_,
-                  new ModeCharts(*modes_, volumePanel_, *layout_), new SlidePanel(*slides_, actions_),
-                  imports_->panel()});
+                  new ModeCharts(*modes_, volumePanel_, play_->makeStrain(actions_), *layout_),
+                  new SlidePanel(*slides_, actions_), imports_->panel()});
   const auto follow = [this] { layout_->follow(modes_->present()); };
   connect(modes_.get(), &ModeController::changed, layout_, follow);
   for (const auto& mode : modes_->all())

@@ -6816,6 +6816,106 @@
         <source>Pulmonary valve</source>
         <translation>Vàlvula pulmonar</translation>
     </message>
+    <message>
+        <source>Longitudinal strain</source>
+        <translation>Deformació longitudinal</translation>
+    </message>
+    <message>
+        <source>Circumferential strain</source>
+        <translation>Deformació circumferencial</translation>
+    </message>
+    <message>
+        <source>Radial strain</source>
+        <translation>Deformació radial</translation>
+    </message>
+    <message>
+        <source>Difference of both</source>
+        <translation>Diferència d’ambdues</translation>
+    </message>
+    <message>
+        <source>Strain</source>
+        <translation>Deformació (strain)</translation>
+    </message>
+    <message>
+        <source>Strain (%)</source>
+        <translation>Deformació (%)</translation>
+    </message>
+    <message>
+        <source>Peak</source>
+        <translation>Valor pic</translation>
+    </message>
+    <message>
+        <source>At this instant</source>
+        <translation>En aquest instant</translation>
+    </message>
+    <message>
+        <source>Time to peak</source>
+        <translation>Temps fins al pic</translation>
+    </message>
+    <message>
+        <source>anterior</source>
+        <translation>anterior</translation>
+    </message>
+    <message>
+        <source>inferior</source>
+        <translation>inferior</translation>
+    </message>
+    <message>
+        <source>mid</source>
+        <translation>mitjà</translation>
+    </message>
+    <message>
+        <source>apex</source>
+        <translation>àpex</translation>
+    </message>
+    <message>
+        <source>%1 %2 % at %3 ms (healthy adults %4 to %5)</source>
+        <translation>%1 %2 % als %3 ms (adults sans: de %4 a %5)</translation>
+    </message>
+    <message>
+        <source>&amp;Strain of the wall</source>
+        <translation>Deformac&amp;ió de la paret</translation>
+    </message>
+    <message>
+        <source>Below the view, show curves and bull's eye of the heart's strain instead of the volumes</source>
+        <translation>Mostra sota la vista les corbes i l’ull de bou de la deformació del cor en lloc dels volums</translation>
+    </message>
+    <message>
+        <source>Se&amp;gments on the organ</source>
+        <translation>Seg&amp;ments a l’òrgan</translation>
+    </message>
+    <message>
+        <source>Colour the heart's wall by the strain of its segments; a click chooses one</source>
+        <translation>Acoloreix la paret del cor segons la deformació dels seus segments; un clic en tria un</translation>
+    </message>
+    <message>
+        <source>Expo&amp;rt strain...</source>
+        <translation>Expo&amp;rta la deformació...</translation>
+    </message>
+    <message>
+        <source>Strain needs the cavity of a left ventricle, by its name, that follows the handles.</source>
+        <translation>La deformació necessita la cavitat d’un ventricle esquerre, pel seu nom, que segueixi els tiradors.</translation>
+    </message>
+    <message>
+        <source>Choose a motion, or drag a handle: strain is the change of the heart's wall.</source>
+        <translation>Trieu un moviment o arrossegueu un tirador: la deformació és el canvi de la paret del cor.</translation>
+    </message>
+    <message>
+        <source>The strain is drawn here as soon as it is measured.</source>
+        <translation>La deformació es dibuixa aquí tan bon punt es mesura.</translation>
+    </message>
+    <message>
+        <source>The bull's eye shows the present pose against rest.</source>
+        <translation>L’ull de bou mostra la posa actual respecte al repòs.</translation>
+    </message>
+    <message>
+        <source>GLS and GCS are the change of the length of contours of the endocardium, as ultrasound and feature tracking report it. GRS and the segments are the strain of the material at witness points of the wall. Shortening is negative. All are against the end of diastole. Values of single segments are poorly repeated between programs: hatched ones are not to be relied on.</source>
+        <translation>GLS i GCS són el canvi de longitud de contorns de l’endocardi, tal com els donen l’ecografia i el feature tracking. GRS i els segments són la deformació del material en punts testimoni de la paret. L’escurçament és negatiu. Tot es refereix al final de la diàstole. Els valors de segments solts es reprodueixen malament entre programes: no us refieu dels ratllats.</translation>
+    </message>
+    <message>
+        <source>left ventricle</source>
+        <translation>ventricle esquerre</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app</name>

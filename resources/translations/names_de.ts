@@ -6816,6 +6816,106 @@
         <source>Pulmonary valve</source>
         <translation>Pulmonalklappe</translation>
     </message>
+    <message>
+        <source>Longitudinal strain</source>
+        <translation>Längsverformung</translation>
+    </message>
+    <message>
+        <source>Circumferential strain</source>
+        <translation>Umfangsverformung</translation>
+    </message>
+    <message>
+        <source>Radial strain</source>
+        <translation>Radiale Verformung</translation>
+    </message>
+    <message>
+        <source>Difference of both</source>
+        <translation>Unterschied beider</translation>
+    </message>
+    <message>
+        <source>Strain</source>
+        <translation>Verformung (Strain)</translation>
+    </message>
+    <message>
+        <source>Strain (%)</source>
+        <translation>Verformung (%)</translation>
+    </message>
+    <message>
+        <source>Peak</source>
+        <translation>Spitzenwert</translation>
+    </message>
+    <message>
+        <source>At this instant</source>
+        <translation>In diesem Augenblick</translation>
+    </message>
+    <message>
+        <source>Time to peak</source>
+        <translation>Zeit bis zum Spitzenwert</translation>
+    </message>
+    <message>
+        <source>anterior</source>
+        <translation>anterior</translation>
+    </message>
+    <message>
+        <source>inferior</source>
+        <translation>inferior</translation>
+    </message>
+    <message>
+        <source>mid</source>
+        <translation>mittventrikulär</translation>
+    </message>
+    <message>
+        <source>apex</source>
+        <translation>Herzspitze</translation>
+    </message>
+    <message>
+        <source>%1 %2 % at %3 ms (healthy adults %4 to %5)</source>
+        <translation>%1 %2 % bei %3 ms (gesunde Erwachsene %4 bis %5)</translation>
+    </message>
+    <message>
+        <source>&amp;Strain of the wall</source>
+        <translation>Ver&amp;formung der Wand</translation>
+    </message>
+    <message>
+        <source>Below the view, show curves and bull's eye of the heart's strain instead of the volumes</source>
+        <translation>Unter der Ansicht Kurven und Bull’s Eye der Verformung des Herzens statt der Volumen zeigen</translation>
+    </message>
+    <message>
+        <source>Se&amp;gments on the organ</source>
+        <translation>Se&amp;gmente auf dem Organ</translation>
+    </message>
+    <message>
+        <source>Colour the heart's wall by the strain of its segments; a click chooses one</source>
+        <translation>Die Herzwand nach der Verformung ihrer Segmente färben; ein Klick wählt eines</translation>
+    </message>
+    <message>
+        <source>Expo&amp;rt strain...</source>
+        <translation>Verformung e&amp;xportieren...</translation>
+    </message>
+    <message>
+        <source>Strain needs the cavity of a left ventricle, by its name, that follows the handles.</source>
+        <translation>Verformung braucht den Hohlraum einer linken Herzkammer, dem Namen nach, der den Griffen folgt.</translation>
+    </message>
+    <message>
+        <source>Choose a motion, or drag a handle: strain is the change of the heart's wall.</source>
+        <translation>Wählen Sie eine Bewegung oder ziehen Sie einen Griff: Verformung ist die Änderung der Herzwand.</translation>
+    </message>
+    <message>
+        <source>The strain is drawn here as soon as it is measured.</source>
+        <translation>Die Verformung wird hier gezeichnet, sobald sie gemessen ist.</translation>
+    </message>
+    <message>
+        <source>The bull's eye shows the present pose against rest.</source>
+        <translation>Das Bull’s Eye zeigt die jetzige Pose gegenüber der Ruhe.</translation>
+    </message>
+    <message>
+        <source>GLS and GCS are the change of the length of contours of the endocardium, as ultrasound and feature tracking report it. GRS and the segments are the strain of the material at witness points of the wall. Shortening is negative. All are against the end of diastole. Values of single segments are poorly repeated between programs: hatched ones are not to be relied on.</source>
+        <translation>GLS und GCS sind die Längenänderung von Konturen des Endokards, wie Ultraschall und Feature Tracking sie angeben. GRS und die Segmente sind die Verformung des Materials an Messpunkten der Wand. Verkürzung ist negativ. Alle gelten gegenüber dem Ende der Diastole. Werte einzelner Segmente stimmen zwischen Programmen schlecht überein: Auf schraffierte ist kein Verlass.</translation>
+    </message>
+    <message>
+        <source>left ventricle</source>
+        <translation>linke Herzkammer</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app</name>

@@ -6816,6 +6816,106 @@
         <source>Pulmonary valve</source>
         <translation>Válvula pulmonar</translation>
     </message>
+    <message>
+        <source>Longitudinal strain</source>
+        <translation>Deformación longitudinal</translation>
+    </message>
+    <message>
+        <source>Circumferential strain</source>
+        <translation>Deformación circunferencial</translation>
+    </message>
+    <message>
+        <source>Radial strain</source>
+        <translation>Deformación radial</translation>
+    </message>
+    <message>
+        <source>Difference of both</source>
+        <translation>Diferencia de ambas</translation>
+    </message>
+    <message>
+        <source>Strain</source>
+        <translation>Deformación (strain)</translation>
+    </message>
+    <message>
+        <source>Strain (%)</source>
+        <translation>Deformación (%)</translation>
+    </message>
+    <message>
+        <source>Peak</source>
+        <translation>Valor pico</translation>
+    </message>
+    <message>
+        <source>At this instant</source>
+        <translation>En este instante</translation>
+    </message>
+    <message>
+        <source>Time to peak</source>
+        <translation>Tiempo hasta el pico</translation>
+    </message>
+    <message>
+        <source>anterior</source>
+        <translation>anterior</translation>
+    </message>
+    <message>
+        <source>inferior</source>
+        <translation>inferior</translation>
+    </message>
+    <message>
+        <source>mid</source>
+        <translation>medio</translation>
+    </message>
+    <message>
+        <source>apex</source>
+        <translation>ápex</translation>
+    </message>
+    <message>
+        <source>%1 %2 % at %3 ms (healthy adults %4 to %5)</source>
+        <translation>%1 %2 % a los %3 ms (adultos sanos: de %4 a %5)</translation>
+    </message>
+    <message>
+        <source>&amp;Strain of the wall</source>
+        <translation>Defor&amp;mación de la pared</translation>
+    </message>
+    <message>
+        <source>Below the view, show curves and bull's eye of the heart's strain instead of the volumes</source>
+        <translation>Mostrar bajo la vista las curvas y el ojo de buey de la deformación del corazón en lugar de los volúmenes</translation>
+    </message>
+    <message>
+        <source>Se&amp;gments on the organ</source>
+        <translation>&amp;Segmentos en el órgano</translation>
+    </message>
+    <message>
+        <source>Colour the heart's wall by the strain of its segments; a click chooses one</source>
+        <translation>Colorear la pared del corazón según la deformación de sus segmentos; un clic elige uno</translation>
+    </message>
+    <message>
+        <source>Expo&amp;rt strain...</source>
+        <translation>Expo&amp;rtar deformación...</translation>
+    </message>
+    <message>
+        <source>Strain needs the cavity of a left ventricle, by its name, that follows the handles.</source>
+        <translation>La deformación necesita la cavidad de un ventrículo izquierdo, por su nombre, que siga a los tiradores.</translation>
+    </message>
+    <message>
+        <source>Choose a motion, or drag a handle: strain is the change of the heart's wall.</source>
+        <translation>Elija un movimiento o arrastre un tirador: la deformación es el cambio de la pared del corazón.</translation>
+    </message>
+    <message>
+        <source>The strain is drawn here as soon as it is measured.</source>
+        <translation>La deformación se dibuja aquí en cuanto se mide.</translation>
+    </message>
+    <message>
+        <source>The bull's eye shows the present pose against rest.</source>
+        <translation>El ojo de buey muestra la pose actual frente al reposo.</translation>
+    </message>
+    <message>
+        <source>GLS and GCS are the change of the length of contours of the endocardium, as ultrasound and feature tracking report it. GRS and the segments are the strain of the material at witness points of the wall. Shortening is negative. All are against the end of diastole. Values of single segments are poorly repeated between programs: hatched ones are not to be relied on.</source>
+        <translation>GLS y GCS son el cambio de longitud de contornos del endocardio, como los dan la ecografía y el feature tracking. GRS y los segmentos son la deformación del material en puntos testigo de la pared. El acortamiento es negativo. Todo se refiere al final de la diástole. Los valores de segmentos sueltos se reproducen mal entre programas: no hay que fiarse de los rayados.</translation>
+    </message>
+    <message>
+        <source>left ventricle</source>
+        <translation>ventrículo izquierdo</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app</name>

@@ -6816,6 +6816,106 @@
         <source>Pulmonary valve</source>
         <translation>Valve pulmonaire</translation>
     </message>
+    <message>
+        <source>Longitudinal strain</source>
+        <translation>Déformation longitudinale</translation>
+    </message>
+    <message>
+        <source>Circumferential strain</source>
+        <translation>Déformation circonférentielle</translation>
+    </message>
+    <message>
+        <source>Radial strain</source>
+        <translation>Déformation radiale</translation>
+    </message>
+    <message>
+        <source>Difference of both</source>
+        <translation>Différence des deux</translation>
+    </message>
+    <message>
+        <source>Strain</source>
+        <translation>Déformation (strain)</translation>
+    </message>
+    <message>
+        <source>Strain (%)</source>
+        <translation>Déformation (%)</translation>
+    </message>
+    <message>
+        <source>Peak</source>
+        <translation>Valeur de pic</translation>
+    </message>
+    <message>
+        <source>At this instant</source>
+        <translation>À cet instant</translation>
+    </message>
+    <message>
+        <source>Time to peak</source>
+        <translation>Temps jusqu’au pic</translation>
+    </message>
+    <message>
+        <source>anterior</source>
+        <translation>antérieur</translation>
+    </message>
+    <message>
+        <source>inferior</source>
+        <translation>inférieur</translation>
+    </message>
+    <message>
+        <source>mid</source>
+        <translation>médian</translation>
+    </message>
+    <message>
+        <source>apex</source>
+        <translation>apex</translation>
+    </message>
+    <message>
+        <source>%1 %2 % at %3 ms (healthy adults %4 to %5)</source>
+        <translation>%1 %2 % à %3 ms (adultes en bonne santé : %4 à %5)</translation>
+    </message>
+    <message>
+        <source>&amp;Strain of the wall</source>
+        <translation>Défor&amp;mation de la paroi</translation>
+    </message>
+    <message>
+        <source>Below the view, show curves and bull's eye of the heart's strain instead of the volumes</source>
+        <translation>Afficher sous la vue les courbes et le bull’s eye de la déformation du cœur au lieu des volumes</translation>
+    </message>
+    <message>
+        <source>Se&amp;gments on the organ</source>
+        <translation>Segments sur l’&amp;organe</translation>
+    </message>
+    <message>
+        <source>Colour the heart's wall by the strain of its segments; a click chooses one</source>
+        <translation>Colorer la paroi du cœur selon la déformation de ses segments ; un clic en choisit un</translation>
+    </message>
+    <message>
+        <source>Expo&amp;rt strain...</source>
+        <translation>E&amp;xporter la déformation...</translation>
+    </message>
+    <message>
+        <source>Strain needs the cavity of a left ventricle, by its name, that follows the handles.</source>
+        <translation>La déformation exige la cavité d’un ventricule gauche, reconnue à son nom, qui suit les poignées.</translation>
+    </message>
+    <message>
+        <source>Choose a motion, or drag a handle: strain is the change of the heart's wall.</source>
+        <translation>Choisissez un mouvement ou tirez une poignée : la déformation est le changement de la paroi du cœur.</translation>
+    </message>
+    <message>
+        <source>The strain is drawn here as soon as it is measured.</source>
+        <translation>La déformation est dessinée ici dès qu’elle est mesurée.</translation>
+    </message>
+    <message>
+        <source>The bull's eye shows the present pose against rest.</source>
+        <translation>Le bull’s eye montre la pose actuelle par rapport au repos.</translation>
+    </message>
+    <message>
+        <source>GLS and GCS are the change of the length of contours of the endocardium, as ultrasound and feature tracking report it. GRS and the segments are the strain of the material at witness points of the wall. Shortening is negative. All are against the end of diastole. Values of single segments are poorly repeated between programs: hatched ones are not to be relied on.</source>
+        <translation>GLS et GCS sont la variation de longueur de contours de l’endocarde, telle que l’échographie et le feature tracking la donnent. GRS et les segments sont la déformation de la matière aux points témoins de la paroi. Le raccourcissement est négatif. Tout se rapporte à la fin de la diastole. Les valeurs de segments isolés se reproduisent mal d’un programme à l’autre : ne pas se fier à celles qui sont hachurées.</translation>
+    </message>
+    <message>
+        <source>left ventricle</source>
+        <translation>ventricule gauche</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app</name>

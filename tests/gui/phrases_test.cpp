@@ -45,14 +45,15 @@ constexpr const char* kSpeaking[] = {"anatomy",  "coordinates",  "core",        
 /// Files of these modules that no window shows: measurements for the documentation and the command line,
 /// TetGen's own program, what only authors of organ definitions read, and files in a language of their own
 /// (HTML, commands of a shell with their comments, words of files' names for organs; what the systems of
-/// organs are called has a test of its own).
+/// organs are called has a test of its own, and the window translates names of segments word by word).
 constexpr const char* kSilent[] = {
     "/coordinates/src/measure/",      "/live/src/taught_quantities.cpp",
     "/circulation/src/published.cpp", "/presentation/src/circulation_figure.cpp",
     "/deformation/tetgen_worker/",    "/sample_organs/src/definition/",
     "/sample_organs/src/surface/",    "/report/src/page_markup.cpp",
     "/report/src/session_script.cpp", "/anatomy/src/table/",
-    "/anatomy/src/organ_facts.cpp",   "/anatomy/src/phrase_index.cpp"};
+    "/anatomy/src/organ_facts.cpp",   "/anatomy/src/phrase_index.cpp",
+    "/live/src/strain_files.cpp",     "/strain/src/aha_segments.cpp"};
 
 QStringList sourcesOf(const QString& folder) {
   QStringList files;

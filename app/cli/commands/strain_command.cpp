@@ -19,7 +19,6 @@
 #include "viscera/core/atomic_file.h"
 #include "viscera/core/error.h"
 #include "viscera/core/json_reader.h"
-#include "viscera/document/rig.h"
 #include "viscera/document/session_file.h"
 #include "viscera/live/motion_runner.h"
 #include "viscera/live/patient_motion.h"
@@ -27,11 +26,12 @@
 #include "viscera/live/sequence_setup.h"
 #include "viscera/live/strain_reading.h"
 #include "viscera/live/witness_sampling.h"
+#include "viscera/presentation/strain_figure.h"
 
 namespace viscera::app::cli {
 namespace {
 
-constexpr double kMsOfASecond = 1000, kSecondsOfAMinute = 60;
+constexpr double kMsOfASecond = 1000;
 constexpr int kFewestTracking = 12, kMostTracking = 1000;
 constexpr int kFewestInstants = 4, kMostInstants = 500;
 constexpr double kTrackingShare = 0.6; ///< Of the progress.
@@ -225,34 +225,16 @@ live::MovedOrgans StrainCommand::played(CommandContext& context, std::vector<Tex
   PlayedSequence played = playedSequence(request, context);
   warnings.insert(warnings.end(), played.warnings.begin(), played.warnings.end());
   const document::DocumentState& state = played.document->state();
-  live::MovedOrgans moved;
-  for (std::size_t i = 0; i < state.organs->size(); ++i) {
-    const document::Organ& organ = *(*state.organs)[i];
-    if (played.document->organs().status(organ.id).state == live::BindingStatus::State::bound)
-      moved.organs.push_back({i < played.surfaces.size() ? played.surfaces[i].name : organ.name, organ.mesh});
-  }
-  moved.handles = document::handleSet(*state.rig);
-  moved.system = context.systems.find(state.system->id);
-  moved.parameters = state.system->parameters;
   live::MotionRunner runner(state, played.document->organs(), context.threads);
   runner.setSequence(played.sequence);
   if (rate_ > 0 || played.ratePerMinute > 0)
     runner.setRatePerMinute(rate_ > 0 ? rate_ : played.ratePerMinute);
   runner.prescribe(played.prescribed);
-  for (const double key : played.sequence->keys())
-    moved.seconds.push_back(key * played.sequence->standardRatePerMinute() / runner.ratePerMinute());
-  if (moved.seconds.empty()) {
-    moved.corresponding = true; // A motion that is computed moves material points.
-    for (int i = 0; i < instants_; ++i)
-      moved.seconds.push_back(i * kSecondsOfAMinute / runner.ratePerMinute() / instants_);
-  }
-  for (const double seconds : moved.seconds) {
-    context.progress.throwIfCancelled();
-    const std::optional<Points> pose = runner.poseAt(seconds);
-    if (!pose)
-      throw DataError(runner.obstacle(), motion_.front());
-    moved.poses.push_back(*pose);
-  }
+  live::MovedOrgans moved = live::movedOrgans(runner, context.systems, instants_, context.progress);
+  for (live::SequenceOrgan& surface : moved.organs) // Files name them otherwise than documents may.
+    for (std::size_t i = 0; i < std::min(state.organs->size(), played.surfaces.size()); ++i)
+      if ((*state.organs)[i]->mesh == surface.mesh)
+        surface.name = played.surfaces[i].name;
   return moved;
 }
 
@@ -280,7 +262,9 @@ Outcome StrainCommand::run(CommandContext& context) {
   if (!csv_.empty())
     live::writeStrainTable(csv_, *reading);
   if (!png_.empty())
-    drawStrain(png_, *reading, size, theme_ == "dark");
+    presentation::writeStrainPicture(
+        png_, *reading,
+        {size.width, size.height, theme_ == "dark" ? scene::darkTheme() : scene::lightTheme()});
   Outcome outcome;
   outcome.json = parseJson<nlohmann::ordered_json>(live::strainJson(*reading), "strain", {});
   outcome.text = strainText(*reading);

@@ -1,6 +1,8 @@
 #include "window/modes/play_mode.h"
 
 #include <QAction>
+#include <QFileDialog>
+#include <QFileInfo>
 
 #include <algorithm>
 #include <cmath>
@@ -11,6 +13,7 @@
 #include "viscera/heart/beating_heart.h"
 #include "viscera/live/motion_recipe.h"
 #include "viscera/live/sequence_setup.h"
+#include "viscera/presentation/strain_figure.h"
 #include "window/heart_look.h"
 #include "window/language.h"
 #include "window/panels/play_page.h"
@@ -58,13 +61,16 @@ PlayMode::PlayMode(const ModeParts& parts, Actions& actions)
       recorder_(std::make_unique<MovieRecorder>(parts.workspace)),
       keySequence_(std::make_unique<KeySequencePlayback>(parts.workspace, parts.playback)),
       circulation_(std::make_unique<CirculationModel>(parts.workspace, parts.playback)),
-      measured_(std::make_unique<MeasuredMotion>(parts.workspace, parts.playback, parts.picture)) {
+      measured_(std::make_unique<MeasuredMotion>(parts.workspace, parts.playback, parts.picture)),
+      strain_(std::make_unique<StrainModel>(parts.workspace, parts.playback)) {
   parts.volumes.setMeasured(*measured_);
+  strain_->setMeasured(*measured_);
   connect(recorder_.get(), &MovieRecorder::finished, this, &PlayMode::reportMovieWritten);
   makeLookActions(actions);
   makeMotionActions(actions);
   makeComparisonActions(actions);
   makeCirculationActions(actions);
+  makeStrainActions(actions);
   connect(circulation_.get(), &CirculationModel::changed, this, &Mode::chartWantedChanged);
   connect(circulation_.get(), &CirculationModel::changed, this,
           [this] { comparison_->setBeside(circulation_->keptBeat()); });
@@ -240,6 +246,125 @@ void PlayMode::makeCirculationActions(Actions& actions) {
                       [this] { return circulation_->on() && circulation_->choice().kept.has_value(); });
 }
 
+void PlayMode::makeStrainActions(Actions& actions) {
+  using presentation::ViewState;
+  parts_.view.addToggle(actions, "play.strain",
+                        {tr("&Strain of the wall"),
+                         "chart",
+                         {},
+                         tr("Below the view, show curves and bull's eye of the heart's strain instead of the "
+                            "volumes")},
+                        [](ViewState& state) -> bool& { return state.strain.chart; });
+  parts_.view.addToggle(actions, "play.strainOnOrgan",
+                        {tr("Se&gments on the organ"),
+                         "stress",
+                         {},
+                         tr("Colour the heart's wall by the strain of its segments; a click chooses one")},
+                        [](ViewState& state) -> bool& { return state.strain.onOrgan; });
+  actions.add("play.exportStrain", {tr("Expo&rt strain..."), "export", {}, {}},
+              [this] { chooseStrainFile(); });
+  actions.enableWhile({"play.strain", "play.strainOnOrgan"}, [this] { return strain_->possible(); });
+  actions.enableWhile({"play.exportStrain"}, [this] { return strain_->cycle() != nullptr; });
+  connect(strain_.get(), &StrainModel::changed, &actions, &Actions::sync);
+  connect(strain_.get(), &StrainModel::changed, this, &PlayMode::syncSegments);
+  connect(&parts_.playback, &Playback::advanced, this, [this] {
+    if (parts_.view.state().strain.moment == live::StrainMoment::instant)
+      syncSegments();
+  });
+  connect(&parts_.view, &ViewModel::changed, this, &PlayMode::syncStrain);
+  connect(comparison_.get(), &Comparison::toggled, this, [this](bool on) {
+    secondStrain_.reset();
+    if (on)
+      secondStrain_ = std::make_unique<StrainModel>(comparison_->workspace(), comparison_->playback());
+    if (strainPanel_)
+      strainPanel_->setSecond(secondStrain_.get());
+    syncStrain();
+  });
+}
+
+StrainPanel* PlayMode::makeStrain(const Actions& actions) {
+  strainPanel_ = new StrainPanel(*strain_, parts_.playback, parts_.view, actions);
+  syncStrain();
+  return strainPanel_;
+}
+
+void PlayMode::syncStrain() {
+  const presentation::StrainLook& look = parts_.view.state().strain;
+  strain_->setWanted(look.chart || look.onOrgan);
+  if (secondStrain_)
+    secondStrain_->setWanted(look.chart);
+  syncSegments();
+}
+
+/// In the colours of the bull's eye, so that both say the same.
+void PlayMode::syncSegments() {
+  const presentation::ViewState& view = parts_.view.state();
+  const presentation::StrainLook& look = view.strain;
+  const StrainModel::Reading pose = strain_->pose();
+  if (!look.onOrgan || view.shown.stress || (!pose && !strain_->cycle()))
+    return parts_.picture.setSegments(std::nullopt);
+  const scene::BullsEyeFigure figure =
+      pose
+          ? presentation::strainBullsEye(*pose, look.direction, live::StrainMoment::instant, 1)
+          : presentation::strainBullsEye(*strain_->cycle(), look.direction, look.moment, strain_->phaseNow());
+  presentation::SurfaceMap map;
+  map.colors = figure.colors;
+  map.range = figure.range;
+  map.title = inWords(figure.title).toStdString();
+  map.unit = figure.unit;
+  for (const auto& organ : parts_.workspace.document().organs())
+    if (const std::vector<int>* segments = strain_->segmentsOn(organ->id))
+      map.values[organ->id] =
+          std::make_shared<const Values>(presentation::strainOnSurface(figure, *segments, look.segment));
+  parts_.picture.setSegments(std::move(map));
+}
+
+void PlayMode::click(const ClickedPlace* place) {
+  Mode::click(place);
+  const std::vector<int>* segments =
+      place && parts_.view.state().strain.onOrgan ? strain_->segmentsOn(place->organ) : nullptr;
+  if (!segments)
+    return;
+  const Points& points = parts_.workspace.live().points(place->organ);
+  if (points.rows() != static_cast<Eigen::Index>(segments->size()))
+    return;
+  Eigen::Index nearest = 0;
+  (points.rowwise() - place->position.transpose()).rowwise().squaredNorm().minCoeff(&nearest);
+  const int segment = (*segments)[static_cast<std::size_t>(nearest)];
+  parts_.view.change([segment](presentation::ViewState& state) {
+    state.strain.segment = state.strain.segment == segment ? 0 : segment;
+  });
+}
+
+void PlayMode::chooseStrainFile() {
+  const QString folder = parts_.settings.folder(kFolderKey, QStandardPaths::DocumentsLocation);
+  const QString chosen =
+      QFileDialog::getSaveFileName(parts_.area.window(), tr("Strain"), folder + QStringLiteral("/strain.csv"),
+                                   tr("Comma-separated values (*.csv)") + QStringLiteral(";;PNG (*.png)"));
+  if (!chosen.isEmpty())
+    exportStrain(chosen);
+}
+
+void PlayMode::exportStrain(const QString& file) {
+  const StrainModel::Reading reading = strain_->cycle();
+  if (!reading)
+    return;
+  presentation::StrainPicture picture;
+  picture.translate = [](const std::string& english) { return inWords(english).toStdString(); };
+  const bool drawn = file.endsWith(QLatin1String(".png"), Qt::CaseInsensitive);
+  parts_.workspace.inBackground<bool>(
+      tr("Strain"), Workspace::slotOf(file),
+      [reading, picture, drawn, path = file.toStdString()](Progress&) {
+        drawn ? presentation::writeStrainPicture(path, *reading, picture)
+              : live::writeStrainTable(path, *reading);
+        return true;
+      },
+      [this, file](bool) {
+        parts_.settings.setValue(kFolderKey, QFileInfo(file).absolutePath());
+        parts_.workspace.noteWritten(tr("Written to %1.").arg(QFileInfo(file).fileName()), file);
+      });
+}
+
 QWidget* PlayMode::makeChart() {
   chart_ = new CirculationPanel(*circulation_, parts_.playback, parts_.volumes, parts_.view);
   return chart_;
@@ -256,6 +381,8 @@ void PlayMode::setTheme(const Theme& theme) {
     residuals_->setTheme(theme);
   if (chart_)
     chart_->setTheme(theme);
+  if (strainPanel_)
+    strainPanel_->setTheme(theme);
 }
 
 void PlayMode::chooseScenario(const QString& id) {
@@ -305,6 +432,10 @@ std::vector<const char*> PlayMode::actions() const {
           "play.circulationChart",
           "play.keepBefore",
           "play.forgetBefore",
+          "",
+          "play.strain",
+          "play.strainOnOrgan",
+          "play.exportStrain",
           "",
           "view.labels",
           "view.seeThrough"};

@@ -12,6 +12,8 @@
 #include "window/key_sequence/key_sequence_playback.h"
 #include "window/modes/mode.h"
 #include "window/movie/movie_recorder.h"
+#include "window/strain/strain_model.h"
+#include "window/strain/strain_panel.h"
 #include "window/timeline/volume_monitor.h"
 #include "window/track/measured_motion.h"
 #include "window/track/motion_dialog.h"
@@ -40,6 +42,8 @@ public:
   live::WantedPose pose() const override { return live::WantedPose::sequence; }
   UsefulPanels panels() const override { return {false, true, parts_.playback.sequence() != nullptr}; }
   void setTheme(const Theme& theme) override;
+  /// Where segments are shown on the organ, also chooses one.
+  void click(const ClickedPlace* place) override;
   /// Shows what is recorded and what the second view does in the status bar.
   void setStatus(StatusLine& status);
 
@@ -48,6 +52,11 @@ public:
   KeySequencePlayback& keySequence() { return *keySequence_; }
   CirculationModel& circulation() { return *circulation_; }
   MeasuredMotion& measured() { return *measured_; }
+  StrainModel& strain() { return *strain_; }
+  /// The panel with the strain of the heart; the caller owns it.
+  StrainPanel* makeStrain(const Actions& actions);
+  /// Writes the strain over the cycle as a table (.csv) or as a picture (.png), by the ending.
+  void exportStrain(const QString& file);
   /// The table for a motion out of a series; the caller owns it.
   QWidget* makeResiduals();
   /// Opens the dialog that asks for a series, and returns it.
@@ -72,6 +81,10 @@ private:
   void makeComparisonActions(Actions& actions);
   void makeLookActions(Actions& actions);
   void makeCirculationActions(Actions& actions);
+  void makeStrainActions(Actions& actions);
+  void chooseStrainFile();
+  void syncStrain();
+  void syncSegments();
   void makeValvesAction(Actions& actions);
   QString whyNoValves() const;
   void syncValves();
@@ -87,6 +100,9 @@ private:
   std::unique_ptr<KeySequencePlayback> keySequence_;
   std::unique_ptr<CirculationModel> circulation_;
   std::unique_ptr<MeasuredMotion> measured_;
+  std::unique_ptr<StrainModel> strain_;
+  std::unique_ptr<StrainModel> secondStrain_; ///< Of the second view; null while there is none.
+  QPointer<StrainPanel> strainPanel_;
   QAction* valves_ = nullptr;           ///< The window's.
   QString valvesTip_;                   ///< Tooltip of the action while it is enabled.
   QPointer<MotionDialog> seriesDialog_; ///< The window's.

@@ -46,6 +46,8 @@ PlayPage::PlayPage(const ModeParts& parts, PlayMode& mode, const Actions& action
   addCheck(actions["view.seeThrough"]);
   addCheck(actions["play.valves"]);
   addCheck(actions["view.labels"]);
+  addCheck(actions["play.strain"]);
+  addCheck(actions["play.strainOnOrgan"]);
   addButton(actions["play.compare"]);
   addButton(actions["play.compareFiles"]);
   makeTable();

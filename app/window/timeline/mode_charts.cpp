@@ -2,14 +2,17 @@
 
 #include <optional>
 
+#include "window/strain/strain_panel.h"
 #include "window/timeline/volume_panel.h"
 #include "window/window_layout.h"
 
 namespace viscera::app {
 
-ModeCharts::ModeCharts(ModeController& modes, VolumePanel* volumes, WindowLayout& layout)
-    : modes_(modes), volumes_(volumes), layout_(layout) {
+ModeCharts::ModeCharts(ModeController& modes, VolumePanel* volumes, StrainPanel* strain, WindowLayout& layout)
+    : modes_(modes), volumes_(volumes), strain_(strain), layout_(layout) {
   addWidget(volumes);
+  addWidget(strain);
+  connect(strain, &StrainPanel::wantedChanged, this, &ModeCharts::follow);
   connect(volumes, &VolumePanel::wantedHeightChanged, this, &ModeCharts::follow);
   for (const auto& mode : modes.all()) {
     QWidget* own = mode->makeChart();
@@ -22,11 +25,12 @@ ModeCharts::ModeCharts(ModeController& modes, VolumePanel* volumes, WindowLayout
 }
 
 void ModeCharts::follow() {
-  QWidget* own = ofModes_[static_cast<std::size_t>(modes_.index())];
-  const bool wanted = modes_.present().chartWanted();
-  setCurrentWidget(wanted ? own : volumes_);
-  layout_.fitCharts(wanted && own != volumes_ ? std::optional(own->sizeHint().height())
-                                              : volumes_->wantedHeight());
+  const bool ownWanted = modes_.present().chartWanted();
+  QWidget* shown = strain_->wanted() ? strain_
+                   : ownWanted       ? ofModes_[static_cast<std::size_t>(modes_.index())]
+                                     : volumes_;
+  setCurrentWidget(shown);
+  layout_.fitCharts(shown == volumes_ ? volumes_->wantedHeight() : std::optional(shown->sizeHint().height()));
 }
 
 } // namespace viscera::app

@@ -1,5 +1,6 @@
 #include "window/view/picture.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "viscera/presentation/slice_presenter.h"
@@ -152,9 +153,16 @@ void Picture::setMap(std::optional<presentation::SurfaceMap> map) {
   markOutdated();
 }
 
+void Picture::setSegments(std::optional<presentation::SurfaceMap> segments) {
+  if (!segments && !segments_)
+    return;
+  segments_ = std::move(segments);
+  markOutdated();
+}
+
 bool Picture::hasMoreThanMovies() const {
   const presentation::ScanLook& scan = model_.state().scan;
-  return map_ || !transient_.empty() || !measured_.empty() || (scan.standing && scan.warped);
+  return map_ || segments_ || !transient_.empty() || !measured_.empty() || (scan.standing && scan.warped);
 }
 
 void Picture::markOutdated() {
@@ -167,6 +175,15 @@ void Picture::markOutdated() {
 void Picture::bringUpToDate() const {
   while (std::exchange(outdated_, false))
     update();
+}
+
+/// Of a surface that was exchanged they are those of the one before, until they are found anew.
+bool Picture::segmentsFit() const {
+  return segments_ &&
+         std::all_of(segments_->values.begin(), segments_->values.end(), [this](const auto& part) {
+           const auto organ = workspace_.document().organ(part.first);
+           return !organ || organ->mesh->points.rows() == part.second->size();
+         });
 }
 
 void Picture::update() const {
@@ -182,10 +199,11 @@ void Picture::update() const {
     std::vector<presentation::TransientSurface> transient = transient_;
     if (!view.shown.stress) // They would cover the map.
       transient.insert(transient.end(), measured_.begin(), measured_.end());
-    presenter_.update(
-        {shown, workspace_.live(), view, workspace_.registry(), &stress, map_ ? &*map_ : nullptr, &measuring_,
-         &transient, namedParts_ ? &*namedParts_ : nullptr, warping ? &*warping : nullptr,
-         valves_ && !transientAlone_ ? valves_() : std::nullopt, stressRange_, stressLegend_, pointedOrgan_});
+    const presentation::SurfaceMap* map = map_ ? &*map_ : segmentsFit() ? &*segments_ : nullptr;
+    presenter_.update({shown, workspace_.live(), view, workspace_.registry(), &stress, map, &measuring_,
+                       &transient, namedParts_ ? &*namedParts_ : nullptr, warping ? &*warping : nullptr,
+                       valves_ && !transientAlone_ ? valves_() : std::nullopt, stressRange_, stressLegend_,
+                       pointedOrgan_});
   });
   drawn_ = model_.state();
   Q_EMIT changed();

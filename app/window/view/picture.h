@@ -52,6 +52,8 @@ public:
   void setOfSameOrgans(bool same);
   /// Shows numbers on the organs instead of the map chosen in the view's state; empty: shows that map.
   void setMap(std::optional<presentation::SurfaceMap> map);
+  /// Shows the segments of a heart's wall on the organs where no other map is set; empty: none.
+  void setSegments(std::optional<presentation::SurfaceMap> segments);
   /// Sets a range of the stress map's colours that is shared with another picture, and whether this one shows
   /// the legend; empty: a range of its own.
   void setStressRange(std::optional<scene::ValueRange> range, bool legend = true);
@@ -82,6 +84,7 @@ private:
   void bringUpToDate() const;
   void update() const;
   bool differsFromDocument() const;
+  bool segmentsFit() const;
 
   Workspace& workspace_;
   ViewModel& model_;
@@ -96,7 +99,7 @@ private:
   bool ofSameOrgans_ = false;
   std::optional<std::vector<presentation::Part>> namedParts_;
   document::OrganId pointedOrgan_;
-  std::optional<presentation::SurfaceMap> map_;
+  std::optional<presentation::SurfaceMap> map_, segments_;
   Valves valves_;
   std::optional<scene::ValueRange> stressRange_;
   bool stressLegend_ = true;

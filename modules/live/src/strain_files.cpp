@@ -23,18 +23,6 @@ constexpr std::pair<const char*, StrainDirection> kDirections[] = {
     {"circumferential", StrainDirection::circumferential},
     {"radial", StrainDirection::radial}};
 
-const std::vector<double>& curveOf(const SegmentStrain& segment, StrainDirection direction) {
-  switch (direction) {
-  case StrainDirection::longitudinal:
-    return segment.longitudinal;
-  case StrainDirection::circumferential:
-    return segment.circumferential;
-  case StrainDirection::radial:
-    return segment.radial;
-  }
-  return segment.longitudinal;
-}
-
 ordered_json placeJson(const Vec3& place) {
   return {place.x(), place.y(), place.z()};
 }
@@ -197,10 +185,22 @@ std::vector<StrainColumn> strainColumns(const strain::HeartStrain& strain) {
 
 } // namespace
 
+const std::vector<double>& strainCurve(const SegmentStrain& segment, StrainDirection direction) {
+  switch (direction) {
+  case StrainDirection::longitudinal:
+    return segment.longitudinal;
+  case StrainDirection::circumferential:
+    return segment.circumferential;
+  case StrainDirection::radial:
+    return segment.radial;
+  }
+  return segment.longitudinal;
+}
+
 std::optional<double> strainValue(const StrainReading& reading, int segment, StrainDirection direction,
                                   StrainMoment moment, std::size_t phase) {
   const SegmentStrain& each = reading.strain.segment(segment);
-  const std::vector<double>& curve = curveOf(each, direction);
+  const std::vector<double>& curve = strainCurve(each, direction);
   if (!each.enough || curve.empty() || !std::isfinite(curve.front()))
     return std::nullopt;
   if (moment == StrainMoment::instant)

@@ -10,9 +10,12 @@
 #include "viscera/deformation/tetrahedralise.h"
 #include "viscera/deformation/witness_gradients.h"
 #include "viscera/deformation/witness_mesh.h"
+#include "viscera/document/rig.h"
+#include "viscera/geometry/signed_distance.h"
 #include "viscera/geometry/volume.h"
 #include "viscera/geometry/winding_number.h"
 #include "viscera/live/witness_sampling.h"
+#include "viscera/strain/wall_measures.h"
 
 namespace viscera::live {
 namespace {
@@ -25,6 +28,7 @@ constexpr double kMostlyInside = 0.95;
 constexpr Eigen::Index kTried = 400;
 /// A left ventricle that holds more in another phase than in the reference: a part of it.
 constexpr double kFuller = 0.03;
+constexpr double kSecondsOfMinute = 60;
 
 std::size_t organNamed(const MovedOrgans& organs, const std::string& name) {
   for (std::size_t i = 0; i < organs.organs.size(); ++i)
@@ -77,23 +81,36 @@ std::optional<std::size_t> outerOf(const MovedOrgans& organs, const std::string&
   return best;
 }
 
-/// A surface in all phases: measured, or where the handles move it. Triangles face outward.
-MovingSurface moving(const MovedOrgans& organs, std::size_t i, Progress& progress, Threads threads) {
-  const TriangleMesh& mesh = *organs.organs[i].mesh;
-  MovingSurface surface{organs.organs[i].name, mesh.triangles, mesh.points, {}};
-  if (geometry::volume(mesh.points, mesh.triangles) < 0)
-    surface.triangles.col(1).swap(surface.triangles.col(2));
-  if (!organs.measured.empty()) {
-    surface.phases = organs.measured[i];
+/// A surface of the heart at rest, with triangles that face outward, and how handles move it.
+struct GaugedSurface {
+  std::size_t organ = 0;
+  MovingSurface rest;
+  std::shared_ptr<const coordinates::Binding> binding; ///< Null: phases are measured.
+
+  GaugedSurface(const MovedOrgans& organs, std::size_t place, Progress& progress, Threads threads)
+      : organ(place), rest{organs.organs[place].name,
+                           organs.organs[place].mesh->triangles,
+                           organs.organs[place].mesh->points,
+                           {}} {
+    if (geometry::volume(rest.rest, rest.triangles) < 0)
+      rest.triangles.col(1).swap(rest.triangles.col(2));
+    if (organs.measured.empty())
+      binding = deformation::bindOrgan(*organs.system, organs.handles, rest.rest,
+                                       {organs.parameters, threads}, progress);
+  }
+
+  MovingSurface in(const MovedOrgans& moved, Threads threads) const {
+    MovingSurface surface = rest;
+    if (!moved.measured.empty()) {
+      surface.phases = moved.measured[organ];
+      return surface;
+    }
+    surface.phases.resize(moved.poses.size());
+    for (std::size_t phase = 0; binding && phase < moved.poses.size(); ++phase)
+      binding->deform(moved.poses[phase], surface.phases[phase], threads);
     return surface;
   }
-  const auto binding = deformation::bindOrgan(*organs.system, organs.handles, mesh.points,
-                                              {organs.parameters, threads}, progress);
-  surface.phases.resize(organs.poses.size());
-  for (std::size_t phase = 0; phase < organs.poses.size(); ++phase)
-    binding->deform(organs.poses[phase], surface.phases[phase], threads);
-  return surface;
-}
+};
 
 /// The wall of the left ventricle with the gradients at its points.
 struct BoundWall {
@@ -233,7 +250,80 @@ MovedOrgans movedOrgans(const MotionSeries& series, const PatientMotion& found,
   return moved;
 }
 
-StrainReading readStrain(const MovedOrgans& organs, const StrainOptions& options, Progress& progress,
+MovedOrgans movedOrgans(MotionRunner& runner, const coordinates::Registry& systems, int instants,
+                        Progress& progress) {
+  runner.requireMovable();
+  const document::DocumentState& state = runner.state();
+  MovedOrgans moved;
+  for (const auto& organ : *state.organs)
+    if (runner.organs().bound(organ->id))
+      moved.organs.push_back({organ->name, organ->mesh});
+  moved.handles = document::handleSet(*state.rig);
+  moved.system = systems.find(state.system->id);
+  moved.parameters = state.system->parameters;
+  const double rate = runner.ratePerMinute();
+  for (const double key : runner.sequence()->keys())
+    moved.seconds.push_back(key * runner.sequence()->standardRatePerMinute() / rate);
+  if (moved.seconds.empty()) {
+    moved.corresponding = true; // A motion that is computed moves material points.
+    for (int i = 0; i < instants; ++i)
+      moved.seconds.push_back(i * kSecondsOfMinute / rate / instants);
+  }
+  for (const double seconds : moved.seconds) {
+    progress.throwIfCancelled();
+    const std::optional<Points> pose = runner.poseAt(seconds);
+    if (!pose)
+      throw DataError(runner.obstacle(), runner.sequence()->id());
+    moved.poses.push_back(*pose);
+  }
+  return moved;
+}
+
+struct StrainGauge::Parts {
+  explicit Parts(strain::FoundAxes found) : axes(std::move(found)) {}
+
+  std::optional<GaugedSurface> left, right, outer, atrium;
+  strain::FoundAxes axes;
+  std::optional<std::size_t> reference;
+  std::vector<strain::ListedContour> contours;
+  std::optional<BoundWall> wall;
+  std::vector<std::vector<int>> segments; ///< Of the vertices of each organ.
+  std::vector<Text> warnings;
+
+  std::vector<int> segmentsOfCavity() const;
+  std::vector<int> segmentsAround() const;
+};
+
+std::vector<int> StrainGauge::Parts::segmentsOfCavity() const {
+  const MovingSurface& surface = left->rest;
+  const std::vector<bool> onWall = strain::verticesOf(surface.rest.rows(), surface.triangles, axes.cap);
+  std::vector<int> found(onWall.size(), 0);
+  for (std::size_t i = 0; i < found.size(); ++i)
+    if (onWall[i])
+      found[i] = strain::segmentOf(axes.axes, surface.rest.row(static_cast<Eigen::Index>(i)).transpose());
+  return found;
+}
+
+/// What is nearer to the right cavity than to the left one is the right ventricle's wall.
+std::vector<int> StrainGauge::Parts::segmentsAround() const {
+  const auto distanceFrom = [](const MovingSurface& surface) {
+    return geometry::SignedDistance(
+        std::make_shared<const TriangleMesh>(TriangleMesh{surface.rest, surface.triangles, {}}));
+  };
+  const geometry::SignedDistance fromLeft = distanceFrom(left->rest);
+  std::optional<geometry::SignedDistance> fromRight;
+  if (right)
+    fromRight = distanceFrom(right->rest);
+  std::vector<int> found(static_cast<std::size_t>(outer->rest.rest.rows()), 0);
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    const Vec3 place = outer->rest.rest.row(static_cast<Eigen::Index>(i)).transpose();
+    if (!fromRight || std::abs(fromLeft(place)) <= std::abs((*fromRight)(place)))
+      found[i] = strain::segmentOf(axes.axes, place);
+  }
+  return found;
+}
+
+StrainGauge::StrainGauge(const MovedOrgans& organs, const StrainOptions& options, Progress& progress,
                          Threads threads) {
   const std::optional<std::size_t> left = chamberOf(organs, options.left, anatomy::kLeftVentricle);
   if (!left)
@@ -243,55 +333,86 @@ StrainReading readStrain(const MovedOrgans& organs, const StrainOptions& options
   const std::optional<std::size_t> outer = outerOf(organs, options.outer, *left);
   progress.report(0, "surfaces in motion");
   Progress quiet;
-  const MovingSurface leftSurface = moving(organs, *left, quiet, threads);
-  std::optional<MovingSurface> rightSurface, outerSurface, atriumSurface;
-  for (const auto& [place, target] : {std::pair(right, &rightSurface), std::pair(outer, &outerSurface),
-                                      std::pair(atrium, &atriumSurface)}) {
+  const GaugedSurface leftSurface(organs, *left, quiet, threads);
+  const TriangleMesh leftMesh{leftSurface.rest.rest, leftSurface.rest.triangles, {}};
+  auto parts = std::make_shared<Parts>(
+      strain::findAxes(leftMesh, right ? organs.organs[*right].mesh.get() : nullptr, options.landmarks));
+  parts->left = leftSurface;
+  for (const auto& [place, target] : {std::pair(right, &parts->right), std::pair(outer, &parts->outer),
+                                      std::pair(atrium, &parts->atrium)}) {
     progress.throwIfCancelled();
     if (place)
-      *target = moving(organs, *place, quiet, threads);
+      target->emplace(organs, *place, quiet, threads);
   }
-  const TriangleMesh leftMesh{leftSurface.rest, leftSurface.triangles, {}};
-  const strain::FoundAxes axes =
-      strain::findAxes(leftMesh, right ? organs.organs[*right].mesh.get() : nullptr, options.landmarks);
-  strain::MovingHeart heart;
-  heart.leftCavity = &leftSurface;
-  heart.rightCavity = rightSurface ? &*rightSurface : nullptr;
-  heart.outer = outerSurface ? &*outerSurface : nullptr;
-  heart.leftAtrium = atriumSurface ? &*atriumSurface : nullptr;
-  heart.seconds = organs.seconds;
-  heart.reference = options.reference.value_or(fullerPhase(leftSurface, 0).value_or(0));
-  StrainReading reading(axes);
-  reading.left = organs.organs[*left].name;
-  reading.corresponding = organs.corresponding;
-  const auto nameAt = [&organs](const std::optional<std::size_t>& place) {
-    return place ? organs.organs[*place].name : std::string();
-  };
-  reading.right = nameAt(right);
-  reading.outer = nameAt(outer);
-  reading.atrium = nameAt(atrium);
-  std::optional<BoundWall> wall;
+  parts->reference = options.reference;
+  parts->contours = presentContours(organs, options, *left);
   if (outer)
-    runPart(progress, 0.1, 0.7, [&](Progress& part) {
-      wall = boundWall(organs,
-                       {organs.organs[*left].mesh.get(), organs.organs[*outer].mesh.get(),
-                        right ? organs.organs[*right].mesh.get() : nullptr},
-                       axes, options, reading.warnings, part, threads);
+    runPart(progress, 0.1, 0.9, [&](Progress& part) {
+      parts->wall = boundWall(organs,
+                              {organs.organs[*left].mesh.get(), organs.organs[*outer].mesh.get(),
+                               right ? organs.organs[*right].mesh.get() : nullptr},
+                              parts->axes, options, parts->warnings, part, threads);
     });
-  strain::MovingWall movingWall;
-  if (wall) {
-    movingWall.points = &wall->points;
-    movingWall.gradientsAt = [&](std::size_t phase, std::vector<Eigen::Matrix3d>& gradients) {
-      wall->gradients->deformationGradients(organs.poses[phase], gradients, Threads{1});
-    };
-    reading.witnesses = static_cast<int>(wall->points.count());
+  parts->segments.resize(organs.organs.size());
+  parts->segments[*left] = parts->segmentsOfCavity();
+  if (outer)
+    parts->segments[*outer] = parts->segmentsAround();
+  parts_ = std::move(parts);
+}
+
+const std::vector<int>& StrainGauge::segmentsOn(std::size_t organ) const {
+  return parts_->segments[organ];
+}
+
+StrainReading StrainGauge::read(const MovedOrgans& moved, Progress& progress, Threads threads,
+                                std::optional<std::size_t> reference) const {
+  const Parts& parts = *parts_;
+  const MovingSurface left = parts.left->in(moved, threads);
+  std::optional<MovingSurface> right, outer, atrium;
+  for (const auto& [surface, target] : {std::pair(&parts.right, &right), std::pair(&parts.outer, &outer),
+                                        std::pair(&parts.atrium, &atrium)}) {
+    progress.throwIfCancelled();
+    if (*surface)
+      *target = (*surface)->in(moved, threads);
   }
-  runPart(progress, 0.7, 1, [&](Progress& part) {
-    reading.strain = strain::heartStrain(heart, axes, wall ? &movingWall : nullptr,
-                                         presentContours(organs, options, *left), part, threads);
-  });
-  warn(leftSurface, axes, reading);
+  strain::MovingHeart heart;
+  heart.leftCavity = &left;
+  heart.rightCavity = right ? &*right : nullptr;
+  heart.outer = outer ? &*outer : nullptr;
+  heart.leftAtrium = atrium ? &*atrium : nullptr;
+  heart.seconds = moved.seconds;
+  heart.reference = reference.value_or(parts.reference.value_or(fullerPhase(left, 0).value_or(0)));
+  StrainReading reading(parts.axes);
+  const auto nameOf = [](const std::optional<MovingSurface>& surface) {
+    return surface ? surface->name : std::string();
+  };
+  reading.left = left.name;
+  reading.right = nameOf(right);
+  reading.outer = nameOf(outer);
+  reading.atrium = nameOf(atrium);
+  reading.corresponding = moved.corresponding;
+  reading.warnings = parts.warnings;
+  strain::MovingWall movingWall;
+  if (parts.wall) {
+    movingWall.points = &parts.wall->points;
+    movingWall.gradientsAt = [&](std::size_t phase, std::vector<Eigen::Matrix3d>& gradients) {
+      parts.wall->gradients->deformationGradients(moved.poses[phase], gradients, Threads{1});
+    };
+    reading.witnesses = static_cast<int>(parts.wall->points.count());
+  }
+  reading.strain = strain::heartStrain(heart, parts.axes, parts.wall ? &movingWall : nullptr, parts.contours,
+                                       progress, threads);
+  warn(left, parts.axes, reading);
   return reading;
+}
+
+StrainReading readStrain(const MovedOrgans& organs, const StrainOptions& options, Progress& progress,
+                         Threads threads) {
+  std::optional<StrainGauge> gauge;
+  runPart(progress, 0, 0.7, [&](Progress& part) { gauge.emplace(organs, options, part, threads); });
+  std::optional<StrainReading> reading;
+  runPart(progress, 0.7, 1, [&](Progress& part) { reading = gauge->read(organs, part, threads); });
+  return std::move(*reading);
 }
 
 } // namespace viscera::live

@@ -3,9 +3,15 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <utility>
 
+#include <vtkImageData.h>
+#include <vtkRenderWindow.h>
+
+#include "viscera/scene/picture.h"
+#include "viscera/scene/surfaceless_window.h"
 #include "viscera/strain/aha_segments.h"
 
 namespace viscera::presentation {
@@ -15,20 +21,10 @@ using live::StrainDirection;
 using live::StrainMoment;
 
 constexpr double kPercentOfPart = 100, kMsOfSecond = 1000;
+// Safe for people who do not tell red from green (Okabe and Ito).
+const Vec3 kAlongColor(0.84, 0.37, 0.0), kAroundColor(0.0, 0.45, 0.70), kAcrossColor(0.0, 0.62, 0.45);
 /// Ends of the scales of colours, per cent.
 constexpr double kShortening = 30, kThickening = 60, kDifference = 15;
-
-const char* titleOf(StrainDirection direction) {
-  switch (direction) {
-  case StrainDirection::longitudinal:
-    return "Longitudinal strain";
-  case StrainDirection::circumferential:
-    return "Circumferential strain";
-  case StrainDirection::radial:
-    return "Radial strain";
-  }
-  return "";
-}
 
 /// Red to one side, blue to the other, white at zero: safe for people who do not tell red from green. Of
 /// shortening, which is negative, the low end is red, as clinics draw strain.
@@ -69,7 +65,31 @@ scene::PanelCurve panelCurve(const std::string& name, const Vec3& color, const s
   return curve;
 }
 
+/// A picture that a figure fills alone.
+template <class Figure>
+vtkSmartPointer<vtkImageData> pictureOf(const StrainPicture& wanted, int height, Figure& figure) {
+  scene::SurfacelessWindow window(wanted.width, height);
+  figure.setWindow(window.window());
+  figure.setTheme(wanted.theme);
+  figure.update();
+  vtkSmartPointer<vtkImageData> picture = scene::grabPicture(window.window());
+  figure.setWindow(nullptr);
+  return picture;
+}
+
 } // namespace
+
+const char* titleOf(StrainDirection direction) {
+  switch (direction) {
+  case StrainDirection::longitudinal:
+    return "Longitudinal strain";
+  case StrainDirection::circumferential:
+    return "Circumferential strain";
+  case StrainDirection::radial:
+    return "Radial strain";
+  }
+  return "";
+}
 
 scene::BullsEyeFigure strainBullsEye(const live::StrainReading& reading, StrainDirection direction,
                                      StrainMoment moment, std::size_t phase) {
@@ -80,7 +100,6 @@ scene::BullsEyeFigure strainBullsEye(const live::StrainReading& reading, StrainD
   figure.range = {-end, end};
   figure.colors = strainColors(!radial);
   if (moment == StrainMoment::timeToPeak) {
-    figure.title += ", time to peak";
     figure.unit = "ms";
     figure.colors = scene::colorMapByName("cividis");
     figure.range = {0, std::max(1.0, kMsOfSecond * reading.strain.seconds.back())};
@@ -96,7 +115,7 @@ scene::BullsEyeFigure strainBullsEye(const live::StrainReading& reading, StrainD
 scene::BullsEyeFigure strainDifference(const live::StrainReading& reading, const live::StrainReading& before,
                                        StrainDirection direction) {
   scene::BullsEyeFigure figure = strainBullsEye(reading, direction, StrainMoment::peak);
-  figure.title += ", difference";
+  figure.title = "Difference of both";
   figure.range = {-kDifference, kDifference};
   for (const strain::Segment& segment : strain::segments()) {
     scene::BullsEyeSector& sector = figure.sectors[static_cast<std::size_t>(segment.number - 1)];
@@ -108,7 +127,24 @@ scene::BullsEyeFigure strainDifference(const live::StrainReading& reading, const
   return figure;
 }
 
-scene::CurvePanel strainPanel(const live::StrainReading& reading) {
+std::vector<GlobalStrain> globalStrains(const live::StrainReading& reading) {
+  const strain::HeartStrain& strain = reading.strain;
+  std::vector<GlobalStrain> known;
+  const auto add = [&](const char* name, const Vec3& color, const char* norm,
+                       const std::optional<strain::ContourStrain>& contour) {
+    if (!contour)
+      return;
+    const anatomy::Norm& healthy = anatomy::norm(norm);
+    known.push_back({name, color, kPercentOfPart * contour->peak.value, kMsOfSecond * contour->peak.seconds,
+                     anatomy::rangeOf(healthy), &healthy});
+  };
+  add("GLS", kAlongColor, "lv.gls", strain.gls);
+  add("GCS", kAroundColor, "lv.gcs", strain.gcs);
+  add("GRS", kAcrossColor, "lv.grs", strain.grs);
+  return known;
+}
+
+scene::CurvePanel strainPanel(const live::StrainReading& reading, int segment, StrainDirection direction) {
   const strain::HeartStrain& strain = reading.strain;
   scene::CurvePanel panel;
   panel.xTitle = "Time (s)";
@@ -118,18 +154,79 @@ scene::CurvePanel strainPanel(const live::StrainReading& reading) {
   panel.right = 0.97;
   panel.bottom = 0.17;
   panel.top = 0.95;
-  // Safe for people who do not tell red from green (Okabe and Ito).
-  const auto add = [&](const std::string& name, const Vec3& color,
+  const auto add = [&](const char* name, const Vec3& color,
                        const std::optional<strain::ContourStrain>& contour) {
     if (contour)
       panel.curves.push_back(panelCurve(name, color, strain.seconds, contour->curve));
   };
-  add("GLS", Vec3(0.84, 0.37, 0.0), strain.gls);
-  add("GCS", Vec3(0.0, 0.45, 0.70), strain.gcs);
-  add("GRS", Vec3(0.0, 0.62, 0.45), strain.grs);
+  add("GLS", kAlongColor, strain.gls);
+  add("GCS", kAroundColor, strain.gcs);
+  add("GRS", kAcrossColor, strain.grs);
   add("RV free wall", Vec3(0.80, 0.24, 0.48), strain.rightFreeWall);
   add("Left atrium", Vec3(0.90, 0.62, 0.0), strain.leftReservoir);
+  for (const GlobalStrain& global : globalStrains(reading))
+    panel.bands.push_back({{global.healthyPercent.low, global.healthyPercent.high}, global.color});
+  if (segment < 1 || segment > strain::kSegments)
+    return panel;
+  const std::vector<double>& curve = live::strainCurve(strain.segment(segment), direction);
+  if (!curve.empty()) {
+    const Vec3 color = direction == StrainDirection::longitudinal      ? kAlongColor
+                       : direction == StrainDirection::circumferential ? kAroundColor
+                                                                       : kAcrossColor;
+    panel.curves.push_back(panelCurve(std::to_string(segment), color, strain.seconds, curve));
+    panel.curves.back().dashed = true;
+  }
   return panel;
+}
+
+void translate(scene::BullsEyeFigure& figure, const std::function<std::string(const std::string&)>& words) {
+  if (!words)
+    return;
+  figure.title = words(figure.title);
+  for (std::string& side : figure.sides)
+    side = words(side);
+}
+
+void translate(scene::CurvePanel& panel, const std::function<std::string(const std::string&)>& words) {
+  if (!words)
+    return;
+  panel.xTitle = words(panel.xTitle);
+  panel.yTitle = words(panel.yTitle);
+  for (scene::PanelCurve& curve : panel.curves)
+    curve.name = words(curve.name);
+}
+
+void writeStrainPicture(const std::filesystem::path& file, const live::StrainReading& reading,
+                        const StrainPicture& picture) {
+  std::vector<scene::BullsEyeFigure> figures;
+  for (const StrainDirection direction :
+       {StrainDirection::longitudinal, StrainDirection::circumferential, StrainDirection::radial})
+    if (direction != StrainDirection::radial || reading.strain.wall) {
+      figures.push_back(strainBullsEye(reading, direction, StrainMoment::peak));
+      translate(figures.back(), picture.translate);
+    }
+  scene::CurvePanel curves = strainPanel(reading);
+  translate(curves, picture.translate);
+  scene::BullsEyes eyes;
+  eyes.setFigures(std::move(figures));
+  scene::CurvePanels panels;
+  panels.setPanels({std::move(curves)});
+  const int half = picture.height / 2;
+  scene::writeSmallPng(
+      file, scene::contactSheet({pictureOf(picture, half, eyes), pictureOf(picture, half, panels)}, 1));
+}
+
+Values strainOnSurface(const scene::BullsEyeFigure& figure, const std::vector<int>& segments, int chosen) {
+  Values values =
+      Values::Constant(static_cast<Eigen::Index>(segments.size()), std::numeric_limits<double>::quiet_NaN());
+  for (std::size_t i = 0; i < segments.size(); ++i) {
+    const int segment = segments[i];
+    if (segment < 1 || (chosen > 0 && segment != chosen))
+      continue;
+    if (const auto& value = figure.sectors[static_cast<std::size_t>(segment - 1)].value)
+      values[static_cast<Eigen::Index>(i)] = *value;
+  }
+  return values;
 }
 
 } // namespace viscera::presentation

@@ -29,6 +29,9 @@ constexpr std::array<const char*, 4> kMirrors = {"off", "sagittal", "coronal", "
 constexpr std::array<const char*, 3> kGlyphNames = {"none", "ellipsoids", "crosses"};
 constexpr std::array<const char*, 4> kCompared = {"rate", "coordinates", "pose", "sample"};
 constexpr std::array<const char*, 2> kCutStyles = {"smooth", "crinkle"};
+constexpr std::array<const char*, 3> kStrainDirections = {"longitudinal", "circumferential", "radial"};
+constexpr std::array<const char*, 3> kStrainMoments = {"peak", "instant", "timeToPeak"};
+constexpr int kMostSegments = 17;
 
 /// A named value of an enumeration; the first for a name that is none of them.
 template <class Enum, std::size_t count>
@@ -185,6 +188,28 @@ StressLook stressFromSettings(const JsonReader& json, const ordered_json& settin
     item["normal"] = jsonOf(normal);
   }
   return stressFrom(json, item, "stress");
+}
+
+ordered_json strainJson(const StrainLook& look) {
+  return {{"chart", look.chart},
+          {"onOrgan", look.onOrgan},
+          {"direction", kStrainDirections[static_cast<std::size_t>(look.direction)]},
+          {"moment", kStrainMoments[static_cast<std::size_t>(look.moment)]},
+          {"segment", look.segment}};
+}
+
+StrainLook strainFrom(const JsonReader& json, const ordered_json& item, const std::string& place) {
+  json.requireObject(item, place);
+  StrainLook look;
+  json.readIfThere(item, "chart", place, look.chart);
+  json.readIfThere(item, "onOrgan", place, look.onOrgan);
+  look.direction =
+      fromName<live::StrainDirection>(kStrainDirections, item.value("direction", ordered_json()));
+  look.moment = fromName<live::StrainMoment>(kStrainMoments, item.value("moment", ordered_json()));
+  json.readIfThere(item, "segment", place, look.segment);
+  if (look.segment < 0 || look.segment > kMostSegments)
+    look.segment = 0;
+  return look;
 }
 
 template <class Visit>
@@ -488,6 +513,7 @@ ViewState viewFrom(const JsonReader& json, const ordered_json& item,
                 [&](const char* key, const char*, bool& value) { json.readIfThere(item, key, "", value); });
   view.mirror = fromName<Mirror>(kMirrors, item.value("mirror", ordered_json()));
   take("stress", view.stress, stressFrom);
+  take("strain", view.strain, strainFrom);
   take("scan", view.scan, scanFrom);
   return view;
 }
@@ -505,7 +531,7 @@ bool ViewState::operator==(const ViewState& other) const {
                     view.partNames, view.measurements, view.orientationCube, view.scaleBar, view.gizmo,
                     view.exactly, view.mirror, view.layout.regions, view.layout.zones,
                     view.layout.superRegions, view.chartOfCycle, view.circulationChart, view.beatSigns,
-                    view.valves, view.stress, view.cut, view.organsSeen, view.person.sex,
+                    view.valves, view.stress, view.strain, view.cut, view.organsSeen, view.person.sex,
                     view.person.bodySurfaceM2, view.scan, view.selection, view.motions, view.playing,
                     view.compared, view.slides);
   };
@@ -543,6 +569,7 @@ std::string toJson(const ViewState& state) {
   visitSwitches(view, [&](const char* key, const char*, bool value) { item[key] = value; });
   item["mirror"] = kMirrors[static_cast<std::size_t>(view.mirror)];
   item["stress"] = stressJson(view.stress);
+  item["strain"] = strainJson(view.strain);
   item["scan"] = scanJson(view.scan);
   item["cut"] = cutJson(view.cut);
   if (!view.organsSeen.empty())

@@ -42,6 +42,7 @@ constexpr int kTitleSize = 14;
 constexpr double kPanelRoom = 0.06; ///< Above and below the curves, as a part of their range.
 constexpr double kGrid = 0.22;
 constexpr double kMarkOpacity = 0.8;
+constexpr double kBandOpacity = 0.14;
 
 vtkSmartPointer<vtkTable> tableOf(const std::string& name, const std::vector<double>& x,
                                   const std::vector<double>& y) {
@@ -142,7 +143,7 @@ void applyTheme(vtkChartXY* chart, const Theme& theme) {
   chart->GetLegend()->GetBrush()->SetColor(byteOf(back.x()), byteOf(back.y()), byteOf(back.z()), 190);
 }
 
-/// Draws the marks of all panels over their charts.
+/// Draws the marks and the bands of all panels over their charts.
 class PanelMarks final : public vtkContextItem {
 public:
   vtkTypeMacro(PanelMarks, vtkContextItem) static PanelMarks* New();
@@ -151,13 +152,24 @@ public:
     float x = 0, low = 0, high = 0; ///< Pixels.
     std::string text;
   };
-  void set(std::vector<Line> lines, const Theme& theme, float ratio) {
+  struct Band {
+    float x = 0, y = 0, width = 0, height = 0; ///< Pixels.
+    Vec3 color = Vec3::Zero();
+  };
+  void set(std::vector<Line> lines, std::vector<Band> bands, const Theme& theme, float ratio) {
     lines_ = std::move(lines);
+    bands_ = std::move(bands);
     theme_ = theme;
     ratio_ = ratio;
   }
   bool Paint(vtkContext2D* painter) override {
     const Vec3& ink = theme_.text;
+    painter->GetPen()->SetLineType(vtkPen::NO_PEN);
+    for (const Band& band : bands_) {
+      painter->GetBrush()->SetColor(byteOf(band.color.x()), byteOf(band.color.y()), byteOf(band.color.z()));
+      painter->GetBrush()->SetOpacityF(kBandOpacity);
+      painter->DrawRect(band.x, band.y, band.width, band.height);
+    }
     setPen(painter->GetPen(), theme_.muted, kMarkOpacity);
     painter->GetPen()->SetWidth(ratio_);
     painter->GetPen()->SetLineType(vtkPen::DASH_LINE);
@@ -175,6 +187,7 @@ public:
 
 private:
   std::vector<Line> lines_;
+  std::vector<Band> bands_;
   Theme theme_ = lightTheme();
   float ratio_ = 1;
 };
@@ -213,6 +226,7 @@ void CurvePanels::Parts::show(const Panel& panel) {
 void CurvePanels::Parts::showMarks() {
   const int* size = window->GetSize();
   std::vector<PanelMarks::Line> lines;
+  std::vector<PanelMarks::Band> bands;
   for (const Panel& panel : panels) {
     const CurvePanel& p = panel.wanted;
     const ValueRange x = p.xRange.value_or(rangeOf(p, &PanelCurve::x, 0));
@@ -223,8 +237,19 @@ void CurvePanels::Parts::showMarks() {
                          static_cast<float>(p.bottom * size[1]), static_cast<float>(p.top * size[1]),
                          mark.text});
     }
+    const ValueRange y = p.yRange.value_or(rangeOf(p, &PanelCurve::y, kPanelRoom));
+    for (const PanelBand& band : p.bands) {
+      const auto heightOf = [&](double value) {
+        return (p.bottom + std::clamp((value - y.low) / (y.high - y.low), 0.0, 1.0) * (p.top - p.bottom)) *
+               size[1];
+      };
+      const double low = heightOf(band.y.low), high = heightOf(band.y.high);
+      bands.push_back({static_cast<float>(p.left * size[0]), static_cast<float>(low),
+                       static_cast<float>((p.right - p.left) * size[0]), static_cast<float>(high - low),
+                       band.color});
+    }
   }
-  marks->set(std::move(lines), theme, static_cast<float>(pixelRatioOf(window)));
+  marks->set(std::move(lines), std::move(bands), theme, static_cast<float>(pixelRatioOf(window)));
 }
 
 CurvePanels::CurvePanels() : parts_((guardText(), std::make_unique<Parts>())) {

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <set>
 
 #include <gtest/gtest.h>
 
@@ -202,6 +203,51 @@ TEST(StrainReading, ContoursOfOtherProgramsAreByTheNumbersOfTheirFiles) {
   }
   options.contours = {{"base", "", {0, 3, 5, 6}, false}};
   EXPECT_DOUBLE_EQ(readStrain(moved, options, progress).strain.circumferential.front().referenceMm, direct);
+}
+
+/// A gauge is made once, and reads other poses of the same handles as if it were made for them.
+TEST(StrainReading, AGaugeReadsOtherPosesOfTheSameHandles) {
+  Progress progress;
+  const StrainGauge gauge(heart(), fewWitnesses(), progress);
+  MovedOrgans pose = heart({0.9, 0.9, 0.95});
+  pose.seconds = {0, 1};
+  pose.poses = {pose.handles.positions, pose.poses[2]};
+  const StrainReading read = gauge.read(pose, progress);
+  const StrainReading made = readStrain(pose, fewWitnesses(), progress);
+  ASSERT_EQ(read.strain.seconds.size(), 2U);
+  EXPECT_NEAR(read.strain.gcs->curve[1], -0.1, 1e-6);
+  EXPECT_EQ(read.strain.gls->curve, made.strain.gls->curve);
+  EXPECT_EQ(read.strain.segment(8).radial, made.strain.segment(8).radial);
+  pose.poses[1] = 1.1 * pose.handles.positions;
+  EXPECT_EQ(gauge.read(pose, progress).strain.reference, 1U) << "the end of diastole";
+  EXPECT_NEAR(gauge.read(pose, progress, {}, 0).strain.gcs->curve[1], 0.1, 1e-6) << "as asked";
+}
+
+/// On the surface around both ventricles only what is nearer to the left one has segments.
+TEST(StrainReading, VerticesOfTheLeftVentriclesWallKnowTheirSegments) {
+  Progress progress;
+  MovedOrgans organs = heart();
+  organs.organs[0].mesh = ventricle(70, 95, Vec3::Zero()); // Around both.
+  const StrainGauge gauge(organs, fewWitnesses(), progress);
+  EXPECT_TRUE(gauge.segmentsOn(2).empty()) << "the right ventricle";
+  const Points& outer = organs.organs[0].mesh->points;
+  const std::vector<int>& around = gauge.segmentsOn(0);
+  ASSERT_EQ(around.size(), static_cast<std::size_t>(outer.rows()));
+  int left = 0, right = 0;
+  for (Eigen::Index row = 0; row < outer.rows(); ++row) {
+    if (outer(row, 2) < 20 || outer(row, 2) > 50)
+      continue;
+    const int segment = around[static_cast<std::size_t>(row)];
+    if (outer(row, 0) > 30)
+      left += segment > 0 ? 1 : -1000;
+    if (outer(row, 0) < -60)
+      right += segment == 0 ? 1 : -1000;
+  }
+  EXPECT_GT(left, 0);
+  EXPECT_GT(right, 0);
+  std::set<int> inside(gauge.segmentsOn(1).begin(), gauge.segmentsOn(1).end());
+  inside.erase(0);
+  EXPECT_GE(inside.size(), 16U) << "the cap may lie beyond the tip of the cavity";
 }
 
 } // namespace

@@ -78,5 +78,17 @@ TEST(ViewStateJson, ThatIsDamagedIsRefusedWithThePlaceOfTheMistake) {
   EXPECT_EQ(refusal(R"({"stress": 7})"), sentence + ", stress");
 }
 
+TEST(ViewStateJson, TheLookOfStrainComesBackAndOneThatIsNoneIsTheUsual) {
+  ViewState view;
+  view.strain = {true, true, live::StrainDirection::radial, live::StrainMoment::timeToPeak, 9};
+  EXPECT_EQ(viewFromJson(toJson(view)).strain, view.strain);
+  EXPECT_FALSE(viewFromJson(toJson(view)) == ViewState());
+  EXPECT_EQ(viewFromJson(R"({"format": 2})").strain, StrainLook());
+  EXPECT_EQ(
+      viewFromJson(R"({"format": 2, "strain": {"segment": 18, "moment": "of a newer version"}})").strain,
+      StrainLook());
+  EXPECT_THROW(viewFromJson(R"({"format": 2, "strain": 7})"), DataError);
+}
+
 } // namespace
 } // namespace viscera::presentation

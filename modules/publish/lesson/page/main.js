@@ -58,7 +58,7 @@ function render() {
   if (changed) {
     timed('pose', pose); timed('shade', shade); timed('volume', writeNumbers); send(0, points); send(1, normals);
     if (pullsChanged && (!dragging || performance.now() - lastBeat > 200)) { writeIndices(); pullsChanged = false; lastBeat = performance.now(); }
-    if (motion) { writePhase(); drawChart(); }
+    if (motion) { writePhase(); drawChart(); drawStrain(); }
   }
   timed('draw', () => { draw(); drawOver(); }); ++times.frames; press('labels', named());
   changed = pullsChanged; turned = false;

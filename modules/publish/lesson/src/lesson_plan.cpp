@@ -135,6 +135,7 @@ void addMotion(LessonPlan& plan, const LessonSource& source, const LessonSpec& s
   if (!source.sequence)
     return;
   const sequences::Sequence& sequence = *source.sequence;
+  plan.strain = spec.strain;
   plan.rates = spec.rates.empty() ? offeredRates(sequence) : spec.rates;
   std::sort(plan.rates.begin(), plan.rates.end());
   plan.rates.erase(std::unique(plan.rates.begin(), plan.rates.end()), plan.rates.end());

@@ -43,6 +43,7 @@ LessonSpec specFrom(const JsonReader& json, const ordered_json& tree) {
   json.readIfThere(tree, "notes", "", spec.notes);
   json.readIfThere(tree, "names", "", spec.names);
   json.readIfThere(tree, "rates", "", spec.rates);
+  json.readIfThere(tree, "strain", "", spec.strain);
   if (tree.contains("handles"))
     spec.handles = json.valueOf<int>(tree, "handles", "");
   json.eachOf(tree, "labels", "", [&](const ordered_json& item, const std::string& place) {

@@ -1,12 +1,17 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include "carried_vertices.h"
 #include "grip_handles.h"
+#include "viscera/coordinates/registry.h"
 #include "viscera/core/error.h"
 #include "viscera/geometry/volume.h"
 #include "viscera/lesson/lesson.h"
+#include "viscera/live/motion_runner.h"
+#include "viscera/live/strain_reading.h"
+#include "viscera/presentation/strain_figure.h"
 
 namespace viscera::lesson {
 namespace {
@@ -16,6 +21,8 @@ constexpr std::array<double, 4> kChecked = {0.131, 0.377, 0.613, 0.871}; ///< Fr
 constexpr double kBetweenSamplesMm = 0.012; ///< How far the motion may be off between samples,
 constexpr double kModesMm = 0.01;           ///< and by the modes that are left out.
 constexpr double kSampled = 0.5;            ///< Of the progress.
+constexpr double kStrainFrom = 0.8;         ///< Likewise.
+constexpr int kStrainInstants = 40;         ///< Of a cycle without keys.
 
 /// Rounded as the page will have it.
 Points stepped(const Points& points) {
@@ -140,6 +147,43 @@ void addCurves(Lesson& lesson, Threads threads) {
   });
 }
 
+/// The strain of the segments in each course, and their places in the bull's eye.
+void addStrain(const LessonSource& source, live::PosedOrgans& organs, const MotionSamples& samples,
+               Lesson& lesson, Progress& progress, Threads threads) {
+  using live::StrainDirection;
+  live::MotionRunner runner(source.state, organs, threads);
+  runner.setSequence(source.sequence);
+  const coordinates::Registry systems = coordinates::builtInRegistry();
+  std::optional<live::StrainGauge> gauge;
+  for (const MotionSamples::Track& track : samples.tracks) {
+    runner.setRatePerMinute(track.rate);
+    runner.prescribe(source.prescribed);
+    const live::MovedOrgans moved = live::movedOrgans(runner, systems, kStrainInstants, progress);
+    if (!gauge)
+      gauge.emplace(moved, live::StrainOptions(), progress, threads);
+    const live::StrainReading reading = gauge->read(moved, progress, threads);
+    const auto eyeAt = [&reading](std::size_t phase) {
+      return presentation::strainBullsEye(reading, StrainDirection::longitudinal, live::StrainMoment::instant,
+                                          phase);
+    };
+    lesson.sectors.clear();
+    for (const auto& sector : eyeAt(0).sectors)
+      lesson.sectors.push_back({sector.ring, sector.fromDegrees, sector.toDegrees});
+    LessonStrain strain;
+    strain.percent = Table::Constant(static_cast<Eigen::Index>(moved.seconds.size()),
+                                     static_cast<Eigen::Index>(lesson.sectors.size()), std::nan(""));
+    for (std::size_t phase = 0; phase < moved.seconds.size(); ++phase) {
+      strain.fractions.push_back(moved.seconds[phase] / runner.periodSeconds());
+      const auto sectors = eyeAt(phase).sectors;
+      for (std::size_t segment = 0; segment < sectors.size(); ++segment)
+        if (sectors[segment].value)
+          strain.percent(static_cast<Eigen::Index>(phase), static_cast<Eigen::Index>(segment)) =
+              *sectors[segment].value;
+    }
+    lesson.strain.push_back(std::move(strain));
+  }
+}
+
 /// Compares with the organs themselves where the motion is likely to be off the most.
 double largestError(const Lesson& lesson, const MotionSamples& samples, const SampledMotion& motion,
                     CarriedVertices& carried) {
@@ -206,6 +250,9 @@ Lesson makeLesson(const LessonPlan& plan, const LessonSource& source, live::Pose
     const SampledMotion motion = motionOf(samples, carried.weights(), kModesMm, progress, threads);
     addMotion(samples, motion, source, lesson);
     lesson.largestErrorMm = largestError(lesson, samples, motion, carried);
+    if (plan.strain)
+      runPart(progress, kStrainFrom, 1,
+              [&](Progress& part) { addStrain(source, organs, samples, lesson, part, threads); });
   }
   addCurves(lesson, threads);
   progress.throwIfCancelled();

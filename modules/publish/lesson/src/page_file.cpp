@@ -16,7 +16,8 @@ namespace viscera::lesson {
 namespace {
 
 /// The script in the order in which its parts need one another.
-constexpr const char* kScripts[] = {"data", "shape", "picture", "overlay", "chart", "panel", "quiz", "main"};
+constexpr const char* kScripts[] = {"data",   "shape", "picture", "overlay", "chart",
+                                    "strain", "panel", "quiz",    "main"};
 
 QByteArray partOf(const QString& name) {
   QFile file(QStringLiteral(":/viscera/lesson/") + name);

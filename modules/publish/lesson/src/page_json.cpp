@@ -14,6 +14,7 @@ namespace {
 using nlohmann::ordered_json;
 
 constexpr int kVersion = 1;
+constexpr double kStrainRange = 30;      ///< Per cent at the ends of the bull's eye's colours.
 constexpr double kShownOfDiagonal = 0.4; ///< The radius of what the page shows.
 
 double threeDecimals(double value) {
@@ -91,6 +92,26 @@ ordered_json motionJson(const Lesson& lesson) {
           {"rate", rate},
           {"courses", lesson.courseOfRate},
           {"phases", std::move(phases)}};
+}
+
+/// Numbers to a tenth of a per cent; null where there is none.
+ordered_json strainJson(const Lesson& lesson, const PageWords& words) {
+  ordered_json json = {{"title", words.named("Longitudinal strain")}, {"range", kStrainRange}};
+  for (const LessonSector& sector : lesson.sectors)
+    json["sectors"].push_back({sector.ring, sector.fromDegrees, sector.toDegrees});
+  for (const LessonStrain& strain : lesson.strain) {
+    ordered_json course;
+    for (std::size_t i = 0; i < strain.fractions.size(); ++i) {
+      course["at"].push_back(threeDecimals(strain.fractions[i]));
+      ordered_json values = ordered_json::array();
+      for (const double value : strain.percent.row(static_cast<Eigen::Index>(i)))
+        values.push_back(std::isfinite(value) ? ordered_json(std::round(10 * value) / 10)
+                                              : ordered_json(nullptr));
+      course["percent"].push_back(std::move(values));
+    }
+    json["courses"].push_back(std::move(course));
+  }
+  return json;
 }
 
 /// The first vertex of an organ that the lesson shows, or -1.
@@ -241,6 +262,8 @@ std::string pageJson(const Lesson& lesson, ArrayPacker& packer) {
   if (plan.eye)
     json["eye"] = {{"position", jsonOf(plan.eye->position)}, {"focus", jsonOf(plan.eye->focus)}};
   json["motion"] = motionJson(lesson);
+  if (!lesson.strain.empty())
+    json["strain"] = strainJson(lesson, words);
   json["arrays"] = arraysJson(lesson, packer);
   return scriptSafe(json);
 }

@@ -267,6 +267,8 @@ Report makeReport(const ReportSource& source, Threads threads, Progress& progres
   step(0.6, "going through the cycle");
   if (source.sequence)
     report.sections.push_back(motionSection(source, threads, progress));
+  step(0.8, "strain");
+  report.sections.push_back(strainSection(source, threads, progress));
   report.sections.push_back(files(source));
   std::erase_if(report.sections, [](const Section& section) { return section.blocks.empty(); });
   step(1, "done");

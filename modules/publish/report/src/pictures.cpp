@@ -118,6 +118,16 @@ PictureGrid chart(scene::CurvePanel panel, const std::string& caption) {
   return alone({scene::pngOf(scene::grabPicture(window.window())), caption}, kChart);
 }
 
+PictureGrid bullsEyes(std::vector<scene::BullsEyeFigure> figures, const std::string& caption) {
+  scene::SurfacelessWindow window(kChart.width, kChart.height, kChart.pixelRatio);
+  scene::BullsEyes eyes;
+  eyes.setWindow(window.window());
+  eyes.setTheme(paper());
+  eyes.setFigures(std::move(figures));
+  eyes.update();
+  return alone({scene::pngOf(scene::grabPicture(window.window())), caption}, kChart);
+}
+
 Vec3 curveColor(std::size_t curve) {
   // Safe for people who do not tell red from green (Okabe and Ito), those that paper swallows left out.
   static const std::array<Vec3, 6> colors = {Vec3(0.84, 0.37, 0.0), Vec3(0.0, 0.45, 0.70),

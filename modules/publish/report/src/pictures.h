@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "viscera/report/report.h"
+#include "viscera/scene/bulls_eye.h"
 #include "viscera/scene/curve_panels.h"
 
 /// Draws the pictures and charts of a report.
@@ -16,6 +17,8 @@ PictureGrid picturesOfSides(const ReportSource& source, Threads threads, Progres
 PictureGrid pictureOfStress(const ReportSource& source, const live::StressFrame& frame, Threads threads);
 /// Curves on one pair of axes, as wide as the page.
 PictureGrid chart(scene::CurvePanel panel, const std::string& caption);
+/// Bull's eyes side by side, as wide as the page.
+PictureGrid bullsEyes(std::vector<scene::BullsEyeFigure> figures, const std::string& caption);
 /// The colour of a chart's curve: distinguishable from the others.
 Vec3 curveColor(std::size_t curve);
 

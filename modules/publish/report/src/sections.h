@@ -13,4 +13,8 @@ Section stressSection(const ReportSource& source, const live::StressFrame& frame
 /// The organs are in their pose again afterwards. Without blocks where the sequence cannot move the handles.
 Section motionSection(const ReportSource& source, Threads threads, Progress& progress);
 
+/// The strain of a left ventricle over the cycle: bull's eyes, curves, and the peaks beside those of healthy
+/// adults. Without blocks where there is none. Seconds.
+Section strainSection(const ReportSource& source, Threads threads, Progress& progress);
+
 } // namespace viscera::report

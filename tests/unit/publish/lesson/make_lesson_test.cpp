@@ -1,10 +1,12 @@
 #include <gtest/gtest.h>
 
 #include "lesson_scene.h"
+
 #include "temporary_folder.h"
 #include "viscera/core/error.h"
 #include "viscera/geometry/volume.h"
 #include "viscera/sequences/keyframes.h"
+#include <algorithm>
 
 namespace viscera::lesson {
 namespace {
@@ -210,6 +212,26 @@ TEST(MakeLesson, EndsWhenItIsCancelled) {
   BallScene scene;
   scene.progress.cancel();
   EXPECT_THROW(scene.made(scene.source(scene.sway())), Cancelled);
+}
+
+/// White at the end of diastole, all rings shorter in systole; a page has it where its author wants it.
+TEST(MakeLesson, HasTheStrainOfTheHeartsSegmentsOverTheBeat) {
+  SampleScene scene("heartbeat");
+  LessonSpec spec = readSpec(R"({"rates": [75], "strain": true, "handles": 0})", "test");
+  const Lesson lesson = makeLesson(planLesson(scene.source, spec), scene.source, scene.live, scene.progress);
+  ASSERT_EQ(lesson.strain.size(), lesson.courses.size());
+  ASSERT_EQ(lesson.sectors.size(), 17U);
+  const LessonStrain& strain = lesson.strain.front();
+  ASSERT_EQ(strain.percent.rows(), static_cast<Eigen::Index>(strain.fractions.size()));
+  EXPECT_TRUE(std::is_sorted(strain.fractions.begin(), strain.fractions.end()));
+  const auto basal = strain.percent.col(0), middle = strain.percent.col(6);
+  for (const auto& segment : {basal, middle}) {
+    EXPECT_LT(segment.minCoeff(), -5);
+    EXPECT_LT(segment.cwiseAbs().minCoeff(), 1e-9) << "the reference";
+  }
+  EXPECT_NE(pageOf(lesson).find("\"strain\":{\"title\""), std::string::npos);
+  spec.strain = false;
+  EXPECT_FALSE(planLesson(scene.source, spec).strain);
 }
 
 } // namespace viscera::lesson

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <numbers>
 
 #include <gmock/gmock.h>
@@ -8,6 +9,7 @@
 #include "viscera/core/text.h"
 #include "viscera/document/stress_mark_commands.h"
 #include "viscera/live/cycle_curves.h"
+#include "viscera/live/strain_reading.h"
 #include "words.h"
 
 namespace viscera::tests {
@@ -75,12 +77,22 @@ TEST(Report, GivesAnEjectionFractionToVentriclesOnlyAndKeepsThePose) {
   Progress progress;
   const auto curve = live::measureCycle(runner, progress).milliliters.at(1);
   EXPECT_EQ(tables[1].rows[0][1], fixed(*std::max_element(curve.begin(), curve.end()), 1));
+  const report::Section* strain = sectionOf(report, "Strain");
+  ASSERT_NE(strain, nullptr);
+  const live::StrainReading reading =
+      live::readStrain(live::movedOrgans(runner, session.registry, 50, progress), {}, progress);
+  const std::string gls = fixed(100 * reading.strain.gls->peak.value, 1);
+  EXPECT_TRUE(std::any_of(strain->blocks.begin(), strain->blocks.end(), [&gls](const report::Block& block) {
+    const auto* said = std::get_if<report::Paragraph>(&block);
+    return said && said->text.rfind("GLS " + gls + " %", 0) == 0;
+  })) << gls;
   ReportedSession still({"Ball"});
   still.record();
   source = still.source();
   source.sequence = document::sequenceOf(still.document.keySequence(), still.document.rig());
-  EXPECT_EQ(tablesOf(*sectionOf(still.report(source), "Motion")).size(), 1u)
-      << "a ball has no ejection fraction";
+  const report::Report ofBall = still.report(source);
+  EXPECT_EQ(tablesOf(*sectionOf(ofBall, "Motion")).size(), 1u) << "a ball has no ejection fraction";
+  EXPECT_EQ(sectionOf(ofBall, "Strain"), nullptr);
 }
 
 TEST(Report, TellsStressWithItsMethodPercentilesAndPictures) {

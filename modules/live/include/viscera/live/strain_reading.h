@@ -12,6 +12,7 @@
 #include "viscera/core/parallel.h"
 #include "viscera/core/phrase.h"
 #include "viscera/core/progress.h"
+#include "viscera/live/motion_runner.h"
 #include "viscera/live/patient_motion.h"
 #include "viscera/live/sequence_file.h"
 #include "viscera/strain/heart_strain.h"
@@ -45,6 +46,12 @@ MovedOrgans movedOrgans(const SequenceFile& file, const coordinates::Registry& s
 MovedOrgans movedOrgans(const MotionSeries& series, const PatientMotion& found,
                         const coordinates::Registry& systems);
 
+/// The organs that a runner moves, by the names of the document: at the keys of a motion that is recorded,
+/// else at `instants` of its cycle; a computed motion moves material points. Throws `UsageError` when the
+/// runner cannot move the handles, `DataError` where a volume cannot be kept, and `Cancelled`.
+MovedOrgans movedOrgans(MotionRunner& runner, const coordinates::Registry& systems, int instants,
+                        Progress& progress);
+
 /// What is measured, and by which surfaces.
 struct StrainOptions {
   /// Names of surfaces: cavity of the left and of the right ventricle, epicardium (or whole heart), cavity of
@@ -75,10 +82,36 @@ struct StrainReading {
   }
 };
 
-/// Measures strain. Where there is an outer surface around the left ventricle, its wall is filled with
-/// witness points, whose deformation gradients are analytic; else segments are those of the endocardium
-/// alone. Throws `DataError` for organs without a left ventricle and what `strain::heartStrain`, binding and
-/// `UsageError` what wrong names throw; `Cancelled`. Seconds; for any thread.
+/// A heart at rest, prepared for reading its strain: axes, segments, and surfaces and points of the wall that
+/// are bound to the handles. Immutable; thread-safe.
+///
+///     const StrainGauge gauge(organs, options, progress); // Seconds.
+///     const StrainReading beat = gauge.read(organs, progress);
+class StrainGauge {
+public:
+  /// Takes organs, handles and coordinates of `organs`; its poses do not matter. Where there is an outer
+  /// surface around the left ventricle, its wall is filled with witness points, whose deformation gradients
+  /// are analytic; else segments are those of the endocardium alone. Throws `DataError` for organs without a
+  /// left ventricle, `UsageError` for wrong names, what binding throws, and `Cancelled`. Seconds.
+  StrainGauge(const MovedOrgans& organs, const StrainOptions& options, Progress& progress,
+              Threads threads = {});
+
+  /// Measures the poses of `moved`, which has the same organs and handles, or its measured surfaces; against
+  /// the phase `reference` where it is given, else as the options say. A phase takes milliseconds. Throws
+  /// what `strain::heartStrain` throws.
+  StrainReading read(const MovedOrgans& moved, Progress& progress, Threads threads = {},
+                     std::optional<std::size_t> reference = std::nullopt) const;
+
+  /// The segment of each vertex of an organ, 1 to 17, or 0 where it is no wall of the left ventricle; empty
+  /// for organs other than its cavity and the surface around it.
+  const std::vector<int>& segmentsOn(std::size_t organ) const;
+
+private:
+  struct Parts;
+  std::shared_ptr<const Parts> parts_;
+};
+
+/// The strain of one motion: a `StrainGauge` that is used once.
 StrainReading readStrain(const MovedOrgans& organs, const StrainOptions& options, Progress& progress,
                          Threads threads = {});
 
@@ -87,6 +120,9 @@ enum class StrainDirection { longitudinal, circumferential, radial };
 
 /// What is taken from a segment's curve.
 enum class StrainMoment { peak, instant, timeToPeak };
+
+/// The curve of a segment, a part for each phase; empty across the wall where no wall is known.
+const std::vector<double>& strainCurve(const strain::SegmentStrain& segment, StrainDirection direction);
 
 /// The value of a segment, 1 to 17: per cent, or ms of a time to peak; `phase` counts for an instant only.
 /// None for a segment with too few points, and across the wall where no wall is known.

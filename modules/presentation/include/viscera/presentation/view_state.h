@@ -10,6 +10,7 @@
 #include "viscera/core/arrays.h"
 #include "viscera/document/circulation_choice.h"
 #include "viscera/document/ids.h"
+#include "viscera/live/strain_reading.h"
 #include "viscera/presentation/scan_look.h"
 #include "viscera/presentation/stress_look.h"
 #include "viscera/scene/region_hulls.h"
@@ -148,6 +149,17 @@ struct SelectionState {
   bool operator==(const SelectionState&) const = default;
 };
 
+/// How the strain of a heart is shown: below the view, and as colours on the organ.
+struct StrainLook {
+  bool chart = false;   ///< Its curves and bull's eye in the place of the volumes.
+  bool onOrgan = false; ///< The segments as colours on the organ.
+  live::StrainDirection direction = live::StrainDirection::longitudinal;
+  live::StrainMoment moment = live::StrainMoment::peak;
+  int segment = 0; ///< The chosen one, 1 to 17; 0: none.
+
+  bool operator==(const StrainLook&) const = default;
+};
+
 /// The whole view of a document, as a session saves it.
 struct ViewState {
   std::string mode = "explore"; ///< The id of a mode of the window.
@@ -173,6 +185,7 @@ struct ViewState {
   bool valves = true;           ///< Valves of a beating heart, and the flow through them.
   bool beatSigns = false;       ///< Electrocardiogram, sounds and valves under the heart's phases.
   StressLook stress;
+  StrainLook strain;
   ScanLook scan;
   OrganCut cut;
   OrgansSeen organsSeen;  ///< Set while a slide is shown; the document does not change.

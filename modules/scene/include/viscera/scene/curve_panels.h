@@ -28,6 +28,12 @@ struct PanelMark {
   std::string text; ///< Beside its upper end; may be empty.
 };
 
+/// A range of y that is shaded over the whole width of a chart.
+struct PanelBand {
+  ValueRange y;
+  Vec3 color = {0.3, 0.7, 0.75};
+};
+
 /// A chart with its axes and curves, and its place in a window.
 struct CurvePanel {
   std::string title; ///< Above it; may be empty.
@@ -35,6 +41,7 @@ struct CurvePanel {
   std::string yTitle;
   std::vector<PanelCurve> curves;
   std::vector<PanelMark> marks;
+  std::vector<PanelBand> bands;
   /// Where its axes cross and where they end, as parts of the window from its lower left; labels lie outside.
   double left = 0.1, bottom = 0.1, right = 0.95, top = 0.95;
   std::optional<ValueRange> xRange; ///< None: the range of the curves.

@@ -26,6 +26,18 @@ struct LessonSurface {
   std::vector<int> labels;  ///< The vertex of each of the plan's labels.
 };
 
+/// A sector of the bull's eye of the left ventricle's segments.
+struct LessonSector {
+  int ring = 0;                            ///< 0 is the outermost of four.
+  double fromDegrees = 0, toDegrees = 360; ///< Anticlockwise from the right.
+};
+
+/// The longitudinal strain of the segments over one course.
+struct LessonStrain {
+  std::vector<double> fractions; ///< Of the cycle, ascending.
+  Table percent;                 ///< `fractions x segments`; NaN where a segment has too few points.
+};
+
 /// All data of a lesson: vertices, triangles, motion and curves. Vertices of all surfaces lie one behind the
 /// other, then the handles' places.
 struct Lesson {
@@ -39,6 +51,8 @@ struct Lesson {
   std::vector<Course> courses;                       ///< Of the modes; the rates share some.
   std::vector<int> courseOfRate;                     ///< One for each rate.
   std::vector<std::vector<sequences::Phase>> phases; ///< One list a rate, with the names that the plan gives.
+  std::vector<LessonSector> sectors;                 ///< Of the segments; empty without strain.
+  std::vector<LessonStrain> strain;                  ///< One a course; empty without.
   std::vector<std::string> handleLabels;
   Table weights;             ///< `handles x vertices`: how far a vertex goes with a handle.
   double largestErrorMm = 0; ///< Of a vertex at any rate, at and between samples, as the page computes it.
@@ -58,8 +72,9 @@ inline constexpr double kWeightStep = 1.0 / 1024;
 /// Makes a lesson: samples the motion at the plan's rates until cubic pieces between the samples reproduce
 /// it, finds its modes, and the weights of the handles to drag. `organs` are those of `source.state`, bound;
 /// they are moved to keep volumes, and are in an arbitrary pose afterwards. Some seconds. Throws `DataError`
-/// for volumes that cannot be kept and for an organ that is still being bound, `Cancelled`. For the thread of
-/// the organs.
+/// for volumes that cannot be kept and for an organ that is still being bound; where the plan
+/// wants strain, what `live::readStrain` throws and `UsageError` for coordinates of a plugin; `Cancelled`.
+/// For the thread of the organs.
 Lesson makeLesson(const LessonPlan& plan, const LessonSource& source, live::PosedOrgans& organs,
                   Progress& progress, Threads threads = {});
 

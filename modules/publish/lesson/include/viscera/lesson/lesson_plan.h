@@ -90,6 +90,7 @@ struct LessonPlan {
   int placedHandles = 22;    ///< When they are not the rig's own; 0: none.
   std::vector<double> rates; ///< Ascending; empty when the organs are still.
   double rate = 0;           ///< To begin with, one of them.
+  bool strain = false;       ///< Whether the page has a bull's eye that follows the beat.
 };
 
 /// Plans a lesson of the organs that are shown: titles from their names, ("LV" becomes "Left ventricle"),

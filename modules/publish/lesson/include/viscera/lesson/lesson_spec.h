@@ -48,6 +48,7 @@ struct LessonSpec {
   std::vector<double> rates;                ///< Empty: chosen.
   std::vector<SpecLabel> labels;
   std::vector<PlannedSlide> slides;
+  bool strain = false;        ///< Whether a bull's eye of the left ventricle's strain follows the beat.
   std::optional<int> handles; ///< How many are placed; 0: none. Nothing: the rig's own where they are few.
 };
 

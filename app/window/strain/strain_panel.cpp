@@ -1,0 +1,341 @@
+#include "window/strain/strain_panel.h"
+
+#include <QAction>
+#include <QCheckBox>
+#include <QComboBox>
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QMouseEvent>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <utility>
+
+#include <vtkGenericOpenGLRenderWindow.h>
+#include <vtkNew.h>
+
+#include "viscera/presentation/strain_figure.h"
+#include "viscera/strain/aha_segments.h"
+#include "window/actions.h"
+#include "window/language.h"
+#include "window/view/view_model.h"
+#include "window/widgets/ready_made.h"
+
+namespace viscera::app {
+namespace {
+
+using live::StrainDirection;
+using live::StrainMoment;
+
+/// ms: during a drag the picture of the organs comes first.
+constexpr int kStrainDelay = 30;
+constexpr int kEyesStretch = 5, kCurvesStretch = 4;
+
+std::string strainWords(const std::string& english) {
+  return english.empty() ? english : inWords(english).toStdString();
+}
+
+QVTKOpenGLNativeWidget* chartWidget(QWidget* parent, const char* name) {
+  auto* widget = new QVTKOpenGLNativeWidget(parent);
+  widget->setObjectName(QLatin1String(name));
+  widget->setMinimumSize(160, 72);
+  vtkNew<vtkGenericOpenGLRenderWindow> window;
+  widget->setRenderWindow(window);
+  return widget;
+}
+
+} // namespace
+
+QString nameOfSegment(int number) {
+  const QString name = text(std::string(strain::segments()[static_cast<std::size_t>(number - 1)].name));
+  QStringList words;
+  for (const QString& word : name.split(QLatin1Char(' ')))
+    words.push_back(inWords(word.toStdString()));
+  return QStringLiteral("%1 %2").arg(number).arg(words.join(QLatin1Char(' ')));
+}
+
+StrainPanel::StrainPanel(StrainModel& model, Playback& playback, ViewModel& view, const Actions& actions,
+                         QWidget* parent)
+    : QWidget(parent), model_(model), playback_(playback), view_(view),
+      eyes_(std::make_unique<scene::BullsEyes>()), panels_(std::make_unique<scene::CurvePanels>()),
+      eyesWidget_(chartWidget(this, "strainEyes")), chart_(chartWidget(this, "strainCurves")),
+      cursor_(new ChartCursor(*chart_)), direction_(new QComboBox(this)), moment_(new QComboBox(this)),
+      numbers_(new QLabel(this)), segment_(new QLabel(this)), remarks_(makeRemark(QString(), this)) {
+  setObjectName(QStringLiteral("panel"));
+  setAttribute(Qt::WA_StyledBackground);
+  panels_->setDecimalMark(decimalMark());
+  eyes_->setWindow(eyesWidget_->renderWindow());
+  panels_->setWindow(chart_->renderWindow());
+  auto* column = makeLayout<QVBoxLayout>(this, 2, {8, 4, 8, 4});
+  column->addWidget(makeChoices(actions));
+  for (const auto& [label, name] : {std::pair(numbers_, "strainNumbers"),
+                                    std::pair(segment_, "strainSegment"), std::pair(remarks_, "muted")}) {
+    label->setObjectName(QLatin1String(name));
+    label->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    column->addWidget(label);
+  }
+  numbers_->setTextFormat(Qt::RichText);
+  numbers_->setWordWrap(true);
+  auto* row = makeLayout<QHBoxLayout>(nullptr, 8);
+  row->addWidget(eyesWidget_, kEyesStretch);
+  row->addWidget(chart_, kCurvesStretch);
+  column->addLayout(row, 1);
+  const QString definition =
+      tr("GLS and GCS are the change of the length of contours of the endocardium, as ultrasound and feature "
+         "tracking report it. GRS and the segments are the strain of the material at witness points of the "
+         "wall. Shortening is negative. All are against the end of diastole. Values of single segments are "
+         "poorly repeated between programs: hatched ones are not to be relied on.");
+  for (QWidget* widget :
+       {static_cast<QWidget*>(eyesWidget_), static_cast<QWidget*>(chart_), static_cast<QWidget*>(numbers_)})
+    widget->setToolTip(definition);
+  eyesWidget_->setMouseTracking(true);
+  eyesWidget_->installEventFilter(this);
+  chart_->installEventFilter(this);
+  soon_.setSingleShot(true);
+  soon_.setInterval(kStrainDelay);
+  connect(&soon_, &QTimer::timeout, this, &StrainPanel::rebuild);
+  connect(&model, &StrainModel::changed, this, &StrainPanel::rebuildSoon);
+  connect(&view, &ViewModel::changed, this, &StrainPanel::followView);
+  connect(&playback, &Playback::advanced, this, &StrainPanel::followFrame);
+  connect(&playback, &Playback::stateChanged, this, &StrainPanel::followFrame);
+  followView();
+}
+
+StrainPanel::~StrainPanel() {
+  eyes_->setWindow(nullptr);
+  panels_->setWindow(nullptr);
+}
+
+QWidget* StrainPanel::makeChoices(const Actions& actions) {
+  auto* choices = new QWidget(this);
+  auto* row = makeLayout<QHBoxLayout>(choices, 8);
+  for (const StrainDirection direction :
+       {StrainDirection::longitudinal, StrainDirection::circumferential, StrainDirection::radial})
+    direction_->addItem(inWords(std::string(presentation::titleOf(direction))));
+  moment_->addItems({tr("Peak"), tr("At this instant"), tr("Time to peak")}); // As the enumeration.
+  direction_->setObjectName(QStringLiteral("strainDirection"));
+  moment_->setObjectName(QStringLiteral("strainMoment"));
+  row->addWidget(direction_);
+  row->addWidget(moment_);
+  connect(direction_, QOverload<int>::of(&QComboBox::activated), this, [this](int index) {
+    view_.change([index](presentation::ViewState& state) {
+      state.strain.direction = static_cast<StrainDirection>(index);
+    });
+  });
+  connect(moment_, QOverload<int>::of(&QComboBox::activated), this, [this](int index) {
+    view_.change(
+        [index](presentation::ViewState& state) { state.strain.moment = static_cast<StrainMoment>(index); });
+  });
+  row->addStretch(1);
+  for (const char* id : {"play.strainOnOrgan", "play.exportStrain"})
+    row->addWidget(makeActionButton(actions[id], choices));
+  return choices;
+}
+
+void StrainPanel::setSecond(StrainModel* second) {
+  if (second_)
+    second_->disconnect(this);
+  second_ = second;
+  if (second)
+    connect(second, &StrainModel::changed, this, &StrainPanel::rebuildSoon);
+  rebuildSoon();
+}
+
+void StrainPanel::setTheme(const Theme& theme) {
+  scene::Theme colors = theme.kind == ThemeKind::dark ? scene::darkTheme() : scene::lightTheme();
+  colors.panel = {theme.panel.redF(), theme.panel.greenF(), theme.panel.blueF()};
+  colors.accent = {theme.accent.redF(), theme.accent.greenF(), theme.accent.blueF()};
+  eyes_->setTheme(colors);
+  panels_->setTheme(colors);
+  cursor_->setColor(theme.text);
+  rebuildSoon();
+}
+
+bool StrainPanel::wanted() const {
+  return view_.state().strain.chart && playback_.wantedPose() != live::WantedPose::rest;
+}
+
+void StrainPanel::followView() {
+  const presentation::StrainLook look = view_.state().strain;
+  const std::optional<presentation::StrainLook> before = std::exchange(look_, look);
+  if (before == look)
+    return; // A slice was moved, or another part of the view is another.
+  const QSignalBlocker noDirection(direction_), noMoment(moment_);
+  direction_->setCurrentIndex(static_cast<int>(look.direction));
+  moment_->setCurrentIndex(static_cast<int>(look.moment));
+  if (!before || before->chart != look.chart)
+    Q_EMIT wantedChanged();
+  rebuildSoon();
+}
+
+void StrainPanel::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  rebuildSoon();
+}
+
+bool StrainPanel::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() == QEvent::Resize)
+    rebuildSoon();
+  if (watched == eyesWidget_) {
+    if (event->type() == QEvent::MouseMove)
+      hover(segmentAt(static_cast<QMouseEvent*>(event)->localPos()));
+    if (event->type() == QEvent::Leave)
+      hover(std::nullopt);
+    if (event->type() == QEvent::MouseButtonPress)
+      if (const auto segment = segmentAt(static_cast<QMouseEvent*>(event)->localPos()))
+        view_.change([segment](presentation::ViewState& state) {
+          state.strain.segment = state.strain.segment == *segment ? 0 : *segment;
+        });
+  }
+  return QWidget::eventFilter(watched, event);
+}
+
+std::optional<int> StrainPanel::segmentAt(const QPointF& place) const {
+  const double ratio = eyesWidget_->devicePixelRatioF();
+  const auto hit = eyes_->at(ratio * place.x(), ratio * (eyesWidget_->height() - 1 - place.y()));
+  return hit ? std::optional(static_cast<int>(hit->sector) + 1) : std::nullopt;
+}
+
+void StrainPanel::hover(std::optional<int> segment) {
+  if (std::exchange(hovered_, segment) != segment)
+    rebuildSoon();
+}
+
+void StrainPanel::rebuildSoon() {
+  if (!soon_.isActive())
+    soon_.start();
+}
+
+/// Of a pose that is shown, its strain against rest; else that of the cycle as chosen.
+std::optional<scene::BullsEyeFigure> StrainPanel::figureOf(const StrainModel& model) const {
+  const presentation::StrainLook& look = view_.state().strain;
+  const StrainModel::Reading pose = model.pose();
+  if (!pose && !model.cycle())
+    return std::nullopt;
+  scene::BullsEyeFigure figure =
+      pose ? presentation::strainBullsEye(*pose, look.direction, StrainMoment::instant, 1)
+           : presentation::strainBullsEye(*model.cycle(), look.direction, look.moment, model.phaseNow());
+  figure.selected = look.segment - 1;
+  return figure;
+}
+
+void StrainPanel::rebuild() {
+  if (!isVisible())
+    return;
+  const presentation::StrainLook& look = view_.state().strain;
+  const bool both = second_ && model_.cycle() && second_->cycle();
+  figures_.clear();
+  if (const auto figure = figureOf(model_))
+    figures_.push_back(*figure);
+  if (const auto figure = second_ ? figureOf(*second_) : std::nullopt)
+    figures_.push_back(*figure);
+  if (both && !model_.pose())
+    figures_.push_back(presentation::strainDifference(*model_.cycle(), *second_->cycle(), look.direction));
+  for (scene::BullsEyeFigure& figure : figures_)
+    presentation::translate(figure, strainWords);
+  phase_ = model_.phaseNow();
+  eyes_->setFigures(figures_);
+  curves_ = model_.cycle()
+                ? presentation::strainPanel(*model_.cycle(), hovered_.value_or(look.segment), look.direction)
+                : scene::CurvePanel();
+  if (both)
+    for (scene::PanelCurve curve : presentation::strainPanel(*second_->cycle()).curves) {
+      curve.dashed = true;
+      curve.name.clear();
+      curves_.curves.push_back(std::move(curve));
+    }
+  presentation::translate(curves_, strainWords);
+  if (model_.cycle())
+    curves_.xRange = scene::ValueRange{0, std::max(1e-3, model_.cycle()->strain.seconds.back())};
+  panels_->setPanels(model_.cycle() ? std::vector{curves_} : std::vector<scene::CurvePanel>());
+  numbers_->setText(numbersText());
+  segment_->setText(segmentText());
+  remarks_->setText(remarksText());
+  eyesWidget_->setVisible(!figures_.empty());
+  chart_->setVisible(model_.cycle() != nullptr);
+  draw();
+}
+
+/// A bull's eye of an instant is drawn when another phase comes; the cursor follows each frame.
+void StrainPanel::followFrame() {
+  if (!isVisible())
+    return;
+  placeInstant();
+  if (view_.state().strain.moment == StrainMoment::instant && model_.phaseNow() != phase_)
+    rebuildSoon();
+}
+
+void StrainPanel::draw() {
+  if (!figures_.empty()) {
+    eyes_->update();
+    eyesWidget_->renderWindow()->Render();
+  }
+  if (model_.cycle()) {
+    panels_->update();
+    chart_->renderWindow()->Render();
+  }
+  placeInstant();
+}
+
+void StrainPanel::placeInstant() {
+  ChartCursor::Marks marks;
+  if (model_.cycle() && model_.playing() && curves_.xRange) {
+    const double part =
+        (model_.secondsNow() - curves_.xRange->low) / (curves_.xRange->high - curves_.xRange->low);
+    if (part >= 0 && part <= 1)
+      marks.lines.push_back(
+          {curves_.left + part * (curves_.right - curves_.left), curves_.bottom, curves_.top});
+  }
+  cursor_->setMarks(std::move(marks));
+}
+
+QString StrainPanel::numbersText() const {
+  if (!model_.cycle())
+    return {};
+  QStringList parts;
+  for (const presentation::GlobalStrain& global : presentation::globalStrains(*model_.cycle())) {
+    const QColor color = QColor::fromRgbF(global.color.x(), global.color.y(), global.color.z());
+    const QString said = tr("%1 %2 % at %3 ms (healthy adults %4 to %5)")
+                             .arg(text(global.name))
+                             .arg(formatNumber(global.peakPercent, 1))
+                             .arg(formatNumber(global.peakMs, 0))
+                             .arg(formatNumber(global.healthyPercent.low, 1))
+                             .arg(formatNumber(global.healthyPercent.high, 1));
+    parts.push_back(QStringLiteral("<span style=\"color:%1\">&#9632;</span>&nbsp;%2")
+                        .arg(color.name(), said.toHtmlEscaped()));
+  }
+  return parts.join(QStringLiteral("&nbsp;&nbsp; "));
+}
+
+/// The segment under the mouse, else the chosen one.
+QString StrainPanel::segmentText() const {
+  const int segment = hovered_.value_or(view_.state().strain.segment);
+  if (segment < 1 || figures_.empty())
+    return {};
+  QStringList values;
+  for (const scene::BullsEyeFigure& figure : figures_) {
+    const auto& value = figure.sectors[static_cast<std::size_t>(segment - 1)].value;
+    values.push_back(value ? QStringLiteral("%1 %2").arg(formatNumber(*value, 1), text(figure.unit))
+                           : QStringLiteral("-"));
+  }
+  return tr("%1: %2").arg(nameOfSegment(segment), values.join(listSeparator()));
+}
+
+QString StrainPanel::remarksText() const {
+  if (!model_.failureReason().isEmpty())
+    return model_.failureReason();
+  if (!model_.cycle() && !model_.pose())
+    return tr("The strain is drawn here as soon as it is measured.");
+  QStringList remarks;
+  if (model_.pose())
+    remarks.push_back(tr("The bull's eye shows the present pose against rest."));
+  if (model_.cycle() && !model_.pose())
+    for (const Text& warning : model_.cycle()->warnings)
+      remarks.push_back(asSentence(warning));
+  return remarks.join(QLatin1Char(' '));
+}
+
+} // namespace viscera::app

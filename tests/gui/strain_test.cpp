@@ -1,0 +1,163 @@
+#include "play_fixture.h"
+
+#include <QAction>
+#include <QLabel>
+#include <QMouseEvent>
+
+#include <algorithm>
+#include <vector>
+
+#include "viscera/document/rig_commands.h"
+#include "viscera/presentation/strain_figure.h"
+#include "viscera/strain/aha_segments.h"
+#include "window/strain/strain_panel.h"
+
+/// The strain of the heart's wall: below the view, on the organ, and of two views.
+namespace viscera::tests {
+namespace {
+
+/// ms: the panel lets the organs be drawn first.
+constexpr int kDrawnMs = 80;
+
+class PlayedStrain : public PlayMode {
+protected:
+  void SetUp() override {
+    PlayMode::SetUp();
+    window().actions()["play.strain"]->trigger();
+    ASSERT_TRUE(waitUntil([this] { return model().cycle() != nullptr; }))
+        << model().failureReason().toStdString();
+    drawn();
+  }
+  app::StrainModel& model() { return parts().strain(); }
+  app::StrainPanel& panel() { return *window().findChild<app::StrainPanel*>(); }
+  /// Waits until the panel has drawn what is measured.
+  void drawn() {
+    QTest::qWait(kDrawnMs);
+    ASSERT_TRUE(waitUntil([this] { return !model().busy(); }));
+    QTest::qWait(kDrawnMs);
+  }
+  int chosen() { return window().viewModel().state().strain.segment; }
+  void onEyes(QEvent::Type type, const QPointF& place) {
+    auto& eyes = find<QVTKOpenGLNativeWidget>("strainEyes");
+    const bool moves = type == QEvent::MouseMove;
+    QMouseEvent event(type, place, moves ? Qt::NoButton : Qt::LeftButton,
+                      moves ? Qt::NoButton : Qt::LeftButton, Qt::NoModifier);
+    QCoreApplication::sendEvent(&eyes, &event);
+  }
+  void expectTheBeat() {
+    EXPECT_TRUE(panel().isVisible());
+    ASSERT_EQ(panel().figures().size(), 1U);
+    const auto eye = presentation::strainBullsEye(*model().cycle(), live::StrainDirection::longitudinal,
+                                                  live::StrainMoment::peak);
+    ASSERT_EQ(panel().figures()[0].sectors.size(), eye.sectors.size());
+    for (std::size_t i = 0; i < eye.sectors.size(); ++i)
+      EXPECT_EQ(panel().figures()[0].sectors[i].value, eye.sectors[i].value) << i;
+    EXPECT_EQ(panel().curves().bands.size(), 3U) << "GLS, GCS, GRS";
+    const QString gls =
+        QStringLiteral("GLS %1 %").arg(100 * model().cycle()->strain.gls->peak.value, 0, 'f', 1);
+    EXPECT_TRUE(find<QLabel>("strainNumbers").text().contains(gls)) << gls.toStdString();
+    EXPECT_FALSE(find<QVTKOpenGLNativeWidget>("strainEyes").toolTip().isEmpty()) << "the definition";
+  }
+
+  void expectSegmentsUnderTheMouse() {
+    const std::size_t curves = panel().curves().curves.size();
+    const auto& eyes = find<QVTKOpenGLNativeWidget>("strainEyes");
+    QPointF place(0, 0.5 * eyes.height()); // From the left the septum comes first.
+    while (chosen() == 0 && place.x() < eyes.width()) {
+      place.rx() += 4;
+      onEyes(QEvent::MouseButtonPress, place);
+    }
+    const int segment = chosen();
+    ASSERT_GE(segment, 1);
+    EXPECT_TRUE(strain::segments()[static_cast<std::size_t>(segment - 1)].septal) << segment;
+    onEyes(QEvent::MouseButtonPress, place);
+    EXPECT_EQ(chosen(), 0) << "a second click chooses none";
+    onEyes(QEvent::MouseMove, place);
+    QTest::qWait(kDrawnMs);
+    EXPECT_EQ(panel().curves().curves.size(), curves + 1);
+    EXPECT_TRUE(find<QLabel>("strainSegment").text().startsWith(QString::number(segment)));
+    QEvent leaves(QEvent::Leave);
+    QCoreApplication::sendEvent(&find<QVTKOpenGLNativeWidget>("strainEyes"), &leaves);
+    QTest::qWait(kDrawnMs);
+    EXPECT_EQ(panel().curves().curves.size(), curves);
+  }
+
+  void expectSegmentsOnTheOrgan() {
+    window().actions()["play.strainOnOrgan"]->trigger();
+    settle();
+    const document::OrganId left = organ("LV");
+    const auto coloured = [this](document::OrganId id) {
+      const auto actor = window().picture().actorOf(id);
+      return actor && actor->scalarsShown();
+    };
+    EXPECT_TRUE(coloured(left));
+    EXPECT_FALSE(coloured(organ("RV")));
+    const std::vector<int>* segments = model().segmentsOn(left);
+    ASSERT_NE(segments, nullptr);
+    const auto seventh = std::find(segments->begin(), segments->end(), 7);
+    ASSERT_NE(seventh, segments->end());
+    const Eigen::Index row = seventh - segments->begin();
+    const app::ClickedPlace place{left, window().workspace().live().points(left).row(row).transpose(),
+                                  Vec3::UnitZ()};
+    parts().click(&place);
+    EXPECT_EQ(chosen(), 7);
+    QTest::qWait(kDrawnMs);
+    EXPECT_EQ(panel().figures()[0].selected, 6) << "both ways";
+    window().actions()["play.strainOnOrgan"]->trigger();
+    settle();
+    EXPECT_FALSE(coloured(left));
+  }
+
+  void expectThePoseOfADrag() {
+    key(Qt::Key_3);
+    settle();
+    Points moved(1, 3);
+    moved.row(0) = 0.8 * document().pose().row(0);
+    window().workspace().perform(document::moveHandles({document().rig().handles.front().id}, moved));
+    ASSERT_TRUE(waitUntil([this] { return model().pose() != nullptr; })) << message().toStdString();
+    drawn();
+    const auto eye = presentation::strainBullsEye(*model().pose(), live::StrainDirection::longitudinal,
+                                                  live::StrainMoment::instant, 1);
+    ASSERT_EQ(panel().figures().size(), 1U);
+    EXPECT_EQ(panel().figures()[0].sectors[0].value, eye.sectors[0].value);
+    EXPECT_FALSE(panel().remarks().isEmpty()) << "what it shows is said";
+    window().workspace().undo().undo();
+    EXPECT_TRUE(waitUntil([this] { return model().pose() == nullptr; }));
+  }
+
+  document::OrganId organ(const char* name) {
+    for (const auto& each : document().organs())
+      if (each->name == name)
+        return each->id;
+    return {};
+  }
+};
+
+/// One test, because the strain of a beat takes seconds.
+TEST_F(PlayedStrain, IsDrawnAndFollowsMouseOrganAndPose) {
+  expectTheBeat();
+  expectSegmentsUnderTheMouse();
+  expectSegmentsOnTheOrgan();
+  expectThePoseOfADrag();
+}
+
+TEST_F(PlayedStrain, OfTwoViewsShowsBothAndTheirDifference) {
+  parts().comparison().showSameOrgan();
+  ASSERT_TRUE(waitUntil([this] { return panel().figures().size() == 3; }));
+  const auto& eyes = panel().figures();
+  for (std::size_t i = 0; i < eyes[0].sectors.size(); ++i)
+    if (eyes[2].sectors[i].value)
+      EXPECT_NEAR(*eyes[2].sectors[i].value, *eyes[0].sectors[i].value - *eyes[1].sectors[i].value, 1e-9);
+  parts().comparison().end();
+  QTest::qWait(kDrawnMs);
+  EXPECT_EQ(panel().figures().size(), 1U);
+}
+
+TEST_F(WindowTest, StrainNeedsALeftVentricle) {
+  open(sphereFile());
+  EXPECT_FALSE(window().actions()["play.strain"]->isEnabled());
+  EXPECT_EQ(window().play().strain().cycle(), nullptr);
+}
+
+} // namespace
+} // namespace viscera::tests
