@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "former_beat.h"
+#include "strain_look.h"
 #include "viscera/core/error.h"
 #include "viscera/core/json_reader.h"
 #include "viscera/presentation/stress_values.h"
@@ -29,9 +30,6 @@ constexpr std::array<const char*, 4> kMirrors = {"off", "sagittal", "coronal", "
 constexpr std::array<const char*, 3> kGlyphNames = {"none", "ellipsoids", "crosses"};
 constexpr std::array<const char*, 4> kCompared = {"rate", "coordinates", "pose", "sample"};
 constexpr std::array<const char*, 2> kCutStyles = {"smooth", "crinkle"};
-constexpr std::array<const char*, 3> kStrainDirections = {"longitudinal", "circumferential", "radial"};
-constexpr std::array<const char*, 3> kStrainMoments = {"peak", "instant", "timeToPeak"};
-constexpr int kMostSegments = 17;
 
 /// A named value of an enumeration; the first for a name that is none of them.
 template <class Enum, std::size_t count>
@@ -188,28 +186,6 @@ StressLook stressFromSettings(const JsonReader& json, const ordered_json& settin
     item["normal"] = jsonOf(normal);
   }
   return stressFrom(json, item, "stress");
-}
-
-ordered_json strainJson(const StrainLook& look) {
-  return {{"chart", look.chart},
-          {"onOrgan", look.onOrgan},
-          {"direction", kStrainDirections[static_cast<std::size_t>(look.direction)]},
-          {"moment", kStrainMoments[static_cast<std::size_t>(look.moment)]},
-          {"segment", look.segment}};
-}
-
-StrainLook strainFrom(const JsonReader& json, const ordered_json& item, const std::string& place) {
-  json.requireObject(item, place);
-  StrainLook look;
-  json.readIfThere(item, "chart", place, look.chart);
-  json.readIfThere(item, "onOrgan", place, look.onOrgan);
-  look.direction =
-      fromName<live::StrainDirection>(kStrainDirections, item.value("direction", ordered_json()));
-  look.moment = fromName<live::StrainMoment>(kStrainMoments, item.value("moment", ordered_json()));
-  json.readIfThere(item, "segment", place, look.segment);
-  if (look.segment < 0 || look.segment > kMostSegments)
-    look.segment = 0;
-  return look;
 }
 
 template <class Visit>
@@ -513,7 +489,7 @@ ViewState viewFrom(const JsonReader& json, const ordered_json& item,
                 [&](const char* key, const char*, bool& value) { json.readIfThere(item, key, "", value); });
   view.mirror = fromName<Mirror>(kMirrors, item.value("mirror", ordered_json()));
   take("stress", view.stress, stressFrom);
-  take("strain", view.strain, strainFrom);
+  take("strain", view.strain, strainLookFrom);
   take("scan", view.scan, scanFrom);
   return view;
 }
@@ -569,7 +545,7 @@ std::string toJson(const ViewState& state) {
   visitSwitches(view, [&](const char* key, const char*, bool value) { item[key] = value; });
   item["mirror"] = kMirrors[static_cast<std::size_t>(view.mirror)];
   item["stress"] = stressJson(view.stress);
-  item["strain"] = strainJson(view.strain);
+  item["strain"] = strainLookJson(view.strain);
   item["scan"] = scanJson(view.scan);
   item["cut"] = cutJson(view.cut);
   if (!view.organsSeen.empty())
