@@ -6916,6 +6916,17 @@
         <source>left ventricle</source>
         <translation>ventricle esquerre</translation>
     </message>
+    <message>
+        <source>hatched: uncertain</source>
+        <translation>ratllat: incert</translation>
+    </message>
+    <message numerus="yes">
+        <source>In %n {segment|segments} the fit of the motion leaves a peak less certain than its distance from the range of healthy adults</source>
+        <translation>
+            <numerusform>En %n segment l’ajust del moviment deixa un pic més incert que la seva distància a l’interval dels adults sans</numerusform>
+            <numerusform>En %n segments l’ajust del moviment deixa un pic més incert que la seva distància a l’interval dels adults sans</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>viscera::app</name>

@@ -6916,6 +6916,17 @@
         <source>left ventricle</source>
         <translation>linke Herzkammer</translation>
     </message>
+    <message>
+        <source>hatched: uncertain</source>
+        <translation>schraffiert: unsicher</translation>
+    </message>
+    <message numerus="yes">
+        <source>In %n {segment|segments} the fit of the motion leaves a peak less certain than its distance from the range of healthy adults</source>
+        <translation>
+            <numerusform>In %n Segment ist der Spitzenwert nach der Anpassung der Bewegung unsicherer als sein Abstand vom Bereich gesunder Erwachsener</numerusform>
+            <numerusform>In %n Segmenten ist der Spitzenwert nach der Anpassung der Bewegung unsicherer als sein Abstand vom Bereich gesunder Erwachsener</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>viscera::app</name>

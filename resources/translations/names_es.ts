@@ -6916,6 +6916,17 @@
         <source>left ventricle</source>
         <translation>ventrículo izquierdo</translation>
     </message>
+    <message>
+        <source>hatched: uncertain</source>
+        <translation>rayado: incierto</translation>
+    </message>
+    <message numerus="yes">
+        <source>In %n {segment|segments} the fit of the motion leaves a peak less certain than its distance from the range of healthy adults</source>
+        <translation>
+            <numerusform>En %n segmento el ajuste del movimiento deja un pico más incierto que su distancia al intervalo de los adultos sanos</numerusform>
+            <numerusform>En %n segmentos el ajuste del movimiento deja un pico más incierto que su distancia al intervalo de los adultos sanos</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>viscera::app</name>

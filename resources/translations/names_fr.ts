@@ -6916,6 +6916,17 @@
         <source>left ventricle</source>
         <translation>ventricule gauche</translation>
     </message>
+    <message>
+        <source>hatched: uncertain</source>
+        <translation>hachuré : incertain</translation>
+    </message>
+    <message numerus="yes">
+        <source>In %n {segment|segments} the fit of the motion leaves a peak less certain than its distance from the range of healthy adults</source>
+        <translation>
+            <numerusform>Dans %n segment, l’ajustement du mouvement laisse une valeur de pic plus incertaine que sa distance à la plage des adultes sains</numerusform>
+            <numerusform>Dans %n segments, l’ajustement du mouvement laisse une valeur de pic plus incertaine que sa distance à la plage des adultes sains</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>viscera::app</name>

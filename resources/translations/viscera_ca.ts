@@ -5411,4 +5411,30 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
         <translation>Obre la carpeta</translation>
     </message>
 </context>
+<context>
+    <name>viscera::app::StrainPanel</name>
+    <message>
+        <source>From the fullest phase</source>
+        <translation>Des de la fase més plena</translation>
+    </message>
+    <message>
+        <source>From phase %1</source>
+        <translation>Des de la fase %1</translation>
+    </message>
+    <message>
+        <source>Times to the peak differ by %1 ms along and %2 ms around</source>
+        <translation>Els temps fins al pic difereixen en %1 ms al llarg i %2 ms al voltant</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::AxisPicker</name>
+    <message>
+        <source>Axes of the heart, from which segments count: set by clicks</source>
+        <translation>Eixos del cor, des dels quals es compten els segments: es fixen amb clics</translation>
+    </message>
+    <message>
+        <source>Anterior insertion of the right ventricle</source>
+        <translation>Inserció anterior del ventricle dret</translation>
+    </message>
+</context>
 </TS>

@@ -5411,4 +5411,30 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
         <translation>Ordner öffnen</translation>
     </message>
 </context>
+<context>
+    <name>viscera::app::StrainPanel</name>
+    <message>
+        <source>From the fullest phase</source>
+        <translation>Ab der vollsten Phase</translation>
+    </message>
+    <message>
+        <source>From phase %1</source>
+        <translation>Ab Phase %1</translation>
+    </message>
+    <message>
+        <source>Times to the peak differ by %1 ms along and %2 ms around</source>
+        <translation>Die Zeiten bis zum Spitzenwert streuen um %1 ms längs und %2 ms rundum</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::AxisPicker</name>
+    <message>
+        <source>Axes of the heart, from which segments count: set by clicks</source>
+        <translation>Achsen des Herzens, von denen an Segmente zählen: durch Klicks setzen</translation>
+    </message>
+    <message>
+        <source>Anterior insertion of the right ventricle</source>
+        <translation>Vordere Insertion des rechten Ventrikels</translation>
+    </message>
+</context>
 </TS>

@@ -5411,4 +5411,30 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
         <translation>Abrir carpeta</translation>
     </message>
 </context>
+<context>
+    <name>viscera::app::StrainPanel</name>
+    <message>
+        <source>From the fullest phase</source>
+        <translation>Desde la fase más llena</translation>
+    </message>
+    <message>
+        <source>From phase %1</source>
+        <translation>Desde la fase %1</translation>
+    </message>
+    <message>
+        <source>Times to the peak differ by %1 ms along and %2 ms around</source>
+        <translation>Los tiempos hasta el pico difieren en %1 ms a lo largo y %2 ms alrededor</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::AxisPicker</name>
+    <message>
+        <source>Axes of the heart, from which segments count: set by clicks</source>
+        <translation>Ejes del corazón, desde los que se cuentan los segmentos: se fijan con clics</translation>
+    </message>
+    <message>
+        <source>Anterior insertion of the right ventricle</source>
+        <translation>Inserción anterior del ventrículo derecho</translation>
+    </message>
+</context>
 </TS>

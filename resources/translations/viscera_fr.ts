@@ -5411,4 +5411,30 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
         <translation>Ouvrir un dossier</translation>
     </message>
 </context>
+<context>
+    <name>viscera::app::StrainPanel</name>
+    <message>
+        <source>From the fullest phase</source>
+        <translation>Depuis la phase la plus remplie</translation>
+    </message>
+    <message>
+        <source>From phase %1</source>
+        <translation>Depuis la phase %1</translation>
+    </message>
+    <message>
+        <source>Times to the peak differ by %1 ms along and %2 ms around</source>
+        <translation>Les temps jusqu’au pic diffèrent de %1 ms dans la longueur et de %2 ms sur le pourtour</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::AxisPicker</name>
+    <message>
+        <source>Axes of the heart, from which segments count: set by clicks</source>
+        <translation>Axes du cœur, à partir desquels comptent les segments : à définir par des clics</translation>
+    </message>
+    <message>
+        <source>Anterior insertion of the right ventricle</source>
+        <translation>Insertion antérieure du ventricule droit</translation>
+    </message>
+</context>
 </TS>
