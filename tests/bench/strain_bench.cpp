@@ -1,5 +1,7 @@
 #include <cmath>
+#include <cstddef>
 #include <numbers>
+#include <vector>
 
 #include <benchmark/benchmark.h>
 
@@ -79,6 +81,31 @@ void strainOfABeat(benchmark::State& state) {
   state.counters["phases"] = BeatingCylinder::kPhases;
 }
 BENCHMARK(strainOfABeat)->Unit(benchmark::kMillisecond);
+
+/// While a handle is dragged: one pose against rest.
+void strainOfAPose(benchmark::State& state) {
+  BeatingCylinder beating;
+  const std::vector<std::size_t> kept = {0, BeatingCylinder::kPhases / 2};
+  for (auto* surface : {&beating.left, &beating.epicardium})
+    surface->phases = {surface->phases[kept[0]], surface->phases[kept[1]]};
+  beating.poses = {beating.poses[kept[0]], beating.poses[kept[1]]};
+  beating.heart.seconds = {0, 1};
+  Progress progress;
+  for ([[maybe_unused]] auto _ : state)
+    benchmark::DoNotOptimize(strain::heartStrain(beating.heart, beating.axes, &beating.wall, {}, progress));
+}
+BENCHMARK(strainOfAPose)->Unit(benchmark::kMillisecond);
+
+/// The stress map of the same points, which a drag has to keep up with, too.
+void stressOfAPose(benchmark::State& state) {
+  const BeatingCylinder beating;
+  deformation::StressMap map;
+  for ([[maybe_unused]] auto _ : state) {
+    beating.gradients->evaluate(beating.poses[BeatingCylinder::kPhases / 2], map);
+    benchmark::DoNotOptimize(map.rotationalStress.data());
+  }
+}
+BENCHMARK(stressOfAPose)->Unit(benchmark::kMillisecond);
 
 /// Once for an organ: the layers of the wall.
 void layersOfTheWall(benchmark::State& state) {

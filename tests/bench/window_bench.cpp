@@ -1,4 +1,5 @@
 #include <QAbstractButton>
+#include <QAction>
 #include <QApplication>
 #include <QProcess>
 #include <QScreen>
@@ -21,12 +22,17 @@
 #include "build_paths.h"
 #include "viscera/document/organ_commands.h"
 #include "viscera/heart/course_heartbeat.h"
+#include "window/modes/play_mode.h"
 #include "window/session/session_files.h"
+#include "window/strain/strain_model.h"
 
 /// What a hand on the window waits for: from the event until the picture is drawn. Needs a display, such as
 /// Xvfb's.
 namespace viscera::bench {
 namespace {
+
+/// For preparing the layers of a heart's wall, once.
+constexpr int kStrainPatienceMs = 300'000;
 
 /// From making the window, as the program does at its start, until the beating heart is drawn. Without the
 /// cache the organ is made first; what the system needs to load the program comes on top.
@@ -133,6 +139,28 @@ BENCHMARK(dragTheHeart)
     ->Arg(1)
     ->Arg(0)
     ->ArgName("blended")
+    ->Unit(benchmark::kMillisecond)
+    ->UseManualTime()
+    ->Iterations(60);
+
+/// Beside the strain of its wall (1), which a worker measures in the newest pose, or without it (0): the
+/// frame does not wait for it.
+void dragTheHeartBesideStrain(benchmark::State& state) {
+  BenchedWindow bench;
+  bench.loadHeart();
+  if (state.range(0) != 0) {
+    const app::StrainModel& strain = bench.window().play().strain();
+    bench.window().actions()["play.strain"]->trigger();
+    const auto measured = [&strain] { return strain.cycle() && !strain.busy(); };
+    if (!QTest::qWaitFor(measured, kStrainPatienceMs))
+      return state.SkipWithError("the strain is not measured");
+  }
+  drag(state, bench);
+}
+BENCHMARK(dragTheHeartBesideStrain)
+    ->Arg(1)
+    ->Arg(0)
+    ->ArgName("strain")
     ->Unit(benchmark::kMillisecond)
     ->UseManualTime()
     ->Iterations(60);
