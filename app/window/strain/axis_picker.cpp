@@ -84,7 +84,7 @@ void AxisPicker::onClick(const QPointF& place) {
   const Vec3 rest =
       document::surfacePoint(*organ, hit->triangle, Vec3(hit->weights[0], hit->weights[1], hit->weights[2]))
           .rest;
-  const std::optional<Vec3> Look::*picked = std::exchange(picking_, nullptr)->place;
+  const auto picked = std::exchange(picking_, nullptr)->place;
   viewModel_.change([&](presentation::ViewState& state) {
     Look& look = state.strain;
     if (look.axesOf != model_.leftVentricle())

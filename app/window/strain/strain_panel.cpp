@@ -34,6 +34,7 @@ using live::StrainMoment;
 
 /// ms: during a drag the picture of the organs comes first.
 constexpr int kStrainDelay = 30;
+constexpr int kReferenceLetters = 14;
 constexpr int kEyesStretch = 5, kCurvesStretch = 4;
 
 std::string strainWords(const std::string& english) {
@@ -125,6 +126,7 @@ QWidget* StrainPanel::makeChoices(const Actions& actions) {
   moment_->setObjectName(QStringLiteral("strainMoment"));
   reference_->setObjectName(QStringLiteral("strainReference"));
   reference_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  reference_->setMinimumContentsLength(kReferenceLetters);
   reference_->addItem(tr("From the fullest phase"));
   for (QWidget* choice : {static_cast<QWidget*>(direction_), static_cast<QWidget*>(moment_),
                           static_cast<QWidget*>(reference_), static_cast<QWidget*>(axes_)})

@@ -1,8 +1,8 @@
 #include "strain_confidence.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <cstdint>
 #include <numbers>
 #include <random>
 
@@ -81,7 +81,7 @@ Values handleResiduals(const Points& rest, const std::vector<SurfaceResidual>& s
       counts[handle] += 1;
     }
   }
-  return (squares.array() / counts.array().max(1)).sqrt().matrix();
+  return (squares.array() / counts.array().max(1.0)).sqrt().matrix();
 }
 
 strain::WallMeans drawnDeviations(const strain::WallPoints& points,

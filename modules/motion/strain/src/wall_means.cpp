@@ -57,7 +57,7 @@ WallMeans deviationsOfMeans(const WallPoints& points, const DrawnGradients& grad
   });
   WallMeans deviations;
   for (const auto values : {&WallMeans::longitudinal, &WallMeans::circumferential, &WallMeans::radial})
-    for (std::size_t k = 0; k <= kSegments; ++k) {
+    for (std::size_t k = 0; k < (deviations.*values).size(); ++k) {
       std::vector<double> each;
       for (const WallMeans& means : drawn)
         each.push_back((means.*values)[k]);
