@@ -70,7 +70,7 @@ void AxisPicker::hideEvent(QHideEvent* event) {
   QToolButton::hideEvent(event);
   if (picking())
     pick(nullptr);
-  syncGlyphs();
+  setGlyphs({}); // Also when the window ends, and what is shown is gone.
 }
 
 /// The surface may be in motion: the point is where the clicked place is at rest.
@@ -128,6 +128,10 @@ void AxisPicker::syncGlyphs() {
         });
     items.push_back({{rest + (now - nearest.rest)}, point.action->text().toStdString(), true});
   }
+  setGlyphs(std::move(items));
+}
+
+void AxisPicker::setGlyphs(std::vector<scene::MeasurementGlyphs::Item> items) {
   if (items.empty() && glyphs_.items().empty())
     return;
   glyphs_.setTheme(widget_.view().theme());

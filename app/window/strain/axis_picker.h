@@ -53,6 +53,7 @@ private:
   void forget();
   void sync();
   void syncGlyphs();
+  void setGlyphs(std::vector<scene::MeasurementGlyphs::Item> items);
 
   StrainModel& model_;
   ViewModel& viewModel_;
