@@ -146,8 +146,9 @@ TEST_F(PlayedStrain, OfTwoViewsShowsBothAndTheirDifference) {
   ASSERT_TRUE(waitUntil([this] { return panel().figures().size() == 3; }));
   const auto& eyes = panel().figures();
   for (std::size_t i = 0; i < eyes[0].sectors.size(); ++i)
-    if (eyes[2].sectors[i].value)
+    if (eyes[2].sectors[i].value) {
       EXPECT_NEAR(*eyes[2].sectors[i].value, *eyes[0].sectors[i].value - *eyes[1].sectors[i].value, 1e-9);
+    }
   parts().comparison().end();
   QTest::qWait(kDrawnMs);
   EXPECT_EQ(panel().figures().size(), 1U);
