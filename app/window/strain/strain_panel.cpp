@@ -3,6 +3,7 @@
 #include <QAction>
 #include <QCheckBox>
 #include <QComboBox>
+#include <QCoreApplication>
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -21,6 +22,7 @@
 #include "viscera/strain/aha_segments.h"
 #include "window/actions.h"
 #include "window/language.h"
+#include "window/strain/axis_picker.h"
 #include "window/view/view_model.h"
 #include "window/widgets/ready_made.h"
 
@@ -57,12 +59,13 @@ QString nameOfSegment(int number) {
   return QStringLiteral("%1 %2").arg(number).arg(words.join(QLatin1Char(' ')));
 }
 
-StrainPanel::StrainPanel(StrainModel& model, Playback& playback, ViewModel& view, const Actions& actions,
-                         QWidget* parent)
-    : QWidget(parent), model_(model), playback_(playback), view_(view),
+StrainPanel::StrainPanel(const Parts& parts, const Actions& actions, QWidget* parent)
+    : QWidget(parent), model_(parts.model), playback_(parts.playback), view_(parts.view),
       eyes_(std::make_unique<scene::BullsEyes>()), panels_(std::make_unique<scene::CurvePanels>()),
       eyesWidget_(chartWidget(this, "strainEyes")), chart_(chartWidget(this, "strainCurves")),
       cursor_(new ChartCursor(*chart_)), direction_(new QComboBox(this)), moment_(new QComboBox(this)),
+      reference_(new QComboBox(this)),
+      axes_(new AxisPicker(parts.model, parts.view, parts.picture, parts.widget, this)),
       numbers_(new QLabel(this)), segment_(new QLabel(this)), remarks_(makeRemark(QString(), this)) {
   setObjectName(QStringLiteral("panel"));
   setAttribute(Qt::WA_StyledBackground);
@@ -97,10 +100,11 @@ StrainPanel::StrainPanel(StrainModel& model, Playback& playback, ViewModel& view
   soon_.setSingleShot(true);
   soon_.setInterval(kStrainDelay);
   connect(&soon_, &QTimer::timeout, this, &StrainPanel::rebuild);
-  connect(&model, &StrainModel::changed, this, &StrainPanel::rebuildSoon);
-  connect(&view, &ViewModel::changed, this, &StrainPanel::followView);
-  connect(&playback, &Playback::advanced, this, &StrainPanel::followFrame);
-  connect(&playback, &Playback::stateChanged, this, &StrainPanel::followFrame);
+  connect(&parts.model, &StrainModel::changed, this, &StrainPanel::rebuildSoon);
+  connect(axes_, &AxisPicker::pickingChanged, this, &StrainPanel::rebuildSoon);
+  connect(&parts.view, &ViewModel::changed, this, &StrainPanel::followView);
+  connect(&parts.playback, &Playback::advanced, this, &StrainPanel::followFrame);
+  connect(&parts.playback, &Playback::stateChanged, this, &StrainPanel::followFrame);
   followView();
 }
 
@@ -113,13 +117,18 @@ QWidget* StrainPanel::makeChoices(const Actions& actions) {
   auto* choices = new QWidget(this);
   auto* row = makeLayout<QHBoxLayout>(choices, 8);
   for (const StrainDirection direction :
-       {StrainDirection::longitudinal, StrainDirection::circumferential, StrainDirection::radial})
+       {StrainDirection::longitudinal, StrainDirection::circumferential, StrainDirection::radial,
+        StrainDirection::thickening}) // As the enumeration.
     direction_->addItem(inWords(std::string(presentation::titleOf(direction))));
   moment_->addItems({tr("Peak"), tr("At this instant"), tr("Time to peak")}); // As the enumeration.
   direction_->setObjectName(QStringLiteral("strainDirection"));
   moment_->setObjectName(QStringLiteral("strainMoment"));
-  row->addWidget(direction_);
-  row->addWidget(moment_);
+  reference_->setObjectName(QStringLiteral("strainReference"));
+  reference_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  reference_->addItem(tr("From the fullest phase"));
+  for (QWidget* choice : {static_cast<QWidget*>(direction_), static_cast<QWidget*>(moment_),
+                          static_cast<QWidget*>(reference_), static_cast<QWidget*>(axes_)})
+    row->addWidget(choice);
   connect(direction_, QOverload<int>::of(&QComboBox::activated), this, [this](int index) {
     view_.change([index](presentation::ViewState& state) {
       state.strain.direction = static_cast<StrainDirection>(index);
@@ -128,6 +137,9 @@ QWidget* StrainPanel::makeChoices(const Actions& actions) {
   connect(moment_, QOverload<int>::of(&QComboBox::activated), this, [this](int index) {
     view_.change(
         [index](presentation::ViewState& state) { state.strain.moment = static_cast<StrainMoment>(index); });
+  });
+  connect(reference_, QOverload<int>::of(&QComboBox::activated), this, [this](int index) {
+    view_.change([index](presentation::ViewState& state) { state.strain.reference = index; });
   });
   row->addStretch(1);
   for (const char* id : {"play.strainOnOrgan", "play.exportStrain"})
@@ -251,6 +263,7 @@ void StrainPanel::rebuild() {
   if (model_.cycle())
     curves_.xRange = scene::ValueRange{0, std::max(1e-3, model_.cycle()->strain.seconds.back())};
   panels_->setPanels(model_.cycle() ? std::vector{curves_} : std::vector<scene::CurvePanel>());
+  syncReferences();
   numbers_->setText(numbersText());
   segment_->setText(segmentText());
   remarks_->setText(remarksText());
@@ -292,6 +305,17 @@ void StrainPanel::placeInstant() {
   cursor_->setMarks(std::move(marks));
 }
 
+/// A phase that the present cycle does not have is not measured from.
+void StrainPanel::syncReferences() {
+  const int phases = model_.cycle() ? static_cast<int>(model_.cycle()->strain.seconds.size()) : 0;
+  while (model_.cycle() && reference_->count() > phases + 1)
+    reference_->removeItem(reference_->count() - 1);
+  while (reference_->count() < phases + 1)
+    reference_->addItem(tr("From phase %1").arg(reference_->count()));
+  const int chosen = view_.state().strain.reference;
+  reference_->setCurrentIndex(chosen < reference_->count() ? chosen : 0);
+}
+
 QString StrainPanel::numbersText() const {
   if (!model_.cycle())
     return {};
@@ -307,7 +331,32 @@ QString StrainPanel::numbersText() const {
     parts.push_back(QStringLiteral("<span style=\"color:%1\">&#9632;</span>&nbsp;%2")
                         .arg(color.name(), said.toHtmlEscaped()));
   }
+  for (const QString& further : furtherNumbers())
+    parts.push_back(further.toHtmlEscaped());
   return parts.join(QStringLiteral("&nbsp;&nbsp; "));
+}
+
+/// Those without a range: of the right ventricle and the atrium, of twist and of the segments' times.
+QStringList StrainPanel::furtherNumbers() const {
+  const strain::HeartStrain& strain = model_.cycle()->strain;
+  QStringList said;
+  const auto add = [&said](const char* name, const std::optional<strain::ContourStrain>& contour) {
+    if (contour)
+      said.push_back(QStringLiteral("%1 %2 %").arg(inWords(std::string(name)),
+                                                   formatNumber(kPercent * contour->peak.value, 1)));
+  };
+  add("RV free wall", strain.rightFreeWall);
+  add("Left atrium", strain.leftReservoir);
+  const std::optional<double> twist = live::largestTurn(strain.twistDegrees),
+                              torsion = live::largestTurn(strain.torsionDegreesPerCm);
+  if (twist && torsion)
+    said.push_back(
+        QStringLiteral("%1 %2\u00b0 (%3\u00b0/cm)")
+            .arg(inWords(std::string("Twist")), formatNumber(*twist, 1), formatNumber(*torsion, 2)));
+  said.push_back(tr("Times to the peak differ by %1 ms along and %2 ms around")
+                     .arg(formatNumber(kMsPerSecond * strain.dispersionLongitudinal, 0),
+                          formatNumber(kMsPerSecond * strain.dispersionCircumferential, 0)));
+  return said;
 }
 
 /// The segment under the mouse, else the chosen one.
@@ -321,10 +370,22 @@ QString StrainPanel::segmentText() const {
     values.push_back(value ? QStringLiteral("%1 %2").arg(formatNumber(*value, 1), text(figure.unit))
                            : QStringLiteral("-"));
   }
+  if (model_.cycle() && !model_.pose()) {
+    if (const auto deviation =
+            live::strainDeviation(*model_.cycle(), segment, view_.state().strain.direction))
+      values.front() += QStringLiteral(" \u00b1 %1").arg(formatNumber(*deviation, 1));
+    if (const auto wall = live::wallThickness(*model_.cycle(), segment))
+      values.push_back(QStringLiteral("%1 mm, %2 %3 %")
+                           .arg(formatNumber(wall->millimeters, 1),
+                                inWords(std::string(presentation::titleOf(StrainDirection::thickening))),
+                                formatNumber(wall->thickeningPercent, 0)));
+  }
   return tr("%1: %2").arg(nameOfSegment(segment), values.join(listSeparator()));
 }
 
 QString StrainPanel::remarksText() const {
+  if (axes_->picking())
+    return QCoreApplication::translate("viscera::app::FitBox", "click the organ");
   if (!model_.failureReason().isEmpty())
     return model_.failureReason();
   if (!model_.cycle() && !model_.pose())

@@ -17,6 +17,8 @@
 #include "viscera/live/witness_sampling.h"
 #include "viscera/strain/wall_measures.h"
 
+#include "strain_confidence.h"
+
 namespace viscera::live {
 namespace {
 
@@ -85,7 +87,7 @@ std::optional<std::size_t> outerOf(const MovedOrgans& organs, const std::string&
 struct GaugedSurface {
   std::size_t organ = 0;
   MovingSurface rest;
-  std::shared_ptr<const coordinates::Binding> binding; ///< Null: phases are measured.
+  std::shared_ptr<const coordinates::Binding> binding; ///< Never null.
 
   GaugedSurface(const MovedOrgans& organs, std::size_t place, Progress& progress, Threads threads)
       : organ(place), rest{organs.organs[place].name,
@@ -94,9 +96,8 @@ struct GaugedSurface {
                            {}} {
     if (geometry::volume(rest.rest, rest.triangles) < 0)
       rest.triangles.col(1).swap(rest.triangles.col(2));
-    if (organs.measured.empty())
-      binding = deformation::bindOrgan(*organs.system, organs.handles, rest.rest,
-                                       {organs.parameters, threads}, progress);
+    binding = deformation::bindOrgan(*organs.system, organs.handles, rest.rest, {organs.parameters, threads},
+                                     progress);
   }
 
   MovingSurface in(const MovedOrgans& moved, Threads threads) const {
@@ -106,11 +107,23 @@ struct GaugedSurface {
       return surface;
     }
     surface.phases.resize(moved.poses.size());
-    for (std::size_t phase = 0; binding && phase < moved.poses.size(); ++phase)
+    for (std::size_t phase = 0; phase < moved.poses.size(); ++phase)
       binding->deform(moved.poses[phase], surface.phases[phase], threads);
     return surface;
   }
 };
+
+/// A pose of a motion that was fitted to measured surfaces, with what it has left at the handles.
+FittedPose fittedPose(const MovedOrgans& moved, const std::vector<const GaugedSurface*>& surfaces,
+                      std::size_t phase, Threads threads) {
+  std::vector<Points> fitted(surfaces.size());
+  std::vector<SurfaceResidual> left;
+  for (std::size_t i = 0; i < surfaces.size(); ++i) {
+    surfaces[i]->binding->deform(moved.poses[phase], fitted[i], threads);
+    left.push_back({&surfaces[i]->rest.rest, &fitted[i], &moved.measured[surfaces[i]->organ][phase]});
+  }
+  return {&moved.poses[phase], handleResiduals(moved.handles.positions, left, threads)};
+}
 
 /// The wall of the left ventricle with the gradients at its points.
 struct BoundWall {
@@ -206,6 +219,19 @@ void warn(const strain::MovingSurface& left, const strain::FoundAxes& axes, Stra
         phrase("The left ventricle is fullest in phase %1, and strain is measured from "
                "phase %2",
                *fuller + 1, reading.strain.reference + 1));
+  constexpr StrainDirection kWithRange[] = {StrainDirection::longitudinal, StrainDirection::circumferential,
+                                            StrainDirection::radial};
+  int uncertain = 0;
+  for (const strain::SegmentStrain& segment : reading.strain.segments)
+    uncertain += reading.reliable(segment) &&
+                 std::any_of(std::begin(kWithRange), std::end(kWithRange), [&](StrainDirection direction) {
+                   return !reliablePeak(reading, segment.number, direction);
+                 });
+  if (uncertain > 0)
+    reading.warnings.push_back(
+        phrase("In %n {segment|segments} the fit of the motion leaves a peak less certain than its distance "
+               "from the range of healthy adults",
+               uncertain));
   const auto few = std::count_if(reading.strain.segments.begin(), reading.strain.segments.end(),
                                  [](const strain::SegmentStrain& segment) { return !segment.enough; });
   if (few > 0)
@@ -402,6 +428,16 @@ StrainReading StrainGauge::read(const MovedOrgans& moved, Progress& progress, Th
   }
   reading.strain = strain::heartStrain(heart, parts.axes, parts.wall ? &movingWall : nullptr, parts.contours,
                                        progress, threads);
+  if (parts.wall && !moved.measured.empty() && moved.corresponding.value_or(false)) {
+    std::vector<const GaugedSurface*> surfaces;
+    for (const auto* surface : {&parts.left, &parts.right, &parts.outer, &parts.atrium})
+      if (*surface)
+        surfaces.push_back(&**surface);
+    const std::size_t peak = reading.strain.gls ? reading.strain.gls->peak.phase : heart.reference;
+    reading.deviations = drawnDeviations(parts.wall->points, *parts.wall->gradients,
+                                         fittedPose(moved, surfaces, heart.reference, threads),
+                                         fittedPose(moved, surfaces, peak, threads), progress, threads);
+  }
   warn(left, parts.axes, reading);
   return reading;
 }

@@ -13,9 +13,6 @@ using nlohmann::ordered_json;
 
 constexpr std::array<const char*, 3> kGlyphNames = {"none", "ellipsoids", "crosses"};
 constexpr std::array<const char*, 2> kCutStyles = {"smooth", "crinkle"};
-constexpr std::array<const char*, 3> kStrainDirections = {"longitudinal", "circumferential", "radial"};
-constexpr std::array<const char*, 3> kStrainMoments = {"peak", "instant", "timeToPeak"};
-constexpr int kMostSegments = 17;
 constexpr double kShortestNormal = 1e-6;
 
 template <class Visit>
@@ -101,28 +98,6 @@ StressLook stressFromSettings(const JsonReader& json, const ordered_json& settin
     item["normal"] = jsonOf(normal);
   }
   return stressFrom(json, item, "stress");
-}
-
-ordered_json strainJson(const StrainLook& look) {
-  return {{"chart", look.chart},
-          {"onOrgan", look.onOrgan},
-          {"direction", kStrainDirections[static_cast<std::size_t>(look.direction)]},
-          {"moment", kStrainMoments[static_cast<std::size_t>(look.moment)]},
-          {"segment", look.segment}};
-}
-
-StrainLook strainFrom(const JsonReader& json, const ordered_json& item, const std::string& place) {
-  json.requireObject(item, place);
-  StrainLook look;
-  json.readIfThere(item, "chart", place, look.chart);
-  json.readIfThere(item, "onOrgan", place, look.onOrgan);
-  look.direction =
-      fromName<live::StrainDirection>(kStrainDirections, item.value("direction", ordered_json()));
-  look.moment = fromName<live::StrainMoment>(kStrainMoments, item.value("moment", ordered_json()));
-  json.readIfThere(item, "segment", place, look.segment);
-  if (look.segment < 0 || look.segment > kMostSegments)
-    look.segment = 0;
-  return look;
 }
 
 std::string toJson(const StressLook& look) {

@@ -9,7 +9,7 @@
 #include "viscera/core/json_reader.h"
 #include "viscera/presentation/view_state.h"
 
-// The looks of stress and strain as parts of a view's JSON (docs/session_format.md).
+// The look of stress as a part of a view's JSON (docs/session_format.md).
 namespace viscera::presentation {
 
 inline constexpr const char* kView = "the session's view";
@@ -32,10 +32,5 @@ StressLook stressFrom(const JsonReader& json, const nlohmann::ordered_json& item
 
 /// Format 1 kept the user's settings, some of them as text.
 StressLook stressFromSettings(const JsonReader& json, const nlohmann::ordered_json& settings);
-
-nlohmann::ordered_json strainJson(const StrainLook& look);
-
-/// As `stressFrom`.
-StrainLook strainFrom(const JsonReader& json, const nlohmann::ordered_json& item, const std::string& place);
 
 } // namespace viscera::presentation

@@ -9,6 +9,7 @@
 
 #include "former_beat.h"
 #include "look_json.h"
+#include "strain_look.h"
 #include "viscera/core/error.h"
 #include "viscera/core/json_reader.h"
 
@@ -389,7 +390,7 @@ ViewState viewFrom(const JsonReader& json, const ordered_json& item,
                 [&](const char* key, const char*, bool& value) { json.readIfThere(item, key, "", value); });
   view.mirror = fromName<Mirror>(kMirrors, item.value("mirror", ordered_json()));
   take("stress", view.stress, stressFrom);
-  take("strain", view.strain, strainFrom);
+  take("strain", view.strain, strainLookFrom);
   take("scan", view.scan, scanFrom);
   return view;
 }
@@ -424,7 +425,7 @@ std::string toJson(const ViewState& state) {
   visitSwitches(view, [&](const char* key, const char*, bool value) { item[key] = value; });
   item["mirror"] = kMirrors[static_cast<std::size_t>(view.mirror)];
   item["stress"] = stressJson(view.stress);
-  item["strain"] = strainJson(view.strain);
+  item["strain"] = strainLookJson(view.strain);
   item["scan"] = scanJson(view.scan);
   item["cut"] = cutJson(view.cut);
   if (!view.organsSeen.empty())

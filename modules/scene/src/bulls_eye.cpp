@@ -207,6 +207,9 @@ void BullsEyeItem::paintWords(vtkContext2D* painter, const BullsEyeFigure& figur
                         figure.sides[side]);
   }
   painter->GetTextProp()->SetOrientation(0);
+  if (!figure.note.empty())
+    painter->DrawString(static_cast<float>(place.x), static_cast<float>(place.y - place.radius - 25 * ratio),
+                        figure.note);
 }
 
 } // namespace
