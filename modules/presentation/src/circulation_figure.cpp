@@ -22,15 +22,16 @@ using scene::PanelCurve;
 // Safe for people who do not tell red from green (Okabe and Ito).
 const Vec3 kVentricle = {0.84, 0.37, 0.0};
 const Vec3 kArtery = {0.80, 0.24, 0.48};
-const Vec3 kAtrium = {0.0, 0.45, 0.70};
-const Vec3 kRight = {0.60, 0.52, 0.12};
+const Vec3 kAtrium = {0.60, 0.52, 0.12};
+const Vec3 kRight = {0.0, 0.45, 0.70}; ///< Blue is the right heart, as in the charts of volumes.
 const Vec3 kSign = {0.50, 0.57, 0.62}; ///< Seen on dark and on light grounds.
 const Vec3 kRelation = {0.0, 0.62, 0.45};
 const Vec3 kBefore = {0.55, 0.58, 0.61};
 
 constexpr double kLeft = 0.06; ///< Of the left axes.
 constexpr int kRelationPoints = 60;
-constexpr double kRoomForLegend = 1.3;
+constexpr double kRoomForLegend = 1.3, kRoomForLoopLegend = 1.15;
+constexpr double kBelowSounds = 1.2, kAboveSounds = 2.3; ///< Of the loudest sound.
 constexpr float kBarWidth = 7;
 constexpr float kThin = 1.3F;
 
@@ -226,7 +227,11 @@ std::vector<CurvePanel> wiggersPanels(const ShownCirculation& shown, double righ
   CurvePanel sound = strip(kSound, right, beat.period, "Sound");
   sound.curves = {
       drawn.curve("", kSign, circulation::phonocardiogram(shown.parameters, beat, shown.indices), kThin)};
-  sound.yRange = scene::ValueRange{-1.5, 1.5};
+  double loudest = 1;
+  for (const double value : sound.curves.front().y)
+    loudest = std::max(loudest, std::abs(value));
+  // The sounds are named above their curve.
+  sound.yRange = scene::ValueRange{-kBelowSounds * loudest, kAboveSounds * loudest};
   sound.yLabels = false;
   sound.xLabels = true;
   sound.xTitle = "Time (s)";
@@ -309,8 +314,10 @@ std::vector<CirculationLine> circulationLegend(const ShownCirculation* before) {
 
 std::vector<CurvePanel> circulationFigure(const ShownCirculation& shown, const ShownCirculation* before) {
   std::vector<CurvePanel> panels = wiggersPanels(shown, 0.58);
-  for (CurvePanel& panel : loopPanels(shown, before, 0.65))
+  for (CurvePanel& panel : loopPanels(shown, before, 0.65)) {
+    panel.yRange->high *= kRoomForLoopLegend;
     panels.push_back(std::move(panel));
+  }
   return panels;
 }
 
