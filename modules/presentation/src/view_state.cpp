@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "former_beat.h"
+#include "look_json.h"
 #include "viscera/core/error.h"
 #include "viscera/core/json_reader.h"
 #include "viscera/presentation/stress_values.h"
@@ -29,16 +30,6 @@ constexpr std::array<const char*, 4> kMirrors = {"off", "sagittal", "coronal", "
 constexpr std::array<const char*, 3> kGlyphNames = {"none", "ellipsoids", "crosses"};
 constexpr std::array<const char*, 4> kCompared = {"rate", "coordinates", "pose", "sample"};
 constexpr std::array<const char*, 2> kCutStyles = {"smooth", "crinkle"};
-constexpr std::array<const char*, 3> kStrainDirections = {"longitudinal", "circumferential", "radial"};
-constexpr std::array<const char*, 3> kStrainMoments = {"peak", "instant", "timeToPeak"};
-constexpr int kMostSegments = 17;
-
-/// A named value of an enumeration; the first for a name that is none of them.
-template <class Enum, std::size_t count>
-Enum fromName(const std::array<const char*, count>& names, const ordered_json& name) {
-  const auto found = std::find(names.begin(), names.end(), name.is_string() ? name.get<std::string>() : "");
-  return static_cast<Enum>(found == names.end() ? 0 : found - names.begin());
-}
 
 /// Of unit length; the first direction again for one without any.
 Vec3 unit(const Vec3& normal) {
@@ -188,97 +179,6 @@ StressLook stressFromSettings(const JsonReader& json, const ordered_json& settin
     item["normal"] = jsonOf(normal);
   }
   return stressFrom(json, item, "stress");
-}
-
-ordered_json strainJson(const StrainLook& look) {
-  return {{"chart", look.chart},
-          {"onOrgan", look.onOrgan},
-          {"direction", kStrainDirections[static_cast<std::size_t>(look.direction)]},
-          {"moment", kStrainMoments[static_cast<std::size_t>(look.moment)]},
-          {"segment", look.segment}};
-}
-
-StrainLook strainFrom(const JsonReader& json, const ordered_json& item, const std::string& place) {
-  json.requireObject(item, place);
-  StrainLook look;
-  json.readIfThere(item, "chart", place, look.chart);
-  json.readIfThere(item, "onOrgan", place, look.onOrgan);
-  look.direction =
-      fromName<live::StrainDirection>(kStrainDirections, item.value("direction", ordered_json()));
-  look.moment = fromName<live::StrainMoment>(kStrainMoments, item.value("moment", ordered_json()));
-  json.readIfThere(item, "segment", place, look.segment);
-  if (look.segment < 0 || look.segment > kMostSegments)
-    look.segment = 0;
-  return look;
-}
-
-template <class Visit>
-void visitScan(ScanLook& look, Visit visit) {
-  visit("layout", look.layout);
-  visit("level", look.level);
-  visit("width", look.width);
-  visit("slabMm", look.slabMm);
-  visit("maximum", look.maximum);
-  visit("smooth", look.smooth);
-  visit("contours", look.contours);
-  visit("rest", look.rest);
-  visit("standing", look.standing);
-  visit("bent", look.warped);
-}
-
-template <class Visit>
-void visitFraming(SliceFraming& framing, Visit visit) {
-  visit("rightMm", framing.rightMm);
-  visit("upMm", framing.upMm);
-  visit("zoom", framing.zoom);
-}
-
-ordered_json scanJson(ScanLook look) {
-  ordered_json item;
-  visitScan(look, [&](const char* key, const auto& value) { item[key] = value; });
-  if (look.width <= 0) {
-    item.erase("level");
-    item.erase("width");
-  }
-  if (look.focus)
-    item["focus"] = jsonOf(*look.focus);
-  for (SliceFraming& framing : look.framings) {
-    ordered_json one;
-    visitFraming(framing, [&](const char* key, const auto& value) { one[key] = value; });
-    item["framings"].push_back(one);
-  }
-  return item;
-}
-
-/// A number of a look, or `otherwise` for one that nothing can be drawn with.
-double within(double value, double low, double high, double otherwise) {
-  return std::isfinite(value) && value >= low && value <= high ? value : otherwise;
-}
-
-ScanLook scanFrom(const JsonReader& json, const ordered_json& item, const std::string& place) {
-  constexpr double kFar = 1e6;
-  constexpr double kMostSlabMm = 200, kMostZoom = 1000;
-  json.requireObject(item, place);
-  ScanLook look;
-  visitScan(look, [&](const char* key, auto& value) { json.readIfThere(item, key, place, value); });
-  if (item.contains("focus"))
-    look.focus = json.valueOf<Vec3>(item, "focus", place);
-  if (look.focus && !(look.focus->cwiseAbs().maxCoeff() < kFar))
-    look.focus.reset();
-  look.level = within(look.level, -kFar, kFar, 0);
-  look.width = within(look.width, 0, kFar, 0);
-  look.slabMm = within(look.slabMm, 0, kMostSlabMm, 0);
-  std::size_t read = 0;
-  json.eachOf(item, "framings", place, [&](const ordered_json& one, const std::string& inList) {
-    if (read == look.framings.size())
-      return;
-    SliceFraming& framing = look.framings[read++];
-    visitFraming(framing, [&](const char* key, double& value) { json.readIfThere(one, key, inList, value); });
-    framing.rightMm = within(framing.rightMm, -kFar, kFar, 0);
-    framing.upMm = within(framing.upMm, -kFar, kFar, 0);
-    framing.zoom = within(framing.zoom, 1 / kMostZoom, kMostZoom, 1);
-  });
-  return look;
 }
 
 /// The items that the modes of format 1 showed.
@@ -514,6 +414,7 @@ ViewState viewFrom(const JsonReader& json, const ordered_json& item,
   view.mirror = fromName<Mirror>(kMirrors, item.value("mirror", ordered_json()));
   take("stress", view.stress, stressFrom);
   take("strain", view.strain, strainFrom);
+  take("heartSigns", view.heartSigns, heartSignsFrom);
   take("scan", view.scan, scanFrom);
   return view;
 }
@@ -531,9 +432,9 @@ bool ViewState::operator==(const ViewState& other) const {
                     view.partNames, view.measurements, view.orientationCube, view.scaleBar, view.gizmo,
                     view.exactly, view.mirror, view.layout.regions, view.layout.zones,
                     view.layout.superRegions, view.chartOfCycle, view.circulationChart, view.beatSigns,
-                    view.valves, view.stress, view.strain, view.cut, view.organsSeen, view.person.sex,
-                    view.person.bodySurfaceM2, view.scan, view.selection, view.motions, view.playing,
-                    view.compared, view.slides);
+                    view.valves, view.heartSigns, view.stress, view.strain, view.cut, view.organsSeen,
+                    view.person.sex, view.person.bodySurfaceM2, view.scan, view.selection, view.motions,
+                    view.playing, view.compared, view.slides);
   };
   return parts(*this) == parts(other) && shownPose.rows() == other.shownPose.rows() &&
          shownPose == other.shownPose;
@@ -570,6 +471,7 @@ std::string toJson(const ViewState& state) {
   item["mirror"] = kMirrors[static_cast<std::size_t>(view.mirror)];
   item["stress"] = stressJson(view.stress);
   item["strain"] = strainJson(view.strain);
+  item["heartSigns"] = heartSignsJson(view.heartSigns);
   item["scan"] = scanJson(view.scan);
   item["cut"] = cutJson(view.cut);
   if (!view.organsSeen.empty())
