@@ -26,6 +26,7 @@ CirculationPanel::CirculationPanel(CirculationModel& model, Playback& playback, 
   numbers->addWidget(new PersonBox(view, this));
   row->addLayout(numbers);
   numbers_->setFixedWidth(kNumbersWidth);
+  numbers_->setPerson(view.state().person);
   connect(&model, &CirculationModel::changed, this, &CirculationPanel::showNumbers);
   connect(&view, &ViewModel::changed, this, [this, &view] {
     numbers_->setPerson(view.state().person);

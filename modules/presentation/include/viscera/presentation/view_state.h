@@ -191,7 +191,8 @@ struct ViewState {
   ScanLook scan;
   OrganCut cut;
   OrgansSeen organsSeen; ///< Set while a slide is shown; the document does not change.
-  anatomy::Person person; ///< Whose normal ranges are shown.
+  /// Whose normal ranges are shown: of one sex, since those of both shade nearly all of a chart.
+  anatomy::Person person{anatomy::Sex::women, 0};
 
   SelectionState selection;
   std::vector<MotionChoice> motions;
