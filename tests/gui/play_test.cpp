@@ -293,12 +293,18 @@ TEST_F(PlayMode, PhasesNormalRangesAndIndicesOfTheBeatAreShown) {
 
   auto* chart = window().findChild<app::VolumePanel*>();
   ASSERT_NE(chart, nullptr);
-  EXPECT_TRUE(chart->normalsText().contains(QStringLiteral("82\u2013230 ml")))
-      << chart->normalsText().toStdString();
+  EXPECT_TRUE(chart->normalsText().contains(QStringLiteral("82\u2013166 ml")))
+      << "of one sex: " << chart->normalsText().toStdString();
   EXPECT_TRUE(chart->normalsText().contains(QStringLiteral("doi")));
   auto* whose = chart->findChild<QComboBox*>(QStringLiteral("rangesOf"));
   auto* surface = chart->findChild<QDoubleSpinBox*>(QStringLiteral("rangesForBodySurface"));
   ASSERT_TRUE(whose && surface);
+  whose->setCurrentIndex(2);
+  EXPECT_TRUE(chart->normalsText().contains(QStringLiteral("102\u2013230 ml")))
+      << "men: " << chart->normalsText().toStdString();
+  whose->setCurrentIndex(0);
+  EXPECT_TRUE(chart->normalsText().contains(QStringLiteral("82\u2013230 ml")))
+      << "both: " << chart->normalsText().toStdString();
   whose->setCurrentIndex(1);
   surface->setValue(1.5);
   EXPECT_TRUE(chart->normalsText().contains(QStringLiteral("75\u2013147 ml")))

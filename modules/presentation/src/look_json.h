@@ -9,7 +9,8 @@
 #include "viscera/core/json_reader.h"
 #include "viscera/presentation/view_state.h"
 
-// The look of stress as a part of a view's JSON (docs/session_format.md).
+// Parts of a session's view as JSON (docs/session_format.md): stress, scan, signs of a heart. What is missing
+// or out of range gets its default; each throws `JsonError` for what is not of its kind.
 namespace viscera::presentation {
 
 inline constexpr const char* kView = "the session's view";
@@ -22,6 +23,9 @@ Enum fromName(const std::array<const char*, count>& names, const nlohmann::order
   return static_cast<Enum>(found == names.end() ? 0 : found - names.begin());
 }
 
+/// A number of a look, or `otherwise` for one that nothing can be drawn with.
+double within(double value, double low, double high, double otherwise);
+
 /// Of unit length; the first direction again for one without any.
 Vec3 unit(const Vec3& normal);
 
@@ -32,5 +36,12 @@ StressLook stressFrom(const JsonReader& json, const nlohmann::ordered_json& item
 
 /// Format 1 kept the user's settings, some of them as text.
 StressLook stressFromSettings(const JsonReader& json, const nlohmann::ordered_json& settings);
+
+nlohmann::ordered_json scanJson(ScanLook look);
+ScanLook scanFrom(const JsonReader& json, const nlohmann::ordered_json& item, const std::string& place);
+
+nlohmann::ordered_json heartSignsJson(HeartSigns signs);
+HeartSigns heartSignsFrom(const JsonReader& json, const nlohmann::ordered_json& item,
+                          const std::string& place);
 
 } // namespace viscera::presentation

@@ -89,75 +89,6 @@ void visitPlaying(Playing& playing, Visit visit) {
   visit("shown", playing.shown);
 }
 
-template <class Visit>
-void visitScan(ScanLook& look, Visit visit) {
-  visit("layout", look.layout);
-  visit("level", look.level);
-  visit("width", look.width);
-  visit("slabMm", look.slabMm);
-  visit("maximum", look.maximum);
-  visit("smooth", look.smooth);
-  visit("contours", look.contours);
-  visit("rest", look.rest);
-  visit("standing", look.standing);
-  visit("bent", look.warped);
-}
-
-template <class Visit>
-void visitFraming(SliceFraming& framing, Visit visit) {
-  visit("rightMm", framing.rightMm);
-  visit("upMm", framing.upMm);
-  visit("zoom", framing.zoom);
-}
-
-ordered_json scanJson(ScanLook look) {
-  ordered_json item;
-  visitScan(look, [&](const char* key, const auto& value) { item[key] = value; });
-  if (look.width <= 0) {
-    item.erase("level");
-    item.erase("width");
-  }
-  if (look.focus)
-    item["focus"] = jsonOf(*look.focus);
-  for (SliceFraming& framing : look.framings) {
-    ordered_json one;
-    visitFraming(framing, [&](const char* key, const auto& value) { one[key] = value; });
-    item["framings"].push_back(one);
-  }
-  return item;
-}
-
-/// A number of a look, or `otherwise` for one that nothing can be drawn with.
-double within(double value, double low, double high, double otherwise) {
-  return std::isfinite(value) && value >= low && value <= high ? value : otherwise;
-}
-
-ScanLook scanFrom(const JsonReader& json, const ordered_json& item, const std::string& place) {
-  constexpr double kFar = 1e6;
-  constexpr double kMostSlabMm = 200, kMostZoom = 1000;
-  json.requireObject(item, place);
-  ScanLook look;
-  visitScan(look, [&](const char* key, auto& value) { json.readIfThere(item, key, place, value); });
-  if (item.contains("focus"))
-    look.focus = json.valueOf<Vec3>(item, "focus", place);
-  if (look.focus && !(look.focus->cwiseAbs().maxCoeff() < kFar))
-    look.focus.reset();
-  look.level = within(look.level, -kFar, kFar, 0);
-  look.width = within(look.width, 0, kFar, 0);
-  look.slabMm = within(look.slabMm, 0, kMostSlabMm, 0);
-  std::size_t read = 0;
-  json.eachOf(item, "framings", place, [&](const ordered_json& one, const std::string& inList) {
-    if (read == look.framings.size())
-      return;
-    SliceFraming& framing = look.framings[read++];
-    visitFraming(framing, [&](const char* key, double& value) { json.readIfThere(one, key, inList, value); });
-    framing.rightMm = within(framing.rightMm, -kFar, kFar, 0);
-    framing.upMm = within(framing.upMm, -kFar, kFar, 0);
-    framing.zoom = within(framing.zoom, 1 / kMostZoom, kMostZoom, 1);
-  });
-  return look;
-}
-
 /// The items that the modes of format 1 showed.
 Shown shownByMode(const std::string& mode, bool sequenceShown) {
   Shown shown;
@@ -408,9 +339,9 @@ bool ViewState::operator==(const ViewState& other) const {
                     view.partNames, view.measurements, view.orientationCube, view.scaleBar, view.gizmo,
                     view.exactly, view.mirror, view.layout.regions, view.layout.zones,
                     view.layout.superRegions, view.chartOfCycle, view.circulationChart, view.beatSigns,
-                    view.valves, view.stress, view.strain, view.cut, view.organsSeen, view.person.sex,
-                    view.person.bodySurfaceM2, view.scan, view.selection, view.motions, view.playing,
-                    view.compared, view.slides);
+                    view.valves, view.heartSigns, view.stress, view.strain, view.cut, view.organsSeen,
+                    view.person.sex, view.person.bodySurfaceM2, view.scan, view.selection, view.motions,
+                    view.playing, view.compared, view.slides);
   };
   return parts(*this) == parts(other) && shownPose.rows() == other.shownPose.rows() &&
          shownPose == other.shownPose;
