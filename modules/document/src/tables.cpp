@@ -110,10 +110,12 @@ void writeOrganTable(const std::filesystem::path& file, const std::vector<PosedO
              organs);
 }
 
-std::vector<MeasurementRow> measurementRows(const DocumentState& state, const PointsOf& pointsOf) {
+std::vector<MeasurementRow> measurementRows(const DocumentState& state, const PointsOf& pointsOf,
+                                            const TissueMotion& tissue) {
   std::vector<MeasurementRow> rows;
   for (const Measurement& measurement : *state.measurements) {
-    MeasurementRow row{measurement, measure(measurement, state, pointsOf), unitOf(measurement, state), {}};
+    MeasurementRow row{
+        measurement, measure(measurement, state, pointsOf, nullptr, tissue), unitOf(measurement, state), {}};
     for (const MeasuredPoint& point : measurement.points) {
       const auto organ = point.organ ? state.organ(point.organ) : nullptr;
       row.organs.push_back(organ ? organ->name : std::string());

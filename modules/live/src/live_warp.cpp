@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "bound_organ.h"
 #include "viscera/core/error.h"
@@ -132,8 +133,15 @@ LiveWarp::LiveWarp(const document::Document& document, LiveBinding& live,
 LiveWarp::~LiveWarp() = default;
 
 void LiveWarp::setWanted(bool wanted) {
-  if (std::exchange(impl_->wanted, wanted) != wanted)
-    impl_->follow();
+  if (std::exchange(impl_->wanted, wanted) == wanted)
+    return;
+  impl_->follow();
+  if (impl_->bound.map)
+    impl_->changed.emit();
+}
+
+bool LiveWarp::warpsScan() {
+  return impl_->document.state().scan && map();
 }
 
 const InverseMap* LiveWarp::map() {
@@ -163,6 +171,16 @@ void LiveWarp::restPlane(const deformation::SamplePlane& plane, deformation::Res
   known.refinePlane(*impl_->target->system, plane, refinement, rest, quiet);
 }
 
+Vec3 LiveWarp::restOf(const Vec3& place) {
+  const InverseMap* known = map();
+  return known ? Vec3(known->restPoints(place.transpose()).points.row(0).transpose()) : place;
+}
+
+Vec3 LiveWarp::posedOf(const Vec3& rest) {
+  const InverseMap* known = map();
+  return known ? Vec3(known->posedPoints(rest.transpose()).row(0).transpose()) : rest;
+}
+
 double LiveWarp::foldedMl() {
   const InverseMap* known = map();
   return known ? known->foldedMl() : 0;
@@ -178,6 +196,27 @@ const Text& LiveWarp::problem() const {
 
 Subscription LiveWarp::onChange(std::function<void()> observer) {
   return impl_->changed.connect(std::move(observer));
+}
+
+document::TissueMotion tissueMotionOf(LiveWarp& warp) {
+  if (!warp.warpsScan())
+    return {};
+  return [&warp](const Vec3& rest) { return warp.posedOf(rest); };
+}
+
+document::TissueMotion measuredTissueOf(LiveWarp& warp, const document::MeasurementList& measurements) {
+  if (!warp.warpsScan())
+    return {};
+  std::vector<std::pair<Vec3, Vec3>> places;
+  for (const document::Measurement& measurement : measurements)
+    for (const document::MeasuredPoint& point : measurement.points)
+      if (!point.organ)
+        places.emplace_back(point.rest, warp.posedOf(point.rest));
+  return [places = std::move(places)](const Vec3& rest) {
+    const auto known =
+        std::find_if(places.begin(), places.end(), [&](const auto& place) { return place.first == rest; });
+    return known == places.end() ? rest : known->second;
+  };
 }
 
 } // namespace viscera::live

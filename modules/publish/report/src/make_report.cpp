@@ -158,9 +158,10 @@ std::string rowTitle(const document::MeasurementRow& row) {
 
 Section measurements(const ReportSource& source) {
   Section section{said("Measurements"), {}};
-  const auto rows = document::measurementRows(source.state, [&](document::OrganId organ) -> const Points& {
-    return *source.organs->sharedPoints(organ);
-  });
+  const auto rows = document::measurementRows(
+      source.state,
+      [&](document::OrganId organ) -> const Points& { return *source.organs->sharedPoints(organ); },
+      source.tissue);
   Table table;
   table.head = {said("Name"),       said("Kind"), said("Measured on"),
                 said("Rest shape"), said("Now"),  said("Change")};

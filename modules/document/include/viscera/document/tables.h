@@ -32,8 +32,9 @@ struct MeasurementRow {
   std::vector<std::string> organs; ///< The names of its points' organs; empty for a place that stays.
 };
 
-/// The rows of all measurements of a document, in their order.
-std::vector<MeasurementRow> measurementRows(const DocumentState& state, const PointsOf& pointsOf);
+/// The rows of all measurements of a document, in their order; `tissue` as for `measure`.
+std::vector<MeasurementRow> measurementRows(const DocumentState& state, const PointsOf& pointsOf,
+                                            const TissueMotion& tissue = {});
 
 /// Writes measurements as comma-separated values, one row each: `name`, `kind` (distance, angle, rectangle or
 /// sphere), `value_at_rest`, `value_now` (of a rectangle or a sphere the mean), `unit` (mm, deg, or the
