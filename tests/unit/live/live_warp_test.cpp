@@ -134,6 +134,36 @@ TEST(LiveWarp, MovesMeasuredPlacesAsItShowsTheScanAndOnlyWhileItDoes) {
   EXPECT_EQ(kept(rest), posed) << "another thread has it for itself";
 }
 
+TEST(LiveWarp, BendsNoOrganInTheScanThatDoesNotBend) {
+  BentBall ball;
+  const document::OrganId soft = ball.organ();
+  ball.undo.perform(document::addOrgans({tests::ball("Left femur", 8, 3, Vec3(0, 0, 20))}));
+  const document::OrganId bone = ball.organ(1);
+  ASSERT_EQ(ball.document.organ(bone)->mobility, document::Mobility::rigid);
+  ball.warp.setWanted(true);
+  ball.undo.perform(document::moveHandles({ball.handle(8)}, tests::row(10, 0, 62)));
+  ball.wait();
+  const auto farthest = [&](document::OrganId organ) {
+    double most = 0;
+    const Points& rest = ball.document.organ(organ)->mesh->points;
+    for (Eigen::Index i = 0; i < rest.rows(); i += 5) {
+      const Vec3 place = ball.live.points(organ).row(i).transpose();
+      most = std::max(most, (ball.warp.restOf(place) - rest.row(i).transpose()).norm());
+    }
+    return most;
+  };
+  EXPECT_LT(farthest(bone), 1e-6) << "its image goes with its surface";
+  const std::uint64_t before = ball.warp.revision();
+  ball.undo.perform(document::moveHandles({ball.handle(8)}, tests::row(-8, 4, 58)));
+  EXPECT_LT(farthest(bone), 1e-6) << "in the next pose, too";
+  EXPECT_NE(ball.warp.revision(), before);
+  ball.undo.perform(document::setMobility({bone}, document::Mobility::bends));
+  ball.wait();
+  EXPECT_GT(farthest(bone) + farthest(soft), 0);
+  const Vec3 place = ball.live.points(bone).row(0).transpose();
+  EXPECT_LT((ball.warp.restOf(place) - ball.restOf(place)).norm(), 1e-9) << "as soft tissue now";
+}
+
 TEST(LiveWarp, CountsWhatThePoseFolds) {
   BentBall ball;
   ball.warp.setWanted(true);

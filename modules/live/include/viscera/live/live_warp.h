@@ -20,6 +20,7 @@ namespace viscera::live {
 inline constexpr double kWarpToleranceMm = 0.03;
 
 /// Keeps the inverse of the present deformation up to date, so that a scan can be deformed with the organs.
+/// Organs that do not bend, such as bones, do not bend in the scan either.
 /// While `setWanted` is on, the space around the handles is bound on the job queue (slot "bend"), anew when
 /// the handles or the system change; a pose takes a few milliseconds. For the document's thread.
 class LiveWarp {
@@ -51,7 +52,8 @@ public:
   bool warpsScan();
   /// Where the samples of a plane are at rest, by `map`, which must not be null, and by the system itself
   /// where the map's grid is too coarse: as near as `kWarpToleranceMm`, or, of systems that bind slowly, as
-  /// many of the roughest places as take about a hundredth of a second.
+  /// many of the roughest places as take about a hundredth of a second. In organs that do not bend it is by
+  /// their own motion.
   void restPlane(const deformation::SamplePlane& plane, deformation::RestPoints& rest);
   /// Where the tissue drawn at a place of the warped scan was at rest, mm, and the reverse, by the map; the
   /// place itself without one.
