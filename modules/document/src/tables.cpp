@@ -7,6 +7,7 @@
 #include <sstream>
 #include <utility>
 
+#include "viscera/anatomy/part.h"
 #include "viscera/core/atomic_file.h"
 #include "viscera/core/text.h"
 #include "viscera/document/document.h"
@@ -35,7 +36,10 @@ void writeRow(std::ostream& out, const PosedOrgan& posed) {
   const Bounds box = boundsOf(posed.points);
   const Vec3 size = box.high - box.low;
   out << geometry::area(posed.points, triangles) / kMm2PerCm2 << ',' << size.x() << ',' << size.y() << ','
-      << size.z() << ',' << (posed.points - organ.mesh->points).rowwise().norm().maxCoeff() << '\n';
+      << size.z() << ',' << (posed.points - organ.mesh->points).rowwise().norm().maxCoeff() << ',';
+  if (organ.closed())
+    out << organ.restVolumeMm3 / kMm3PerMl;
+  out << ',' << anatomy::chamberKey(organ.name) << '\n';
 }
 
 std::string measurementHeader() {
@@ -106,7 +110,7 @@ void writeTable(const std::filesystem::path& file, const std::string& header, co
 void writeOrganTable(const std::filesystem::path& file, const std::vector<PosedOrgan>& organs) {
   writeTable(file,
              "name,vertices,triangles,closed,rest_ml,volume_ml,change_ml,change_percent,area_cm2,size_x_mm,"
-             "size_y_mm,size_z_mm,largest_displacement_mm",
+             "size_y_mm,size_z_mm,largest_displacement_mm,volume_rest_ml,chamber",
              organs);
 }
 

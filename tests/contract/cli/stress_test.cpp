@@ -147,10 +147,11 @@ TEST_F(CliStress, SaysTheValuesAtProbes) {
   EXPECT_NE(said.find("Probe 1 lies 4.0 mm outside"), std::string::npos) << said;
   const std::string table = contents(path("p.csv"));
   EXPECT_EQ(table.find("probe,rest_x_mm,rest_y_mm,rest_z_mm,x_mm,y_mm,z_mm,RotationalStress_deg,VolumeRatio,"
-                       "StretchMax,StretchMin,Folded\n1,5,-1,2,15,-2,2,30,6,3,1,0\n"),
+                       "StretchMax,StretchMin,Folded,stress_degrees,volume_ratio,stretch_max,stretch_min\n"
+                       "1,5,-1,2,15,-2,2,30,6,3,1,0,30,6,3,1\n"),
             0u)
       << table;
-  EXPECT_NE(table.find("\n3,14,0,0,,,,,,,,\n"), std::string::npos) << table;
+  EXPECT_NE(table.find("\n3,14,0,0,,,,,,,,,,,,\n"), std::string::npos) << table;
 }
 
 TEST_F(CliStress, AProbeAtAWitnessSaysWhatItsRowOfTheTableSays) {
