@@ -84,6 +84,16 @@ TEST_F(CliStress, KeepsTheCellsOfAMeshUnlessOtherPointsAreAskedFor) {
   EXPECT_EQ(runJson(anew)["sampling"], "surface");
 }
 
+TEST_F(CliStress, OfABoneSaysThatABoneHasNone) {
+  const json soft = runJson(stress(stretched(3, 2, 1)));
+  EXPECT_EQ(soft["mobility"], "bends");
+  std::vector<std::string> arguments = stress(stretched(3, 2, 1));
+  arguments[1] = put("left_femur.off", cubeOff(10));
+  EXPECT_EQ(runJson(arguments)["mobility"], "rigid");
+  EXPECT_NE(run(arguments).err.find("is a bone, which moves as a rigid body and has no stress"),
+            std::string::npos);
+}
+
 TEST_F(CliStress, CountsFoldedTissue) {
   const json result = runJson(stress(stretched(-1, 1, 1)));
   EXPECT_EQ(result["folded"], result["witnesses"]);
