@@ -19,6 +19,7 @@
 #include "untranslated.h"
 #include "valve_picture.h"
 #include "viscera/anatomy/part.h"
+#include "viscera/presentation/slice_presenter.h"
 #include "viscera/presentation/space_parts.h"
 #include "viscera/scene/legend.h"
 
@@ -230,13 +231,16 @@ void Presenter::Parts::updateMeasurements(const Scene& scene) {
   const auto pointsOf = [&](document::OrganId organ) -> const Points& {
     return *kept.emplace_back(scene.organs.sharedPoints(organ));
   };
+  const document::TissueMotion tissue =
+      scene.warping && scene.view.scan.warped ? scene.warping->posed : document::TissueMotion();
   std::vector<scene::MeasurementGlyphs::Item> items;
   for (const document::Measurement& measurement : *scene.state.measurements) {
     if (document::isRegion(measurement.kind)) { // Seen on slices; items are in the document's order.
       items.emplace_back();
       continue;
     }
-    document::MeasuredValues values = document::measure(measurement, scene.state, pointsOf, &measured);
+    document::MeasuredValues values =
+        document::measure(measurement, scene.state, pointsOf, &measured, tissue);
     const bool chosen = scene.measuring && std::count(scene.measuring->highlighted.begin(),
                                                       scene.measuring->highlighted.end(), measurement.id);
     items.push_back(
@@ -250,7 +254,7 @@ void Presenter::Parts::updateMeasurements(const Scene& scene) {
     const bool single = pending.points.size() == 1;
     if (single)
       pending.points.push_back(pending.points.front());
-    document::MeasuredValues values = document::measure(pending, scene.state, pointsOf);
+    document::MeasuredValues values = document::measure(pending, scene.state, pointsOf, nullptr, tissue);
     scene::MeasurementGlyphs::Item item{std::move(values.places), {}, true};
     if (single)
       item.points.resize(1);

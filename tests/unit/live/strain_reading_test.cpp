@@ -1,7 +1,9 @@
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <fstream>
 #include <set>
+#include <sstream>
 
 #include <gtest/gtest.h>
 
@@ -164,6 +166,19 @@ TEST(StrainReading, WritesWhatIsMeasured) {
   std::string head;
   std::getline(table, head);
   EXPECT_EQ(head.substr(0, 30), "time_s,gls_percent,gcs_percent");
+  std::istringstream cells(head);
+  std::set<std::string> columns;
+  for (std::string cell; std::getline(cells, cell, ',');)
+    EXPECT_TRUE(columns.insert(cell).second) << cell << " is there twice";
+  for (const std::string& column : columns) {
+    std::string plain;
+    for (const char letter : column) {
+      if (std::isupper(static_cast<unsigned char>(letter)) && !plain.empty() && plain.back() != '_')
+        plain += '_';
+      plain += static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
+    }
+    EXPECT_EQ(columns.count(plain), 1U) << column << " has no name in small letters beside it";
+  }
 }
 
 /// Vertices are counted as in the file, whatever has become of repeated ones.

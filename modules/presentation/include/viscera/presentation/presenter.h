@@ -70,7 +70,8 @@ struct Scene {
   const std::vector<TransientSurface>* transient = nullptr; ///< Shown beside the organs; null: none.
   /// The parts whose names are shown instead of those chosen in `view`; null: those of `view`.
   const std::vector<Part>* parts = nullptr;
-  const Warping* warping = nullptr; ///< For slices in the 3D view that follow the pose; null: they cannot.
+  const Warping* warping = nullptr; ///< For slices and measured places of the scan that follow the pose, if
+                                    ///< the view warps the scan; null: they cannot.
   /// The valves of the beating heart at this instant; empty: none are known.
   std::optional<heart::ValveInstants> valves = std::nullopt;
   /// Range of the stress map's colours, shared with another picture; empty: a range of its own.
