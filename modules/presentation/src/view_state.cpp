@@ -323,6 +323,7 @@ ViewState viewFrom(const JsonReader& json, const ordered_json& item,
   take("stress", view.stress, stressFrom);
   take("strain", view.strain, strainLookFrom);
   take("scan", view.scan, scanFrom);
+  take("heartSigns", view.heartSigns, heartSignsFrom);
   return view;
 }
 
@@ -355,6 +356,7 @@ std::string toJson(const ViewState& state) {
     item["camera"] = cameraJson(*view.camera);
   visitSwitches(view, [&](const char* key, const char*, bool value) { item[key] = value; });
   item["mirror"] = kMirrors[static_cast<std::size_t>(view.mirror)];
+  item["heartSigns"] = heartSignsJson(view.heartSigns);
   item["stress"] = stressJson(view.stress);
   item["strain"] = strainLookJson(view.strain);
   item["scan"] = scanJson(view.scan);
