@@ -213,8 +213,8 @@ Values boundaryAlong(const WitnessMesh& mesh, const Values& heights, const Heart
   return along;
 }
 
-/// How far the wall of each segment reaches from the cavity: by the endocardium's vertices and what is
-/// nearest to them on the other side.
+} // namespace
+
 std::array<double, kSegments + 1> reachOfSegments(const WallSurfaces& surfaces, const HeartAxes& axes,
                                                   const std::vector<bool>& cap, Threads threads) {
   const OpenSurface outer(surfaces.outer->points, surfaces.outer->triangles,
@@ -249,6 +249,8 @@ std::array<double, kSegments + 1> reachOfSegments(const WallSurfaces& surfaces, 
     }
   return reach;
 }
+
+namespace {
 
 /// The segment of each node within the reach of its wall, 0 elsewhere.
 std::vector<int> segmentsOfWall(const WitnessMesh& mesh, const WallSurfaces& surfaces, const HeartAxes& axes,
