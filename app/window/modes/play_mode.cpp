@@ -316,10 +316,11 @@ SegmentsOfOrgans PlayMode::segments() const {
   return found;
 }
 
-/// Under a stress map the organs have its colours.
+/// In the modes that move the heart: no other one has the switch.
 bool PlayMode::segmentsShown() const {
   const presentation::ViewState& view = parts_.view.state();
-  return view.strain.onOrgan && !view.shown.stress && (strain_->pose() || strain_->cycle());
+  const bool moves = view.mode == "play" || view.mode == "deform";
+  return view.strain.onOrgan && moves && !view.shown.stress && (strain_->pose() || strain_->cycle());
 }
 
 presentation::SurfaceMap PlayMode::segmentsNow() const {
