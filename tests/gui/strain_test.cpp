@@ -99,6 +99,13 @@ protected:
     };
     EXPECT_TRUE(coloured(left));
     EXPECT_FALSE(coloured(organ("RV")));
+    EXPECT_LT(window().picture().actorOf(organ("RV"))->opacity(), 0.2) << "else it hides the left one";
+    window().setMode("explore"); // It has no switch for them.
+    settle();
+    EXPECT_FALSE(coloured(left));
+    window().setMode("play");
+    settle();
+    EXPECT_TRUE(coloured(left));
     const std::vector<int>* segments = model().segmentsOn(left);
     ASSERT_NE(segments, nullptr);
     const auto seventh = std::find(segments->begin(), segments->end(), 7);
