@@ -6927,6 +6927,14 @@
             <numerusform>En %n segments l’ajust del moviment deixa un pic més incert que la seva distància a l’interval dels adults sans</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Patient</source>
+        <translation>Pacient</translation>
+    </message>
+    <message>
+        <source>Study date</source>
+        <translation>Data de l’estudi</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app</name>

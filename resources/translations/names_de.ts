@@ -6927,6 +6927,14 @@
             <numerusform>In %n Segmenten ist der Spitzenwert nach der Anpassung der Bewegung unsicherer als sein Abstand vom Bereich gesunder Erwachsener</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Patient</source>
+        <translation>Patient</translation>
+    </message>
+    <message>
+        <source>Study date</source>
+        <translation>Untersuchungsdatum</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app</name>

@@ -6927,6 +6927,14 @@
             <numerusform>En %n segmentos el ajuste del movimiento deja un pico más incierto que su distancia al intervalo de los adultos sanos</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Patient</source>
+        <translation>Paciente</translation>
+    </message>
+    <message>
+        <source>Study date</source>
+        <translation>Fecha del estudio</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app</name>

@@ -6927,6 +6927,14 @@
             <numerusform>Dans %n segments, l’ajustement du mouvement laisse une valeur de pic plus incertaine que sa distance à la plage des adultes sains</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Patient</source>
+        <translation>Patient</translation>
+    </message>
+    <message>
+        <source>Study date</source>
+        <translation>Date de l’examen</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app</name>

@@ -2137,6 +2137,26 @@ Moveu el lliscador de dalt per col·locar-ne, o feu clic a l’òrgan en el mode
         <source>&amp;Darken the screen</source>
         <translation>&amp;Enfosqueix la pantalla</translation>
     </message>
+    <message>
+        <source>&amp;Pressures and volume</source>
+        <translation>&amp;Pressions i volum</translation>
+    </message>
+    <message>
+        <source>Pressure-volume &amp;loops</source>
+        <translation>&amp;Bucles pressió-volum</translation>
+    </message>
+    <message>
+        <source>&amp;Electrocardiogram</source>
+        <translation>&amp;Electrocardiograma</translation>
+    </message>
+    <message>
+        <source>Open &amp;valves</source>
+        <translation>&amp;Vàlvules obertes</translation>
+    </message>
+    <message>
+        <source>Heart &amp;sounds</source>
+        <translation>&amp;Sorolls cardíacs</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::LessonDialog</name>
@@ -2341,8 +2361,8 @@ Moveu el lliscador de dalt per col·locar-ne, o feu clic a l’òrgan en el mode
         <translation>Exporta CSV...</translation>
     </message>
     <message>
-        <source>Points stay on the organ while it moves, and can be dragged along it; those on a slice stay there.</source>
-        <translation>Els punts segueixen l’òrgan mentre es mou, i s’hi poden arrossegar; els d’un tall es queden on són.</translation>
+        <source>Points stay on the organ while it moves, and can be dragged along it; those on a slice go with the warped scan.</source>
+        <translation>Els punts segueixen l’òrgan mentre es mou, i s’hi poden arrossegar; els d’un tall segueixen la imatge deformada.</translation>
     </message>
     <message>
         <source>Click two points on an organ or on a slice. Esc ends.</source>
@@ -2522,6 +2542,10 @@ Moveu el lliscador de dalt per col·locar-ne, o feu clic a l’òrgan en el mode
     <message>
         <source>&amp;Compare</source>
         <translation>&amp;Compara</translation>
+    </message>
+    <message>
+        <source>S&amp;hown in lectures and movies</source>
+        <translation>&amp;Mostrat a classes i pel·lícules</translation>
     </message>
 </context>
 <context>

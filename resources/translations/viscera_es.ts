@@ -2137,6 +2137,26 @@ Mueva el control de arriba para colocar algunos o haga clic en el órgano en el 
         <source>&amp;Darken the screen</source>
         <translation>&amp;Oscurecer la pantalla</translation>
     </message>
+    <message>
+        <source>&amp;Pressures and volume</source>
+        <translation>&amp;Presiones y volumen</translation>
+    </message>
+    <message>
+        <source>Pressure-volume &amp;loops</source>
+        <translation>&amp;Bucles presión-volumen</translation>
+    </message>
+    <message>
+        <source>&amp;Electrocardiogram</source>
+        <translation>&amp;Electrocardiograma</translation>
+    </message>
+    <message>
+        <source>Open &amp;valves</source>
+        <translation>&amp;Válvulas abiertas</translation>
+    </message>
+    <message>
+        <source>Heart &amp;sounds</source>
+        <translation>&amp;Ruidos cardíacos</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::LessonDialog</name>
@@ -2341,8 +2361,8 @@ Mueva el control de arriba para colocar algunos o haga clic en el órgano en el 
         <translation>Exportar CSV...</translation>
     </message>
     <message>
-        <source>Points stay on the organ while it moves, and can be dragged along it; those on a slice stay there.</source>
-        <translation>Los puntos siguen al órgano mientras se mueve y pueden arrastrarse por él; los de un corte se quedan en el corte.</translation>
+        <source>Points stay on the organ while it moves, and can be dragged along it; those on a slice go with the warped scan.</source>
+        <translation>Los puntos siguen al órgano mientras se mueve y pueden arrastrarse por él; los de un corte siguen a la imagen deformada.</translation>
     </message>
     <message>
         <source>Click two points on an organ or on a slice. Esc ends.</source>
@@ -2522,6 +2542,10 @@ Mueva el control de arriba para colocar algunos o haga clic en el órgano en el 
     <message>
         <source>&amp;Compare</source>
         <translation>&amp;Comparar</translation>
+    </message>
+    <message>
+        <source>S&amp;hown in lectures and movies</source>
+        <translation>&amp;Mostrado en clases y películas</translation>
     </message>
 </context>
 <context>

@@ -2137,6 +2137,26 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez sur l’organe en mode
         <source>&amp;Darken the screen</source>
         <translation>&amp;Noircir l’écran</translation>
     </message>
+    <message>
+        <source>&amp;Pressures and volume</source>
+        <translation>&amp;Pressions et volume</translation>
+    </message>
+    <message>
+        <source>Pressure-volume &amp;loops</source>
+        <translation>&amp;Boucles pression-volume</translation>
+    </message>
+    <message>
+        <source>&amp;Electrocardiogram</source>
+        <translation>&amp;Électrocardiogramme</translation>
+    </message>
+    <message>
+        <source>Open &amp;valves</source>
+        <translation>&amp;Valves ouvertes</translation>
+    </message>
+    <message>
+        <source>Heart &amp;sounds</source>
+        <translation>Bruits du &amp;cœur</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::LessonDialog</name>
@@ -2341,8 +2361,8 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez sur l’organe en mode
         <translation>Exporter en CSV...</translation>
     </message>
     <message>
-        <source>Points stay on the organ while it moves, and can be dragged along it; those on a slice stay there.</source>
-        <translation>Les points restent sur l’organe quand il bouge, et glissent le long de lui&#x202f;; ceux d’une coupe y restent.</translation>
+        <source>Points stay on the organ while it moves, and can be dragged along it; those on a slice go with the warped scan.</source>
+        <translation>Les points restent sur l’organe quand il bouge, et glissent le long de lui&#x202f;; ceux d’une coupe suivent le scan déformé.</translation>
     </message>
     <message>
         <source>Click two points on an organ or on a slice. Esc ends.</source>
@@ -2522,6 +2542,10 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez sur l’organe en mode
     <message>
         <source>&amp;Compare</source>
         <translation>&amp;Comparer</translation>
+    </message>
+    <message>
+        <source>S&amp;hown in lectures and movies</source>
+        <translation>Montré dans les &amp;présentations et les films</translation>
     </message>
 </context>
 <context>

@@ -82,13 +82,11 @@ protected:
     onEyes(QEvent::MouseButtonPress, place);
     EXPECT_EQ(chosen(), 0) << "a second click chooses none";
     onEyes(QEvent::MouseMove, place);
-    QTest::qWait(kDrawnMs);
-    EXPECT_EQ(panel().curves().curves.size(), curves + 1);
+    EXPECT_TRUE(waitUntil([&] { return panel().curves().curves.size() == curves + 1; }));
     EXPECT_TRUE(find<QLabel>("strainSegment").text().startsWith(QString::number(segment)));
     QEvent leaves(QEvent::Leave);
     QCoreApplication::sendEvent(&find<QVTKOpenGLNativeWidget>("strainEyes"), &leaves);
-    QTest::qWait(kDrawnMs);
-    EXPECT_EQ(panel().curves().curves.size(), curves);
+    EXPECT_TRUE(waitUntil([&] { return panel().curves().curves.size() == curves; }));
   }
 
   void expectSegmentsOnTheOrgan() {
@@ -101,6 +99,13 @@ protected:
     };
     EXPECT_TRUE(coloured(left));
     EXPECT_FALSE(coloured(organ("RV")));
+    EXPECT_LT(window().picture().actorOf(organ("RV"))->opacity(), 0.2) << "else it hides the left one";
+    window().setMode("explore"); // It has no switch for them.
+    settle();
+    EXPECT_FALSE(coloured(left));
+    window().setMode("play");
+    settle();
+    EXPECT_TRUE(coloured(left));
     const std::vector<int>* segments = model().segmentsOn(left);
     ASSERT_NE(segments, nullptr);
     const auto seventh = std::find(segments->begin(), segments->end(), 7);
@@ -110,8 +115,7 @@ protected:
                                   Vec3::UnitZ()};
     parts().click(&place);
     EXPECT_EQ(chosen(), 7);
-    QTest::qWait(kDrawnMs);
-    EXPECT_EQ(panel().figures()[0].selected, 6) << "both ways";
+    EXPECT_TRUE(waitUntil([this] { return panel().figures()[0].selected == 6; })) << "both ways";
     window().actions()["play.strainOnOrgan"]->trigger();
     settle();
     EXPECT_FALSE(coloured(left));
@@ -143,17 +147,18 @@ protected:
       EXPECT_TRUE(numbers.contains(QString::number(std::abs(value), 'f', std::abs(value) < 3 ? 2 : 1)))
           << value << " in " << numbers.toStdString();
     window().viewModel().change([](presentation::ViewState& state) { state.strain.segment = 7; });
-    QTest::qWait(kDrawnMs);
     const auto wall = live::wallThickness(*model().cycle(), 7);
     ASSERT_TRUE(wall);
-    const QString segment = find<QLabel>("strainSegment").text();
-    EXPECT_TRUE(segment.contains(QString::number(wall->millimeters, 'f', 1) + QStringLiteral(" mm")))
-        << segment.toStdString();
+    const auto& segment = find<QLabel>("strainSegment");
+    const QString thickness = QString::number(wall->millimeters, 'f', 1) + QStringLiteral(" mm");
+    EXPECT_TRUE(waitUntil([&] { return segment.text().contains(thickness); }))
+        << segment.text().toStdString();
     auto& direction = find<QComboBox>("strainDirection");
     direction.setCurrentIndex(3);
     Q_EMIT direction.activated(3);
-    QTest::qWait(kDrawnMs);
-    EXPECT_NEAR(panel().figures()[0].sectors[6].value.value(), wall->thickeningPercent, 1e-9);
+    EXPECT_TRUE(waitUntil([&] {
+      return std::abs(panel().figures()[0].sectors[6].value.value() - wall->thickeningPercent) < 1e-9;
+    }));
     window().viewModel().change([](presentation::ViewState& state) {
       state.strain.direction = live::StrainDirection::longitudinal;
       state.strain.segment = 0;
@@ -252,11 +257,11 @@ TEST_F(PlayedStrain, OfTwoViewsShowsBothAndTheirDifference) {
   ASSERT_TRUE(waitUntil([this] { return panel().figures().size() == 3; }));
   const auto& eyes = panel().figures();
   for (std::size_t i = 0; i < eyes[0].sectors.size(); ++i)
-    if (eyes[2].sectors[i].value)
+    if (eyes[2].sectors[i].value) {
       EXPECT_NEAR(*eyes[2].sectors[i].value, *eyes[0].sectors[i].value - *eyes[1].sectors[i].value, 1e-9);
+    }
   parts().comparison().end();
-  QTest::qWait(kDrawnMs);
-  EXPECT_EQ(panel().figures().size(), 1U);
+  EXPECT_TRUE(waitUntil([this] { return panel().figures().size() == 1; }));
 }
 
 TEST_F(WindowTest, StrainNeedsALeftVentricle) {

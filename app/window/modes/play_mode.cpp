@@ -316,10 +316,11 @@ SegmentsOfOrgans PlayMode::segments() const {
   return found;
 }
 
-/// Under a stress map the organs have its colours.
+/// In the modes that move the heart: no other one has the switch.
 bool PlayMode::segmentsShown() const {
   const presentation::ViewState& view = parts_.view.state();
-  return view.strain.onOrgan && !view.shown.stress && (strain_->pose() || strain_->cycle());
+  const bool moves = view.mode == "play" || view.mode == "deform";
+  return view.strain.onOrgan && moves && !view.shown.stress && (strain_->pose() || strain_->cycle());
 }
 
 presentation::SurfaceMap PlayMode::segmentsNow() const {
@@ -568,7 +569,11 @@ bool PlayMode::record(const MoviePlan& plan) {
       {parts_.workspace, parts_.playback, parts_.picture, segmentsOverTime()}};
   if (comparison_->on())
     sources.push_back({comparison_->workspace(), comparison_->playback(), comparison_->picture(), nullptr});
-  const bool begun = recorder_->start(plan, sources);
+  const bool begun =
+      recorder_->start(plan, sources,
+                       MovieSigns::of({parts_.playback, *circulation_, parts_.view.state().heartSigns,
+                                       parts_.picture.view().theme()},
+                                      plan.size));
   if (begun && std::any_of(sources.begin(), sources.end(),
                            [](const auto& source) { return source.picture.hasMoreThanMovies(); }))
     parts_.workspace.note(

@@ -16,6 +16,7 @@ presentation::SurfaceMap segmentMap(const scene::BullsEyeFigure& figure, const S
   map.range = figure.range;
   map.title = title;
   map.unit = figure.unit;
+  map.glassAround = true;
   for (const auto& [organ, ofVertices] : segments)
     map.values[organ] =
         std::make_shared<const Values>(presentation::strainOnSurface(figure, ofVertices, chosen));

@@ -36,6 +36,7 @@ using live::StrainMoment;
 constexpr int kStrainDelay = 30;
 constexpr int kReferenceLetters = 14;
 constexpr int kEyesStretch = 5, kCurvesStretch = 4;
+constexpr double kLeftOfCurves = 64, kBelowCurves = 42; ///< Room of the axes' labels, pixels.
 
 std::string strainWords(const std::string& english) {
   return english.empty() ? english : inWords(english).toStdString();
@@ -48,6 +49,12 @@ QVTKOpenGLNativeWidget* chartWidget(QWidget* parent, const char* name) {
   vtkNew<vtkGenericOpenGLRenderWindow> window;
   widget->setRenderWindow(window);
   return widget;
+}
+
+/// Rich text that names a curve by its colour.
+QString markedBy(const Vec3& color, const QString& said) {
+  return QStringLiteral("<span style=\"color:%1\">&#9632;</span>&nbsp;%2")
+      .arg(QColor::fromRgbF(color.x(), color.y(), color.z()).name(), said.toHtmlEscaped());
 }
 
 } // namespace
@@ -264,6 +271,7 @@ void StrainPanel::rebuild() {
   presentation::translate(curves_, strainWords);
   if (model_.cycle())
     curves_.xRange = scene::ValueRange{0, std::max(1e-3, model_.cycle()->strain.seconds.back())};
+  makeRoom(curves_);
   panels_->setPanels(model_.cycle() ? std::vector{curves_} : std::vector<scene::CurvePanel>());
   syncReferences();
   numbers_->setText(numbersText());
@@ -272,6 +280,13 @@ void StrainPanel::rebuild() {
   eyesWidget_->setVisible(!figures_.empty());
   chart_->setVisible(model_.cycle() != nullptr);
   draw();
+}
+
+/// The axes get the room of their labels, however small the chart is; the numbers above it name the curves.
+void StrainPanel::makeRoom(scene::CurvePanel& curves) const {
+  curves.legend = false;
+  curves.left = std::min(0.4, kLeftOfCurves / std::max(1, chart_->width()));
+  curves.bottom = std::min(0.4, kBelowCurves / std::max(1, chart_->height()));
 }
 
 /// A bull's eye of an instant is drawn when another phase comes; the cursor follows each frame.
@@ -323,41 +338,44 @@ QString StrainPanel::numbersText() const {
     return {};
   QStringList parts;
   for (const presentation::GlobalStrain& global : presentation::globalStrains(*model_.cycle())) {
-    const QColor color = QColor::fromRgbF(global.color.x(), global.color.y(), global.color.z());
     const QString said = tr("%1 %2 % at %3 ms (healthy adults %4 to %5)")
                              .arg(text(global.name))
                              .arg(formatNumber(global.peakPercent, 1))
                              .arg(formatNumber(global.peakMs, 0))
                              .arg(formatNumber(global.healthyPercent.low, 1))
                              .arg(formatNumber(global.healthyPercent.high, 1));
-    parts.push_back(QStringLiteral("<span style=\"color:%1\">&#9632;</span>&nbsp;%2")
-                        .arg(color.name(), said.toHtmlEscaped()));
+    parts.push_back(markedBy(global.color, said));
   }
-  for (const QString& further : furtherNumbers())
-    parts.push_back(further.toHtmlEscaped());
+  parts += furtherNumbers();
   return parts.join(QStringLiteral("&nbsp;&nbsp; "));
 }
 
-/// Those without a range: of the right ventricle and the atrium, of twist and of the segments' times.
+/// In rich text, as all numbers here. Those without a range: of the right ventricle and the atrium, of twist
+/// and of the segments' times.
 QStringList StrainPanel::furtherNumbers() const {
   const strain::HeartStrain& strain = model_.cycle()->strain;
   QStringList said;
-  const auto add = [&said](const char* name, const std::optional<strain::ContourStrain>& contour) {
-    if (contour)
-      said.push_back(QStringLiteral("%1 %2 %").arg(inWords(std::string(name)),
-                                                   formatNumber(kPercent * contour->peak.value, 1)));
+  const auto add = [&](const char* name, const std::optional<strain::ContourStrain>& contour) {
+    const QString title = inWords(std::string(name));
+    const auto curve =
+        std::find_if(curves_.curves.begin(), curves_.curves.end(),
+                     [&title](const scene::PanelCurve& one) { return text(one.name) == title; });
+    if (contour && curve != curves_.curves.end())
+      said.push_back(markedBy(curve->color, QStringLiteral("%1 %2 %").arg(
+                                                title, formatNumber(kPercent * contour->peak.value, 1))));
   };
   add("RV free wall", strain.rightFreeWall);
   add("Left atrium", strain.leftReservoir);
   const std::optional<double> twist = live::largestTurn(strain.twistDegrees),
                               torsion = live::largestTurn(strain.torsionDegreesPerCm);
   if (twist && torsion)
-    said.push_back(
-        QStringLiteral("%1 %2\u00b0 (%3\u00b0/cm)")
-            .arg(inWords(std::string("Twist")), formatNumber(*twist, 1), formatNumber(*torsion, 2)));
+    said.push_back(QStringLiteral("%1 %2\u00b0 (%3\u00b0/cm)")
+                       .arg(inWords(std::string("Twist")), formatNumber(*twist, 1), formatNumber(*torsion, 2))
+                       .toHtmlEscaped());
   said.push_back(tr("Times to the peak differ by %1 ms along and %2 ms around")
                      .arg(formatNumber(kMsPerSecond * strain.dispersionLongitudinal, 0),
-                          formatNumber(kMsPerSecond * strain.dispersionCircumferential, 0)));
+                          formatNumber(kMsPerSecond * strain.dispersionCircumferential, 0))
+                     .toHtmlEscaped());
   return said;
 }
 

@@ -78,6 +78,7 @@ private:
   void rebuild();
   void followFrame();
   void draw();
+  void makeRoom(scene::CurvePanel& curves) const;
   void placeInstant();
   void hover(std::optional<int> segment);
   std::optional<int> segmentAt(const QPointF& place) const;

@@ -194,7 +194,7 @@ void Picture::update() const {
       hide(shown, view);
     const live::StressFrame stress = workspace_.stress().frame();
     std::optional<presentation::Warping> warping;
-    if (view.scan.standing && view.scan.warped)
+    if (shown.scan && view.scan.warped)
       warping = presentation::warpingOf(workspace_.warp());
     std::vector<presentation::TransientSurface> transient = transient_;
     if (!view.shown.stress) // They would cover the map.

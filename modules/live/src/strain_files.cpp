@@ -135,6 +135,18 @@ struct StrainColumn {
   double factor = 1;
 };
 
+/// "rvFreeWall_percent" as "rv_free_wall_percent", as Python writes names.
+std::string withUnderscores(const std::string& name) {
+  std::string result;
+  for (const char letter : name) {
+    const bool capital = letter >= 'A' && letter <= 'Z';
+    if (capital && !result.empty() && result.back() != '_')
+      result += '_';
+    result += capital ? static_cast<char>(letter - 'A' + 'a') : letter;
+  }
+  return result;
+}
+
 std::vector<StrainColumn> strainColumns(const strain::HeartStrain& strain) {
   std::vector<StrainColumn> columns = {{"time_s", strain.seconds}};
   const auto add = [&](const std::string& name, const std::optional<ContourStrain>& contour) {
@@ -162,6 +174,10 @@ std::vector<StrainColumn> strainColumns(const strain::HeartStrain& strain) {
     if (!segment.thicknessMm.empty())
       columns.push_back({name + "_thickness_mm", segment.thicknessMm});
   }
+  const std::size_t older = columns.size();
+  for (std::size_t i = 0; i < older; ++i)
+    if (std::string name = withUnderscores(columns[i].name); name != columns[i].name)
+      columns.push_back({std::move(name), columns[i].values, columns[i].factor});
   return columns;
 }
 

@@ -30,6 +30,8 @@ constexpr double kMostlyInside = 0.95;
 constexpr Eigen::Index kTried = 400;
 /// A left ventricle that holds more in another phase than in the reference: a part of it.
 constexpr double kFuller = 0.03;
+/// The outer surface may lie this many times farther from the cavity than its wall: fat is upon it.
+constexpr double kBeyondWall = 1.5;
 constexpr double kSecondsOfMinute = 60;
 
 std::size_t organNamed(const MovedOrgans& organs, const std::string& name) {
@@ -330,21 +332,28 @@ std::vector<int> StrainGauge::Parts::segmentsOfCavity() const {
   return found;
 }
 
-/// What is nearer to the right cavity than to the left one is the right ventricle's wall.
+/// What is nearer to the right cavity than to the left one is the right ventricle's wall; what is far from
+/// both is no ventricle.
 std::vector<int> StrainGauge::Parts::segmentsAround() const {
-  const auto distanceFrom = [](const MovingSurface& surface) {
-    return geometry::SignedDistance(
-        std::make_shared<const TriangleMesh>(TriangleMesh{surface.rest, surface.triangles, {}}));
+  const auto meshOf = [](const GaugedSurface& surface) {
+    return std::make_shared<const TriangleMesh>(TriangleMesh{surface.rest.rest, surface.rest.triangles, {}});
   };
-  const geometry::SignedDistance fromLeft = distanceFrom(left->rest);
+  const auto leftMesh = meshOf(*left), outerMesh = meshOf(*outer),
+             rightMesh = right ? meshOf(*right) : nullptr;
+  const auto reach =
+      strain::reachOfSegments({leftMesh.get(), outerMesh.get(), rightMesh.get()}, axes.axes, axes.cap);
+  const geometry::SignedDistance fromLeft(leftMesh);
   std::optional<geometry::SignedDistance> fromRight;
   if (right)
-    fromRight = distanceFrom(right->rest);
-  std::vector<int> found(static_cast<std::size_t>(outer->rest.rest.rows()), 0);
+    fromRight.emplace(rightMesh);
+  std::vector<int> found(static_cast<std::size_t>(outerMesh->points.rows()), 0);
   for (std::size_t i = 0; i < found.size(); ++i) {
-    const Vec3 place = outer->rest.rest.row(static_cast<Eigen::Index>(i)).transpose();
-    if (!fromRight || std::abs(fromLeft(place)) <= std::abs((*fromRight)(place)))
-      found[i] = strain::segmentOf(axes.axes, place);
+    const Vec3 place = outerMesh->points.row(static_cast<Eigen::Index>(i)).transpose();
+    const double away = std::abs(fromLeft(place));
+    const int segment = strain::segmentOf(axes.axes, place);
+    if (away <= kBeyondWall * reach[static_cast<std::size_t>(segment)] &&
+        (!fromRight || away <= std::abs((*fromRight)(place))))
+      found[i] = segment;
   }
   return found;
 }

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "look_json.h"
 #include "viscera/core/arrays.h"
 
 namespace viscera::presentation {
@@ -16,13 +17,6 @@ constexpr std::array<const char*, 4> kDirectionNames = {"longitudinal", "circumf
                                                         "thickening"};
 constexpr std::array<const char*, 3> kMomentNames = {"peak", "instant", "timeToPeak"};
 constexpr int kMostSegments = 17;
-
-/// A named value of an enumeration; the first for a name that is none of them.
-template <class Enum, std::size_t count>
-Enum namedIn(const std::array<const char*, count>& names, const std::string& name) {
-  const auto found = std::find(names.begin(), names.end(), name);
-  return static_cast<Enum>(found == names.end() ? 0 : found - names.begin());
-}
 
 /// The points of the heart's axes by their names, for reading and writing alike.
 template <class Visit>
@@ -55,8 +49,8 @@ StrainLook strainLookFrom(const JsonReader& json, const ordered_json& item, cons
   StrainLook look;
   json.readIfThere(item, "chart", place, look.chart);
   json.readIfThere(item, "onOrgan", place, look.onOrgan);
-  look.direction = namedIn<live::StrainDirection>(kDirectionNames, textIn(item, "direction"));
-  look.moment = namedIn<live::StrainMoment>(kMomentNames, textIn(item, "moment"));
+  look.direction = fromName<live::StrainDirection>(kDirectionNames, item.value("direction", ordered_json()));
+  look.moment = fromName<live::StrainMoment>(kMomentNames, item.value("moment", ordered_json()));
   json.readIfThere(item, "segment", place, look.segment);
   if (look.segment < 0 || look.segment > kMostSegments)
     look.segment = 0;

@@ -33,6 +33,18 @@ TEST(ViewStateJson, WhatIsComparedComesBack) {
   EXPECT_EQ(toJson(ViewState()).find("compared"), std::string::npos);
 }
 
+TEST(ViewStateJson, TheSignsOfAHeartComeBackAndOlderViewsHaveAll) {
+  EXPECT_EQ(viewFromJson(R"({"format": 3, "mode": "play"})").heartSigns, HeartSigns());
+  for (bool HeartSigns::*sign : {&HeartSigns::pressures, &HeartSigns::loops, &HeartSigns::ecg,
+                                 &HeartSigns::valves, &HeartSigns::sounds}) {
+    ViewState view;
+    view.heartSigns.*sign = false;
+    EXPECT_FALSE(view == ViewState());
+    EXPECT_EQ(viewFromJson(toJson(view)).heartSigns, view.heartSigns);
+  }
+  EXPECT_THROW(viewFromJson(R"({"format": 3, "heartSigns": 1})"), DataError);
+}
+
 TEST(ViewStateJson, WhatCannotBeComparedIsLeftOut) {
   EXPECT_FALSE(withCompared(R"({"what": "of a newer version"})").compared);
   EXPECT_FALSE(withCompared(R"({"what": "coordinates"})").compared);

@@ -11,6 +11,7 @@
 #include "viscera/document/circulation_choice.h"
 #include "viscera/document/ids.h"
 #include "viscera/live/strain_reading.h"
+#include "viscera/presentation/heart_signs.h"
 #include "viscera/presentation/scan_look.h"
 #include "viscera/presentation/stress_look.h"
 #include "viscera/scene/region_hulls.h"
@@ -191,12 +192,14 @@ struct ViewState {
                                 ///< volumes.
   bool valves = true;           ///< Valves of a beating heart, and the flow through them.
   bool beatSigns = false;       ///< Electrocardiogram, sounds and valves under the heart's phases.
+  HeartSigns heartSigns;        ///< Below the view in lectures, and in movies.
   StressLook stress;
   StrainLook strain;
   ScanLook scan;
   OrganCut cut;
-  OrgansSeen organsSeen;  ///< Set while a slide is shown; the document does not change.
-  anatomy::Person person; ///< Whose normal ranges are shown.
+  OrgansSeen organsSeen; ///< Set while a slide is shown; the document does not change.
+  /// Whose normal ranges are shown: of one sex, since those of both shade nearly all of a chart.
+  anatomy::Person person{anatomy::Sex::women, 0};
 
   SelectionState selection;
   std::vector<MotionChoice> motions;
