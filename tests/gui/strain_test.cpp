@@ -234,8 +234,10 @@ TEST_F(PlayedStrain, IsMeasuredAlongAxesThatAreClicked) {
 TEST_F(PlayedStrain, OnTheOrganIsInMovies) {
   setViewSize(window(), 640, 480);
   window().actions()["play.strainOnOrgan"]->trigger();
-  window().viewModel().change(
-      [](presentation::ViewState& state) { state.strain.moment = live::StrainMoment::instant; });
+  window().viewModel().change([](presentation::ViewState& state) {
+    state.strain.moment = live::StrainMoment::instant;
+    state.heartSigns = {false, false, false, false, false}; // Nothing stands below the picture.
+  });
   window().playback().seek(0.5);
   ASSERT_TRUE(waitUntil([this] { return atPeace(window()); }));
   app::MoviePlan plan;
