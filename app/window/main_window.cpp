@@ -98,7 +98,8 @@ MainWindow::MainWindow(Settings& settings, coordinates::Registry registry, live:
   actions_["edit.settings"]->setMenuRole(QAction::PreferencesRole);
   slides_ = new Slides(workspace_, view_, *viewArea_->view(), playback_, actions_, this);
   makeSession();
-  lecture_ = new LectureScreen({*layout_, *viewArea_, *slides_, playback_, volumes_}, actions_, this);
+  lecture_ = new LectureScreen(
+      {*layout_, *viewArea_, *slides_, playback_, volumes_, play_->circulation(), view_}, actions_, this);
   connect(actions_["view.lecture"], &QAction::toggled, this, [this] {
     showWelcome(false);
     giveTheme();
@@ -342,6 +343,7 @@ void MainWindow::giveTheme() {
   theme.lecture = lecture_->on();
   viewArea_->view()->setTheme(theme);
   slices_->setTheme(theme);
+  lecture_->setTheme(theme);
   for (const auto& mode : modes_->all())
     mode->setTheme(theme);
   volumePanel_->setTheme(theme);

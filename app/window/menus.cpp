@@ -165,6 +165,8 @@ void Menus::makeViewMenu() {
   fill(slices, {"", "scan.close"});
   fill(view->addMenu(icon("camera"), tr("&Slides")),
        {"slides.add", "slides.remove", "", "slides.next", "slides.previous", "slides.leave"});
+  fill(view->addMenu(icon("chart"), tr("S&hown in lectures and movies")),
+       {"signs.pressures", "signs.loops", "signs.ecg", "signs.valves", "signs.sounds"});
   fill(view, {"view.lecture", "lecture.dark", "view.fullScreen", ""});
   QMenu* panels = view->addMenu(tr("&Panels"));
   for (PanelDock* dock : parts_.docks)

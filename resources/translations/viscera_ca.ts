@@ -2137,6 +2137,26 @@ Moveu el lliscador de dalt per col·locar-ne, o feu clic a l’òrgan en el mode
         <source>&amp;Darken the screen</source>
         <translation>&amp;Enfosqueix la pantalla</translation>
     </message>
+    <message>
+        <source>&amp;Pressures and volume</source>
+        <translation>&amp;Pressions i volum</translation>
+    </message>
+    <message>
+        <source>Pressure-volume &amp;loops</source>
+        <translation>&amp;Bucles pressió-volum</translation>
+    </message>
+    <message>
+        <source>&amp;Electrocardiogram</source>
+        <translation>&amp;Electrocardiograma</translation>
+    </message>
+    <message>
+        <source>Open &amp;valves</source>
+        <translation>&amp;Vàlvules obertes</translation>
+    </message>
+    <message>
+        <source>Heart &amp;sounds</source>
+        <translation>&amp;Sorolls cardíacs</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::LessonDialog</name>
@@ -2522,6 +2542,10 @@ Moveu el lliscador de dalt per col·locar-ne, o feu clic a l’òrgan en el mode
     <message>
         <source>&amp;Compare</source>
         <translation>&amp;Compara</translation>
+    </message>
+    <message>
+        <source>S&amp;hown in lectures and movies</source>
+        <translation>&amp;Mostrat a classes i pel·lícules</translation>
     </message>
 </context>
 <context>

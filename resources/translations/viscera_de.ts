@@ -2137,6 +2137,26 @@ Bewegen Sie den Regler oben, um welche zu setzen, oder klicken Sie im Modus Grif
         <source>&amp;Darken the screen</source>
         <translation>Bildschirm &amp;verdunkeln</translation>
     </message>
+    <message>
+        <source>&amp;Pressures and volume</source>
+        <translation>&amp;Drücke und Volumen</translation>
+    </message>
+    <message>
+        <source>Pressure-volume &amp;loops</source>
+        <translation>Druck-Volumen-&amp;Schleifen</translation>
+    </message>
+    <message>
+        <source>&amp;Electrocardiogram</source>
+        <translation>&amp;Elektrokardiogramm</translation>
+    </message>
+    <message>
+        <source>Open &amp;valves</source>
+        <translation>Offene &amp;Klappen</translation>
+    </message>
+    <message>
+        <source>Heart &amp;sounds</source>
+        <translation>&amp;Herztöne</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::LessonDialog</name>
@@ -2522,6 +2542,10 @@ Bewegen Sie den Regler oben, um welche zu setzen, oder klicken Sie im Modus Grif
     <message>
         <source>&amp;Compare</source>
         <translation>&amp;Vergleichen</translation>
+    </message>
+    <message>
+        <source>S&amp;hown in lectures and movies</source>
+        <translation>In &amp;Vorträgen und Filmen gezeigt</translation>
     </message>
 </context>
 <context>

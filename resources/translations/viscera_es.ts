@@ -2137,6 +2137,26 @@ Mueva el control de arriba para colocar algunos o haga clic en el órgano en el 
         <source>&amp;Darken the screen</source>
         <translation>&amp;Oscurecer la pantalla</translation>
     </message>
+    <message>
+        <source>&amp;Pressures and volume</source>
+        <translation>&amp;Presiones y volumen</translation>
+    </message>
+    <message>
+        <source>Pressure-volume &amp;loops</source>
+        <translation>&amp;Bucles presión-volumen</translation>
+    </message>
+    <message>
+        <source>&amp;Electrocardiogram</source>
+        <translation>&amp;Electrocardiograma</translation>
+    </message>
+    <message>
+        <source>Open &amp;valves</source>
+        <translation>&amp;Válvulas abiertas</translation>
+    </message>
+    <message>
+        <source>Heart &amp;sounds</source>
+        <translation>&amp;Ruidos cardíacos</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::LessonDialog</name>
@@ -2522,6 +2542,10 @@ Mueva el control de arriba para colocar algunos o haga clic en el órgano en el 
     <message>
         <source>&amp;Compare</source>
         <translation>&amp;Comparar</translation>
+    </message>
+    <message>
+        <source>S&amp;hown in lectures and movies</source>
+        <translation>&amp;Mostrado en clases y películas</translation>
     </message>
 </context>
 <context>

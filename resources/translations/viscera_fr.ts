@@ -2137,6 +2137,26 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez sur l’organe en mode
         <source>&amp;Darken the screen</source>
         <translation>&amp;Noircir l’écran</translation>
     </message>
+    <message>
+        <source>&amp;Pressures and volume</source>
+        <translation>&amp;Pressions et volume</translation>
+    </message>
+    <message>
+        <source>Pressure-volume &amp;loops</source>
+        <translation>&amp;Boucles pression-volume</translation>
+    </message>
+    <message>
+        <source>&amp;Electrocardiogram</source>
+        <translation>&amp;Électrocardiogramme</translation>
+    </message>
+    <message>
+        <source>Open &amp;valves</source>
+        <translation>&amp;Valves ouvertes</translation>
+    </message>
+    <message>
+        <source>Heart &amp;sounds</source>
+        <translation>Bruits du &amp;cœur</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::LessonDialog</name>
@@ -2522,6 +2542,10 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez sur l’organe en mode
     <message>
         <source>&amp;Compare</source>
         <translation>&amp;Comparer</translation>
+    </message>
+    <message>
+        <source>S&amp;hown in lectures and movies</source>
+        <translation>Montré dans les &amp;présentations et les films</translation>
     </message>
 </context>
 <context>

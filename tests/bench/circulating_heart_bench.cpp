@@ -56,7 +56,7 @@ public:
   }
   void follow() { sequence_ = heart_.follow(course(), progress_); }
   void charts() {
-    panels_.setPanels(presentation::circulationStrip(shown_, &shown_, kWidth, kHeight));
+    panels_.setPanels(presentation::circulationStrip(shown_, &shown_, {.width = kWidth, .height = kHeight}));
     panels_.update();
     window_.window()->Render();
   }

@@ -1,3 +1,4 @@
+#include <QAbstractButton>
 #include <QAction>
 #include <QDockWidget>
 #include <QFrame>
@@ -14,8 +15,10 @@
 
 #include "play_fixture.h"
 #include "viscera/document/organ_commands.h"
+#include "window/circulation/circulation_panel.h"
 #include "window/compare/comparison.h"
 #include "window/language.h"
+#include "window/lecture/lecture_signs.h"
 #include "window/lecture/slides.h"
 #include "window/modes/stress_mode.h"
 #include "window/session/session_files.h"
@@ -172,6 +175,73 @@ TEST_F(Room, ALectureIsTheViewAloneAndEscapeEndsIt) {
   EXPECT_TRUE(waitUntil([&] { return view().size() == before; }))
       << view().width() << " x " << view().height() << ", " << before.width() << " x " << before.height()
       << " before";
+}
+
+TEST_F(Room, ALectureHasTheSignsOfTheTextbooksBeatThatAreChosen) {
+  const auto& signs = find<app::LectureSigns>("lectureSigns");
+  const auto& strip = *signs.findChild<app::BeatStrip*>();
+  EXPECT_FALSE(signs.isVisible());
+  key(Qt::Key_F5);
+  settle();
+  ASSERT_TRUE(strip.isVisible());
+  window().playback().pause();
+  QStringList mitral;
+  for (const double fraction : {0.45, 0.95}) {
+    window().playback().seek(fraction);
+    mitral << strip.openValves().join(QLatin1Char('|'));
+  }
+  EXPECT_NE(mitral[0], mitral[1]) << "the strip is at the instant";
+  const int height = strip.height(), view = this->view().height();
+  EXPECT_LE(signs.mapTo(&window(), signs.rect().bottomLeft()).y(), window().height());
+  window().actions()["signs.valves"]->trigger();
+  settle();
+  EXPECT_LT(strip.height(), height);
+  EXPECT_GT(this->view().height(), view) << "the view gets the room";
+  window().actions()["signs.ecg"]->trigger();
+  window().actions()["signs.sounds"]->trigger();
+  settle();
+  EXPECT_FALSE(signs.isVisible()) << "the textbook's beat has no pressures";
+  key(Qt::Key_Escape);
+}
+
+TEST_F(Room, ALectureHasTheChartsOfTheCirculationAtTheInstant) {
+  find<QAbstractButton>("scenario.rest").click();
+  ASSERT_TRUE(waitUntil([this] {
+    return parts().circulation().settled() && parts().circulation().isPlayed();
+  })) << message().toStdString();
+  window().playback().pause();
+  const auto* below = window().findChild<app::CirculationPanel*>()->findChild<app::ChartCursor*>();
+  window().playback().seek(0.2);
+  settle();
+  const app::ChartCursor::Marks former = below->marks();
+  key(Qt::Key_F5);
+  settle();
+  const auto& signs = find<app::LectureSigns>("lectureSigns");
+  const auto* cursor = signs.findChild<app::ChartCursor*>();
+  ASSERT_NE(cursor, nullptr);
+  ASSERT_TRUE(cursor->isVisible());
+  ASSERT_TRUE(waitUntil([&] { return !cursor->marks().rings.empty(); }));
+  EXPECT_EQ(cursor->marks().lines.size(), former.lines.size()) << "the same charts as below the view";
+  EXPECT_EQ(cursor->marks().rings.size(), former.rings.size());
+  const double before = cursor->marks().lines[0].x;
+  window().playback().seek(0.6);
+  EXPECT_GT(cursor->marks().lines[0].x, before + 0.05);
+  window().actions()["signs.loops"]->trigger();
+  settle();
+  EXPECT_TRUE(cursor->marks().rings.empty());
+  key(Qt::Key_Escape);
+}
+
+TEST_F(Room, ASessionKeepsTheSignsThatAreChosen) {
+  window().actions()["signs.sounds"]->trigger();
+  const QString file = path(QStringLiteral("signs.viscera"));
+  window().sessions().saveTo(file, false);
+  settle();
+  window().actions()["signs.sounds"]->trigger();
+  ASSERT_TRUE(window().viewModel().state().heartSigns.sounds);
+  window().sessions().open(file);
+  EXPECT_TRUE(waitUntil([this] { return !window().viewModel().state().heartSigns.sounds; }));
+  EXPECT_FALSE(window().actions()["signs.sounds"]->isChecked());
 }
 
 TEST_F(Room, MessagesWaitUntilTheLectureEnds) {

@@ -14,6 +14,8 @@
 
 #include <chrono>
 #include <thread>
+#include <utility>
+#include <vector>
 
 #include "build_paths.h"
 #include "viscera/document/organ_commands.h"
@@ -42,6 +44,8 @@ int oggPackets(const QByteArray& bytes) {
   return packets;
 }
 
+constexpr presentation::HeartSigns kNoSigns{false, false, false, false, false};
+
 class Recordings : public PlayMode {
 protected:
   void describe(const QString& kind, const QString& file, int framesPerSecond, int cycles) {
@@ -62,6 +66,29 @@ protected:
   void press() { QTest::mouseClick(&find<QAbstractButton>("recordButton"), Qt::LeftButton); }
   bool recorded() {
     return QTest::qWaitFor([this] { return !parts().recorder().running(); }, 60000 * VISCERA_TEST_PATIENCE);
+  }
+  /// The first frames of the motion that is played, 640 x 480, five of them a second.
+  std::vector<QImage> frames(const char* folder) {
+    app::MoviePlan plan;
+    plan.format = app::MovieFormat::pictures;
+    plan.file = path(QLatin1String(folder));
+    plan.size = {640, 480};
+    plan.framesPerSecond = 5;
+    plan.caption = false;
+    std::vector<QImage> frames;
+    if (!parts().record(plan) || !recorded())
+      return frames;
+    for (const QString& name : QDir(plan.file).entryList(QDir::Files, QDir::Name))
+      frames.emplace_back(plan.file + QLatin1Char('/') + name);
+    return frames;
+  }
+  /// How many pixels of two pictures differ in the lowest `part` of them.
+  static int differing(const QImage& a, const QImage& b, double part) {
+    int count = 0;
+    for (int y = static_cast<int>((1 - part) * a.height()); y < a.height(); ++y)
+      for (int x = 0; x < a.width(); ++x)
+        count += a.pixel(x, y) != b.pixel(x, y);
+    return count;
   }
   QByteArray contents(const QString& file) {
     QFile stream(file);
@@ -118,12 +145,52 @@ TEST_F(Recordings, OfTheStressModeShowTheMapAsTheWindowDoes) {
   plan.size = {640, 480};
   plan.framesPerSecond = 10;
   plan.caption = false;
+  window().viewModel().change([](presentation::ViewState& state) { state.heartSigns = kNoSigns; });
   ASSERT_TRUE(parts().record(plan));
   ASSERT_TRUE(recorded());
   const QStringList frames = QDir(plan.file).entryList(QDir::Files, QDir::Name);
   ASSERT_EQ(frames.size(), 8);
   const auto frame = scene::readPng((plan.file + QLatin1Char('/') + frames[4]).toStdString());
   EXPECT_LE(scene::comparePictures(grab(window()), frame, 8).differing, 0.005) << "half a beat";
+}
+
+/// A strip of 77 pixels: the scale of type is that of the movie's height.
+TEST_F(Recordings, OfATextbookBeatHaveItsSignsBelowAtEachInstantUnlessTheyAreSwitchedOff) {
+  constexpr double kStripPart = 0.14;
+  const std::vector<QImage> with = frames("with");
+  window().viewModel().change([](presentation::ViewState& state) { state.heartSigns = kNoSigns; });
+  const std::vector<QImage> without = frames("without");
+  ASSERT_EQ(with.size(), 4u);
+  ASSERT_EQ(without.size(), 4u);
+  EXPECT_EQ(with[0].size(), without[0].size());
+  const int pixels = static_cast<int>(kStripPart * 640 * 480);
+  EXPECT_GT(differing(with[1], without[1], kStripPart), pixels / 20) << "bars, a trace and names";
+  const int moved = differing(with[1], with[2], kStripPart);
+  EXPECT_GT(moved, 60) << "the line of the instant, and lamps";
+  EXPECT_LT(moved, pixels / 20) << "the rest of the strip stays";
+}
+
+TEST_F(Recordings, OfACirculationHaveItsChartsBelowWithTheInstant) {
+  find<QAbstractButton>("scenario.rest").click();
+  ASSERT_TRUE(waitUntil([this] {
+    return parts().circulation().settled() && parts().circulation().isPlayed();
+  })) << message().toStdString();
+  const std::vector<QImage> with = frames("charts");
+  window().viewModel().change([](presentation::ViewState& state) {
+    state.heartSigns = kNoSigns;
+    state.heartSigns.loops = true;
+  });
+  const std::vector<QImage> loops = frames("loops");
+  ASSERT_GE(with.size(), 3u);
+  ASSERT_GE(loops.size(), 3u);
+  constexpr double kCharts = 0.25; // Below the names of the colours.
+  const int pixels = static_cast<int>(kCharts * 640 * 480);
+  EXPECT_GT(differing(with[0], loops[0], kCharts), pixels / 50) << "another choice";
+  for (const auto& [former, later] : {std::pair(&with[0], &with[2]), std::pair(&loops[0], &loops[2])}) {
+    const int moved = differing(*former, *later, kCharts);
+    EXPECT_GT(moved, 15) << "a ring on each loop";
+    EXPECT_LT(moved, pixels / 20) << "the curves stay";
+  }
 }
 
 TEST_F(Recordings, GoesOnWhileTheWindowIsBusyWithOtherThings) {

@@ -69,7 +69,7 @@ public:
       outcome.json["rows"].push_back(jsonOf(row, range));
       listing.add(row.norm->subject + ", " + row.norm->quantity,
                   significant(row.here, 3) + " " + row.norm->unit + " (" + row.where + "); healthy adults " +
-                      live::rangeText(range));
+                      live::rangeText(range) + " (" + row.norm->source + ")");
       for (const anatomy::DiseaseLimit& limit : row.norm->disease)
         listing.add("", limit.name + (limit.above ? " from " : " up to ") + significant(limit.bound, 3) +
                             " " + row.norm->unit + " (" + limit.source + ")");

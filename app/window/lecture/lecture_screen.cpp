@@ -32,6 +32,7 @@ constexpr double kLeastView = 0.5;
 LectureScreen::LectureScreen(const Parts& parts, Actions& actions, QObject* parent)
     : QObject(parent), parts_(parts), actions_(actions), strip_(new QWidget(&parts.area)),
       card_(new QFrame(strip_)), caption_(new QLabel(card_)), numbers_(new QLabel(card_)),
+      signs_(new LectureSigns({parts.circulation, parts.playback, parts.volumes, parts.view}, strip_)),
       dark_(new QWidget(&parts.area)) {
   makeCard();
   dark_->setObjectName(QStringLiteral("lectureDark"));
@@ -61,7 +62,26 @@ LectureScreen::LectureScreen(const Parts& parts, Actions& actions, QObject* pare
     sync();
   });
   connect(&parts_.playback, &Playback::stateChanged, this, &LectureScreen::sync);
+  connect(signs_, &LectureSigns::wantedChanged, this, [this] {
+    height_ = 0;
+    sync();
+  });
+  addSwitches();
   connect(shown_, &QAction::toggled, &actions, &Actions::sync);
+}
+
+/// What is shown in the lecture, and in movies as well.
+void LectureScreen::addSwitches() {
+  using presentation::HeartSigns;
+  const auto add = [this](const char* id, const QString& name, bool HeartSigns::*sign) {
+    parts_.view.addToggle(actions_, id, {name, nullptr, {}, {}},
+                          [sign](presentation::ViewState& state) -> bool& { return state.heartSigns.*sign; });
+  };
+  add("signs.pressures", tr("&Pressures and volume"), &HeartSigns::pressures);
+  add("signs.loops", tr("Pressure-volume &loops"), &HeartSigns::loops);
+  add("signs.ecg", tr("&Electrocardiogram"), &HeartSigns::ecg);
+  add("signs.valves", tr("Open &valves"), &HeartSigns::valves);
+  add("signs.sounds", tr("Heart &sounds"), &HeartSigns::sounds);
 }
 
 void LectureScreen::makeCard() {
@@ -82,7 +102,9 @@ void LectureScreen::makeCard() {
   strip_->setObjectName(QStringLiteral("lectureStrip"));
   strip_->setAttribute(Qt::WA_StyledBackground);
   strip_->setAttribute(Qt::WA_TransparentForMouseEvents);
-  makeLayout<QVBoxLayout>(strip_, 0)->addWidget(card_);
+  auto* rows = makeLayout<QVBoxLayout>(strip_, 0);
+  rows->addWidget(card_);
+  rows->addWidget(signs_);
   strip_->hide();
   parts_.area.installEventFilter(this);
 }
@@ -99,6 +121,7 @@ void LectureScreen::begin() {
   shown_->setChecked(true);
   strip_->show();
   parts_.area.messages()->setHeldBack(true);
+  signs_->setOn(true);
   if (parts_.slides.current() < 0)
     parts_.slides.show(0);
   else
@@ -113,6 +136,7 @@ bool LectureScreen::end() {
   takeFullStop(false);
   shown_->setChecked(false);
   strip_->hide();
+  signs_->setOn(false);
   parts_.area.reserveBelow(0);
   dark_->hide();
   parts_.area.messages()->setHeldBack(false);
@@ -224,10 +248,16 @@ void LectureScreen::placeCard() {
   card_->setVisible(!caption_->text().isEmpty() || !numbers_->text().isEmpty());
   card_->layout()->invalidate();
   card_->updateGeometry(); // The labels' news would get there with the next events.
+  const int most = static_cast<int>((1 - kLeastView) * area.height());
+  const int words = card_->isHidden() ? 0
+                    : card_->layout()->hasHeightForWidth()
+                        ? card_->layout()->totalHeightForWidth(area.width())
+                        : card_->layout()->totalSizeHint().height();
+  signs_->fitInto(area.height(), most - words);
   QLayout& column = *strip_->layout();
   const int needed =
       column.hasHeightForWidth() ? column.totalHeightForWidth(area.width()) : column.totalSizeHint().height();
-  height_ = std::min(std::max(height_, needed), static_cast<int>((1 - kLeastView) * area.height()));
+  height_ = std::min(std::max(height_, needed), most);
   strip_->setGeometry(0, area.height() - height_, area.width(), height_);
   parts_.area.reserveBelow(height_);
 }

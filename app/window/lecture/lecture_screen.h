@@ -2,6 +2,7 @@
 
 #include <QObject>
 
+#include "window/lecture/lecture_signs.h"
 #include "window/lecture/slides.h"
 #include "window/timeline/volume_monitor.h"
 #include "window/view/view_area.h"
@@ -14,11 +15,11 @@ class QLabel;
 namespace viscera::app {
 
 /// The full-screen presentation for a lecture: the view alone on the whole screen, with the slide's caption,
-/// the phase and the volumes below it in large letters, white on black or black on white; the view leaves
-/// them a strip of the screen, so that they cover no part of an organ. Messages wait until it ends. While it
-/// is `on`, the window gives the views the theme of a lecture. The keys of a presentation remote
-/// go through the slides (Page Down, Page Up), darken the screen (B or the full stop, which shows the next
-/// frame otherwise) and end it (Escape).
+/// the phase and the volumes below it in large letters, white on black or black on white, and the signs of a
+/// beating heart below those; the view leaves them a strip of the screen, so that they cover no part of an
+/// organ. Messages wait until it ends. While it is `on`, the window gives the views the theme of a lecture.
+/// The keys of a presentation remote go through the slides (Page Down, Page Up), darken the screen (B or the
+/// full stop, which shows the next frame otherwise) and end it (Escape).
 class LectureScreen final : public QObject {
   Q_OBJECT
 
@@ -28,17 +29,20 @@ public:
     WindowLayout& layout;
     ViewArea& area;
     Slides& slides;
-    const Playback& playback;
+    Playback& playback;
     VolumeMonitor& volumes;
+    CirculationModel& circulation;
+    ViewModel& view;
   };
 
-  /// Adds "view.lecture" and "lecture.dark".
+  /// Adds "view.lecture", "lecture.dark" and the switches of `HeartSigns` ("signs.ecg" and others).
   LectureScreen(const Parts& parts, Actions& actions, QObject* parent = nullptr);
 
   bool on() const { return parts_.layout.bare(); }
   void begin();
   /// Ends the presentation and restores the window. False when it was not on.
   bool end();
+  void setTheme(const Theme& theme) { signs_->setTheme(theme); }
 
 protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
@@ -48,6 +52,7 @@ private:
   /// Whether the full stop darkens the screen instead of showing the next frame.
   void takeFullStop(bool taken);
   void makeCard();
+  void addSwitches();
   void placeCard();
   void fitNumbers();
   const Playback* playbackOf(int side) const;
@@ -67,6 +72,7 @@ private:
   QFrame* card_;
   QLabel* caption_;
   QLabel* numbers_;
+  LectureSigns* signs_;
   QWidget* dark_;
 };
 

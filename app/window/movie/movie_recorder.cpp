@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "viscera/anatomy/part.h"
 #include "viscera/core/error.h"
@@ -24,15 +25,19 @@ constexpr double kStillSeconds = 2;
 struct Take {
   MoviePlan plan;
   std::vector<std::unique_ptr<MovieStage>> stages;
-  std::vector<std::string> names; ///< Of the tracked volumes of all stages.
+  std::unique_ptr<MovieSigns> signs; ///< Below the stages; may be null.
+  std::vector<std::string> names;    ///< Of the tracked volumes of all stages.
   double secondsAFrame = 0;
   int frames = 0;
 };
 
 /// The views as they are now. For the main thread.
-Take prepare(const MoviePlan& plan, const std::vector<MovieStage::Source>& sources) {
-  Take take{plan, {}, {}, 0, 0};
+Take prepare(const MoviePlan& plan, const std::vector<MovieStage::Source>& sources,
+             std::unique_ptr<MovieSigns> signs) {
+  Take take{plan, {}, std::move(signs), {}, 0, 0};
   QSize size = plan.size;
+  if (take.signs)
+    size.setHeight(size.height() - take.signs->height());
   // Both halves of two views, of even widths: some movies cannot have others.
   size.setWidth(size.width() / static_cast<int>(sources.size()) / 2 * 2);
   double seconds = 0;
@@ -62,11 +67,14 @@ std::unique_ptr<scene::MovieWriter> openMovie(const MoviePlan& plan) {
                                               scene::MovieOptions{.framesPerSecond = plan.framesPerSecond});
 }
 
-vtkSmartPointer<vtkImageData> pictureOf(const Take& take) {
+vtkSmartPointer<vtkImageData> frameOf(const Take& take, double seconds) {
   auto whole = take.stages.front()->picture();
   for (std::size_t i = 1; i < take.stages.size(); ++i)
     whole = besideEachOther(whole, take.stages[i]->picture());
-  return whole;
+  if (!take.signs)
+    return whole;
+  const double period = take.stages.front()->periodSeconds();
+  return aboveEachOther(whole, take.signs->picture(period > 0 ? std::fmod(seconds, period) / period : 0));
 }
 
 /// The volumes of all stages at one time.
@@ -90,7 +98,7 @@ int record(Take take, Progress& progress) {
     if (const std::vector<double> row = showAt(take, seconds); !row.empty())
       volumes.add(seconds, row);
     if (writer)
-      writer->add(pictureOf(take));
+      writer->add(frameOf(take, seconds));
     progress.report(kDrawingShare * (frame + 1) / take.frames);
   }
   if (writer) {
@@ -111,11 +119,12 @@ int record(Take take, Progress& progress) {
 MovieRecorder::MovieRecorder(Workspace& workspace, QObject* parent)
     : QObject(parent), workspace_(workspace), jobs_(mailbox()) {}
 
-bool MovieRecorder::start(const MoviePlan& plan, const std::vector<MovieStage::Source>& sources) {
+bool MovieRecorder::start(const MoviePlan& plan, const std::vector<MovieStage::Source>& sources,
+                          std::unique_ptr<MovieSigns> signs) {
   if (running_)
     return false;
   auto take = std::make_shared<Take>();
-  if (!workspace_.guarded([&] { *take = prepare(plan, sources); }))
+  if (!workspace_.guarded([&] { *take = prepare(plan, sources, std::move(signs)); }))
     return false;
   running_ = true;
   jobs_.submit<int>(

@@ -49,7 +49,7 @@ void SessionView::forget() {
   waiting_.reset();
   window_.view.change([](presentation::ViewState& state) {
     state.slides.clear();
-    state.person = {};
+    state.person = presentation::ViewState().person;
     state.cut = {};
     state.organsSeen.clear();
     state.scan = {};

@@ -4,15 +4,12 @@
 #include <QWidget>
 
 #include <optional>
-#include <vector>
 
-#include "viscera/heart/cardiac_cycle.h"
+#include "window/timeline/beat_drawing.h"
 
 namespace viscera::app {
 
-/// A strip below the timeline with the events of the textbook's beat: a schematic electrocardiogram, the
-/// first and the second heart sound, and when each of the four valves is open, with a lamp for the present
-/// instant.
+/// A strip with the events of the textbook's beat, below the timeline and in a lecture (`BeatDrawing`).
 class BeatStrip final : public QWidget {
   Q_OBJECT
 
@@ -21,11 +18,16 @@ public:
 
   /// Sets the beat; empty: nothing is drawn.
   void setBeat(const std::optional<heart::CardiacBeat>& beat);
-  bool hasBeat() const { return !valves_.empty(); }
+  bool hasBeat() const { return drawing_.hasBeat(); }
+  /// Sets what is drawn of it, by default everything.
+  void setSigns(const presentation::HeartSigns& signs);
+  /// Draws all lengths and letters larger by that factor.
+  void setScale(double scale);
   /// `fraction` of the cycle in [0, 1].
   void setFraction(double fraction);
   /// The names of the valves that are open at the present instant.
-  QStringList openValves() const;
+  QStringList openValves() const { return drawing_.openValves(fraction_); }
+  const BeatDrawing& drawing() const { return drawing_; }
 
   QSize sizeHint() const override;
   QSize minimumSizeHint() const override { return {120, sizeHint().height()}; }
@@ -34,28 +36,8 @@ protected:
   void paintEvent(QPaintEvent* event) override;
 
 private:
-  /// One valve: when it is open, as parts of the cycle; the interval may wrap around the beginning.
-  struct Valve {
-    QString name;
-    double opens = 0;
-    double shuts = 0;
-
-    bool isOpen(double fraction) const;
-  };
-  /// A heart sound.
-  struct Sound {
-    QString name;
-    double at = 0; ///< Part of the cycle.
-  };
-
-  QRectF tracing() const;
-  double xAt(double fraction) const;
-  void paintTracing(QPainter& painter) const;
-  void paintValves(QPainter& painter) const;
-
-  std::vector<double> tracing_; ///< mV, at even instants of the cycle.
-  std::vector<Sound> sounds_;
-  std::vector<Valve> valves_;
+  BeatDrawing drawing_;
+  double scale_ = 1;
   double fraction_ = 0;
 };
 

@@ -9,6 +9,23 @@ namespace viscera::app {
 namespace {
 constexpr double kCursorWidth = 1.5; ///< Logical pixels.
 constexpr double kRingSize = 9;
+
+QRectF boxOf(const ChartCursor::Line& line, const QSizeF& chart) {
+  return {line.x * chart.width() - kCursorWidth / 2, (1 - line.high) * chart.height(), kCursorWidth,
+          (line.high - line.low) * chart.height()};
+}
+
+QRectF boxOf(const ChartCursor::Ring& ring, const QSizeF& chart) {
+  return {ring.x * chart.width() - kRingSize / 2, (1 - ring.y) * chart.height() - kRingSize / 2, kRingSize,
+          kRingSize};
+}
+
+QColor markColor(const QColor& color) {
+  constexpr double kMarkOpacity = 0.8;
+  QColor seen = color;
+  seen.setAlphaF(kMarkOpacity);
+  return seen;
+}
 } // namespace
 
 ChartCursor::ChartCursor(QWidget& chart) : QWidget(&chart) {
@@ -21,7 +38,6 @@ ChartCursor::ChartCursor(QWidget& chart) : QWidget(&chart) {
 
 void ChartCursor::setColor(const QColor& color) {
   color_ = color;
-  color_.setAlphaF(0.8);
   update();
 }
 
@@ -39,15 +55,6 @@ bool ChartCursor::eventFilter(QObject* watched, QEvent* event) {
   return QWidget::eventFilter(watched, event);
 }
 
-QRectF ChartCursor::boxOf(const Line& line) const {
-  return {line.x * width() - kCursorWidth / 2, (1 - line.high) * height(), kCursorWidth,
-          (line.high - line.low) * height()};
-}
-
-QRectF ChartCursor::boxOf(const Ring& ring) const {
-  return {ring.x * width() - kRingSize / 2, (1 - ring.y) * height() - kRingSize / 2, kRingSize, kRingSize};
-}
-
 QRegion ChartCursor::covered() const {
   QRegion region;
   const auto add = [&region](const QRectF& box) {
@@ -55,20 +62,25 @@ QRegion ChartCursor::covered() const {
     region += box.toAlignedRect().adjusted(-kAround, -kAround, kAround, kAround);
   };
   for (const Line& line : marks_.lines)
-    add(boxOf(line));
+    add(boxOf(line, size()));
   for (const Ring& ring : marks_.rings)
-    add(boxOf(ring));
+    add(boxOf(ring, size()));
   return region;
 }
 
 void ChartCursor::paintEvent(QPaintEvent* /*event*/) {
   QPainter painter(this);
+  paint(painter, marks_, size(), color_);
+}
+
+void ChartCursor::paint(QPainter& painter, const Marks& marks, const QSizeF& chart, const QColor& color) {
   painter.setRenderHint(QPainter::Antialiasing);
-  for (const Line& line : marks_.lines)
-    painter.fillRect(boxOf(line), color_);
-  painter.setPen(QPen(color_, kCursorWidth));
-  for (const Ring& ring : marks_.rings)
-    painter.drawEllipse(boxOf(ring));
+  painter.setBrush(Qt::NoBrush);
+  for (const Line& line : marks.lines)
+    painter.fillRect(boxOf(line, chart), markColor(color));
+  painter.setPen(QPen(markColor(color), kCursorWidth));
+  for (const Ring& ring : marks.rings)
+    painter.drawEllipse(boxOf(ring, chart));
 }
 
 } // namespace viscera::app

@@ -3,33 +3,19 @@
 #include <QColor>
 #include <QWidget>
 
-#include <vector>
+#include "viscera/scene/curve_panels.h"
 
 namespace viscera::app {
 
 /// Draws the present instant over a chart, as upright lines and rings, in a widget of its own: it must follow
-/// every frame, and rendering the chart anew would take as long as rendering the organs. Places are fractions
-/// of the chart's width and height, from its lower left.
+/// every frame, and rendering the chart anew would take as long as rendering the organs.
 class ChartCursor final : public QWidget {
   Q_OBJECT
 
 public:
-  struct Line {
-    double x = 0;
-    double low = 0;
-    double high = 1;
-    bool operator==(const Line&) const = default;
-  };
-  struct Ring {
-    double x = 0;
-    double y = 0;
-    bool operator==(const Ring&) const = default;
-  };
-  struct Marks {
-    std::vector<Line> lines;
-    std::vector<Ring> rings;
-    bool operator==(const Marks&) const = default;
-  };
+  using Marks = scene::InstantMarks;
+  using Line = Marks::Line;
+  using Ring = Marks::Ring;
 
   /// Covers `chart`, its parent; the mouse reaches what is below.
   explicit ChartCursor(QWidget& chart);
@@ -37,14 +23,14 @@ public:
   void setColor(const QColor& color);
   void setMarks(Marks marks);
   const Marks& marks() const { return marks_; }
+  /// Draws marks over the picture of a chart of that size, as over the chart in the window.
+  static void paint(QPainter& painter, const Marks& marks, const QSizeF& chart, const QColor& color);
 
 protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
   void paintEvent(QPaintEvent* event) override;
 
 private:
-  QRectF boxOf(const Line& line) const;
-  QRectF boxOf(const Ring& ring) const;
   /// The region to repaint when the marks change.
   QRegion covered() const;
 

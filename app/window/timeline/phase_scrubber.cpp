@@ -34,11 +34,12 @@ PhaseScrubber::PhaseScrubber(QWidget* parent) : QWidget(parent) {
 }
 
 QString phaseText(const sequences::Phase& phase, double periodSeconds) {
-  const double milliseconds = 1000 * periodSeconds * (phase.end - phase.begin);
+  const double period = 1000 * periodSeconds;
   // A stomach's wave lasts for many seconds: no milliseconds are shown.
-  if (phase.group.empty() || milliseconds <= 0)
+  if (phase.group.empty() || period * (phase.end - phase.begin) <= 0)
     return inWords(phase.name);
-  return PhaseScrubber::tr("%1, %2 ms").arg(inWords(phase.name)).arg(formatNumber(milliseconds, 0));
+  return PhaseScrubber::tr("%1 (%2\u2013%3 ms)")
+      .arg(inWords(phase.name), formatNumber(period * phase.begin, 0), formatNumber(period * phase.end, 0));
 }
 
 void PhaseScrubber::setPhases(std::vector<sequences::Phase> phases, double periodSeconds) {

@@ -32,7 +32,7 @@ public:
   const std::vector<sequences::TravellingMark>& marks() const { return marks_; }
   /// The phase at the present instant; empty without phases.
   QString phaseName() const;
-  /// The same with its duration.
+  /// The same with when it begins and ends.
   QString phaseText() const;
   /// The texts over the brackets under the strip, from the left: "systole 322 ms".
   QStringList groupsShown() const;
@@ -88,7 +88,7 @@ private:
   double fraction_ = 0;
 };
 
-/// The phase's name, and how long it lasts in a cycle of that length.
+/// The name of the phase, and when it begins and ends in a cycle of that length.
 QString phaseText(const sequences::Phase& phase, double periodSeconds);
 
 } // namespace viscera::app

@@ -89,6 +89,7 @@ VolumePanel::VolumePanel(VolumeMonitor& monitor, Playback& playback, ViewModel& 
       chart_(std::make_unique<scene::VolumeChart>()), chartWidget_(new QVTKOpenGLNativeWidget(this)),
       cursor_(new ChartCursor(*chartWidget_)), tabs_(new QTabBar(this)), chartTab_(new QWidget(this)),
       stack_(new QStackedLayout), tileArea_(new QWidget(this)) {
+  person_ = view.state().person;
   setObjectName(QStringLiteral("panel"));
   setAttribute(Qt::WA_StyledBackground);
   chart_->setDecimalMark(decimalMark());

@@ -162,7 +162,7 @@ void Picture::setSegments(std::optional<presentation::SurfaceMap> segments) {
 
 bool Picture::hasMoreThanMovies() const {
   const presentation::ScanLook& scan = model_.state().scan;
-  return map_ || segments_ || !transient_.empty() || !measured_.empty() || (scan.standing && scan.warped);
+  return map_ || !transient_.empty() || !measured_.empty() || (scan.standing && scan.warped);
 }
 
 void Picture::markOutdated() {

@@ -22,6 +22,7 @@ constexpr auto kSpect =
     "Breen 2011, doi 10.1111/j.1365-2982.2010.01660.x (spread), and \"Simplifying the measurement of "
     "gastric accommodation using SPECT\" (mean)";
 constexpr auto kCustomary = "customary at the bedside";
+constexpr auto kRightHeart = "Humbert 2022, doi 10.1093/eurheartj/ehac237";
 constexpr auto kPressures =
     "Whelton 2018, doi 10.1161/HYP.0000000000000065: normal is below 120/80; the lower "
     "bound is customary";
@@ -131,15 +132,15 @@ void addCirculation(std::vector<Norm>& rows) {
                        Range limits, const char* source) {
     rows.push_back(within(id, subject, quantity, unit, limits, kAdults, source));
   };
-  add("heart.output", "Heart", "cardiac output", "l/min", {4, 8}, kCustomary);
+  add("heart.output", "Heart", "cardiac output", "l/min", {4, 8}, kRightHeart);
   add("aorta.systolic", "Aorta", "systolic pressure", "mmHg", {90, 120}, kPressures);
   add("aorta.diastolic", "Aorta", "diastolic pressure", "mmHg", {60, 80}, kPressures);
   add("aorta.mean", "Aorta", "mean pressure", "mmHg", {70, 100}, kCustomary);
-  add("pulmonary.systolic", "Pulmonary artery", "systolic pressure", "mmHg", {15, 30}, kCustomary);
+  add("pulmonary.systolic", "Pulmonary artery", "systolic pressure", "mmHg", {15, 30}, kRightHeart);
   add("pulmonary.mean", "Pulmonary artery", "mean pressure", "mmHg", {7.4, 20.6},
       "Kovacs 2009, doi 10.1183/09031936.00145608: mean +- 2 standard deviations");
   add("la.mean", "Left atrium", "mean pressure", "mmHg", {4, 12}, kCustomary);
-  add("ra.mean", "Right atrium", "mean pressure", "mmHg", {2, 6}, kCustomary);
+  add("ra.mean", "Right atrium", "mean pressure", "mmHg", {2, 6}, kRightHeart);
   add("lv.edp", "Left ventricle", "end-diastolic pressure", "mmHg", {4, 12}, kCustomary);
   add("lv.dpdt", "Left ventricle", "fastest rise of pressure", "mmHg/s", {1200, kInfinity}, kCustomary);
   add("lv.coupling", "Left ventricle", "coupling Ea/Ees", "", {0.5, 1},
@@ -179,7 +180,6 @@ void addDiseases(std::vector<Norm>& rows) {
   constexpr auto kStenosis = "Baumgartner 2017, doi 10.1016/j.echo.2017.02.009";
   constexpr auto kRegurgitation = "Zoghbi 2017, doi 10.1016/j.echo.2017.01.007";
   constexpr auto kPressure = "Whelton 2018, doi 10.1161/HYP.0000000000000065";
-  constexpr auto kLungs = "Humbert 2022, doi 10.1093/eurheartj/ehac237";
   constexpr auto kFailure = "Bozkurt 2021, doi 10.1002/ejhf.2115";
   add("aortic.gradient",
       {{"moderate stenosis", 20, true, kStenosis}, {"severe stenosis", 40, true, kStenosis}});
@@ -187,8 +187,8 @@ void addDiseases(std::vector<Norm>& rows) {
                                {"severe regurgitation", 50, true, kRegurgitation}});
   add("aorta.systolic", {{"hypertension", 130, true, kPressure}});
   add("aorta.diastolic", {{"hypertension", 80, true, kPressure}});
-  add("pulmonary.mean", {{"pulmonary hypertension", 20, true, kLungs}});
-  add("la.mean", {{"post-capillary pulmonary hypertension", 15, true, kLungs}});
+  add("pulmonary.mean", {{"pulmonary hypertension", 20, true, kRightHeart}});
+  add("la.mean", {{"post-capillary pulmonary hypertension", 15, true, kRightHeart}});
   add("lv.ef", {{"heart failure with reduced ejection fraction", 40, false, kFailure}});
 }
 

@@ -4,6 +4,9 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <numeric>
+#include <optional>
+#include <utility>
 
 #include "viscera/circulation/curves.h"
 #include "viscera/circulation/signs.h"
@@ -22,15 +25,16 @@ using scene::PanelCurve;
 // Safe for people who do not tell red from green (Okabe and Ito).
 const Vec3 kVentricle = {0.84, 0.37, 0.0};
 const Vec3 kArtery = {0.80, 0.24, 0.48};
-const Vec3 kAtrium = {0.0, 0.45, 0.70};
-const Vec3 kRight = {0.60, 0.52, 0.12};
+const Vec3 kAtrium = {0.60, 0.52, 0.12};
+const Vec3 kRight = {0.0, 0.45, 0.70}; ///< Blue is the right heart, as in the charts of volumes.
 const Vec3 kSign = {0.50, 0.57, 0.62}; ///< Seen on dark and on light grounds.
 const Vec3 kRelation = {0.0, 0.62, 0.45};
 const Vec3 kBefore = {0.55, 0.58, 0.61};
 
 constexpr double kLeft = 0.06; ///< Of the left axes.
 constexpr int kRelationPoints = 60;
-constexpr double kRoomForLegend = 1.3;
+constexpr double kRoomForLegend = 1.3, kRoomForLoopLegend = 1.15;
+constexpr double kBelowSounds = 1.2, kAboveSounds = 2.3; ///< Of the loudest sound.
 constexpr float kBarWidth = 7;
 constexpr float kThin = 1.3F;
 
@@ -43,15 +47,28 @@ constexpr Strip kPressures{0.50, 0.95}, kValves{0.415, 0.475}, kVolume{0.245, 0.
 
 // A low and wide window, in pixels; the strips share the height that gaps and labels leave.
 constexpr double kStripLeft = 52, kStripRight = 12, kStripBottom = 40, kStripTop = 8, kStripGap = 5;
-constexpr std::array<double, 5> kStripHeights = {0.34, 0.15, 0.17, 0.17, 0.17};
+/// A panel of Wiggers's diagram in a strip, in the order of `wiggersPanels`.
+struct StripRow {
+  double height; ///< Its share.
+  int ticks;
+  bool HeartSigns::*chosen;
+};
 constexpr double kWiggersPart = 0.5; ///< Of the width.
 constexpr int kFewTicks = 4, kTwoTicks = 2;
+constexpr std::array<StripRow, 5> kStripRows = {{{0.34, kFewTicks, &HeartSigns::pressures},
+                                                 {0.15, kTwoTicks, &HeartSigns::valves},
+                                                 {0.17, kTwoTicks, &HeartSigns::pressures},
+                                                 {0.17, kTwoTicks, &HeartSigns::ecg},
+                                                 {0.17, kTwoTicks, &HeartSigns::sounds}}};
 constexpr std::size_t kMostStripPoints = 600;
+/// Pixels of a strip whose type has the usual size, and the smallest type that is legible.
+constexpr double kUsualStripWidth = 900, kUsualStripHeight = 280, kLeastStripType = 0.6;
 
-/// Pixels as parts of a window.
+/// Pixels at the usual size of type as parts of a window.
 class StripRoom {
 public:
-  StripRoom(int width, int height) : width_(std::max(1, width)), height_(std::max(1, height)) {}
+  StripRoom(int width, int height, double typeScale)
+      : width_(std::max(1, width) / typeScale), height_(std::max(1, height) / typeScale) {}
   double partOfWidth(double pixels) const { return pixels / width_; }
   double partOfHeight(double pixels) const { return pixels / height_; }
 
@@ -197,6 +214,85 @@ std::string numbers(const ShownCirculation& shown) {
          " mmHg";
 }
 
+/// The rows of a strip that are chosen, from above. The lowest has the axis of time; where the sounds are not
+/// drawn, the lowest with marks has their names.
+std::vector<CurvePanel> wiggersRows(const ShownCirculation& shown, const HeartSigns& signs) {
+  std::vector<CurvePanel> all = wiggersPanels(shown, 1), rows;
+  const CurvePanel lowest = all.back();
+  // Titles as long as their axes.
+  all[0].yTitle = "mmHg";
+  all[1].yTitle = "open";
+  all[2].yTitle = "LV (ml)";
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    all[i].mostYTicks = kStripRows[i].ticks;
+    if (signs.*kStripRows[i].chosen)
+      rows.push_back(std::move(all[i]));
+  }
+  if (rows.empty())
+    return rows;
+  rows.back().xLabels = true;
+  rows.back().xTitle = lowest.xTitle;
+  const auto marked =
+      std::find_if(rows.rbegin(), rows.rend(), [](const CurvePanel& row) { return !row.marks.empty(); });
+  if (marked != rows.rend())
+    marked->marks = lowest.marks;
+  return rows;
+}
+
+/// Gives the rows their places in the left `part` of the width, below each other.
+void placeRows(std::vector<CurvePanel>& rows, const StripLook& look, const StripRoom& room, double part) {
+  std::vector<double> shares;
+  for (const StripRow& row : kStripRows)
+    if (look.signs.*row.chosen)
+      shares.push_back(row.height);
+  const double all = std::accumulate(shares.begin(), shares.end(), 0.0);
+  const double gap = room.partOfHeight(kStripGap), bottom = room.partOfHeight(kStripBottom);
+  double top = 1 - room.partOfHeight(kStripTop);
+  const double usable = top - bottom - gap * (static_cast<double>(rows.size()) - 1);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    rows[i].left = room.partOfWidth(kStripLeft);
+    rows[i].right = part < 1 ? part : 1 - room.partOfWidth(kStripRight);
+    rows[i].top = top;
+    top -= usable * shares[i] / all;
+    rows[i].bottom = top;
+    top -= gap;
+  }
+}
+
+/// The loops of both ventricles beside each other, in the width right of `from`.
+std::vector<CurvePanel> placedLoops(const ShownCirculation& shown, const ShownCirculation* before,
+                                    const StripRoom& room, double from) {
+  std::vector<CurvePanel> loops = loopPanels(shown, before, 0);
+  const double axis = room.partOfWidth(kStripLeft);
+  const double each = (1 - from - 2 * axis - room.partOfWidth(kStripRight)) / 2;
+  double left = from + axis;
+  const char* title = "LV (ml)";
+  for (CurvePanel& panel : loops) {
+    panel.left = left;
+    panel.right = left + each;
+    panel.bottom = room.partOfHeight(kStripBottom);
+    panel.top = 1 - room.partOfHeight(kStripTop);
+    panel.mostXTicks = panel.mostYTicks = kFewTicks;
+    panel.xTitle = title;
+    title = "RV (ml)";
+    left += each + axis;
+  }
+  return loops;
+}
+
+/// The place in the window of a point in the axes of a panel with both ranges; that of its lower left corner
+/// along an axis without one.
+scene::InstantMarks::Ring placeIn(const CurvePanel& panel, double x, double y) {
+  const auto between = [](double from, double to, const std::optional<scene::ValueRange>& range,
+                          double value) {
+    return range && range->high > range->low
+               ? from + (to - from) * (value - range->low) / (range->high - range->low)
+               : from;
+  };
+  return {between(panel.left, panel.right, panel.xRange, x),
+          between(panel.bottom, panel.top, panel.yRange, y)};
+}
+
 } // namespace
 
 std::vector<CurvePanel> wiggersPanels(const ShownCirculation& shown, double right) {
@@ -226,7 +322,11 @@ std::vector<CurvePanel> wiggersPanels(const ShownCirculation& shown, double righ
   CurvePanel sound = strip(kSound, right, beat.period, "Sound");
   sound.curves = {
       drawn.curve("", kSign, circulation::phonocardiogram(shown.parameters, beat, shown.indices), kThin)};
-  sound.yRange = scene::ValueRange{-1.5, 1.5};
+  double loudest = 1;
+  for (const double value : sound.curves.front().y)
+    loudest = std::max(loudest, std::abs(value));
+  // The sounds are named above their curve.
+  sound.yRange = scene::ValueRange{-kBelowSounds * loudest, kAboveSounds * loudest};
   sound.yLabels = false;
   sound.xLabels = true;
   sound.xTitle = "Time (s)";
@@ -255,36 +355,14 @@ std::vector<CurvePanel> loopPanels(const ShownCirculation& shown, const ShownCir
 }
 
 std::vector<CurvePanel> circulationStrip(const ShownCirculation& shown, const ShownCirculation* before,
-                                         int width, int height) {
-  const StripRoom room(width, height);
-  std::vector<CurvePanel> panels = wiggersPanels(shown, room.partOfWidth(kWiggersPart * width));
-  double top = height - kStripTop;
-  const double usable = top - kStripBottom - kStripGap * static_cast<double>(kStripHeights.size() - 1);
-  for (std::size_t i = 0; i < panels.size(); ++i) {
-    CurvePanel& panel = panels[i];
-    panel.left = room.partOfWidth(kStripLeft);
-    panel.top = room.partOfHeight(top);
-    top -= kStripHeights[i] * usable;
-    panel.bottom = room.partOfHeight(top);
-    top -= kStripGap;
-    panel.mostYTicks = i == 0 ? kFewTicks : kTwoTicks;
-  }
-  // Titles as long as their axes.
-  panels[0].yTitle = "mmHg";
-  panels[1].yTitle = "open";
-  panels[2].yTitle = "LV (ml)";
-  double left = kWiggersPart * width + kStripLeft;
-  const double each = ((1 - kWiggersPart) * width - 2 * kStripLeft - kStripRight) / 2;
-  for (CurvePanel& panel : loopPanels(shown, before, 0)) {
-    panel.left = room.partOfWidth(left);
-    panel.right = room.partOfWidth(left + each);
-    panel.bottom = room.partOfHeight(kStripBottom);
-    panel.top = room.partOfHeight(height - kStripTop);
-    panel.mostXTicks = panel.mostYTicks = kFewTicks;
-    panel.xTitle = panels.size() == kStripHeights.size() ? "LV (ml)" : "RV (ml)";
-    left += each + kStripLeft;
-    panels.push_back(std::move(panel));
-  }
+                                         const StripLook& look) {
+  const StripRoom room(look.width, look.height, look.typeScale);
+  std::vector<CurvePanel> panels = wiggersRows(shown, look.signs);
+  const double part = panels.empty() ? 0 : look.signs.loops ? kWiggersPart : 1;
+  placeRows(panels, look, room, part);
+  if (look.signs.loops)
+    for (CurvePanel& panel : placedLoops(shown, before, room, part))
+      panels.push_back(std::move(panel));
   for (CurvePanel& panel : panels) {
     panel.title.clear();
     if (panel.legend && panel.cursor)
@@ -294,6 +372,33 @@ std::vector<CurvePanel> circulationStrip(const ShownCirculation& shown, const Sh
       thin(curve);
   }
   return panels;
+}
+
+double stripTypeScale(int width, int height) {
+  return std::clamp(std::min(width / kUsualStripWidth, height / kUsualStripHeight), kLeastStripType,
+                    scene::kLectureTypeScale);
+}
+
+scene::InstantMarks instantMarks(const std::vector<CurvePanel>& strip, const ShownCirculation& shown,
+                                 double fraction) {
+  const circulation::Beat& beat = shown.beat;
+  const std::size_t count = beat.time.size() - 1;
+  const double passed = std::clamp(fraction, 0.0, 1.0);
+  const std::size_t sample = (circulation::firstDrawn(shown.parameters, beat, heart::kBeforeAtria) +
+                              static_cast<std::size_t>(std::lround(passed * static_cast<double>(count)))) %
+                             count;
+  scene::InstantMarks marks;
+  Compartment ventricle = Compartment::lv;
+  for (const CurvePanel& panel : strip) {
+    if (panel.cursor) {
+      marks.lines.push_back({placeIn(panel, passed * beat.period, 0).x, panel.bottom, panel.top});
+      continue;
+    }
+    marks.rings.push_back(
+        placeIn(panel, beat.volumeOf(ventricle)[sample], beat.pressureOf(ventricle)[sample]));
+    ventricle = Compartment::rv; // The left ventricle's loop is first.
+  }
+  return marks;
 }
 
 std::vector<CirculationLine> circulationLegend(const ShownCirculation* before) {
@@ -309,8 +414,10 @@ std::vector<CirculationLine> circulationLegend(const ShownCirculation* before) {
 
 std::vector<CurvePanel> circulationFigure(const ShownCirculation& shown, const ShownCirculation* before) {
   std::vector<CurvePanel> panels = wiggersPanels(shown, 0.58);
-  for (CurvePanel& panel : loopPanels(shown, before, 0.65))
+  for (CurvePanel& panel : loopPanels(shown, before, 0.65)) {
+    panel.yRange->high *= kRoomForLoopLegend;
     panels.push_back(std::move(panel));
+  }
   return panels;
 }
 

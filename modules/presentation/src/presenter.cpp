@@ -29,6 +29,7 @@ namespace {
 constexpr double kPercent = 100;
 /// Areas and volumes below are written with two decimals.
 constexpr double kSmall = 10;
+constexpr double kGlassOpacity = 0.15;
 constexpr const char* kSpread = "\u00b1 %1, %2 to %3, %4, %5 voxels";
 
 Vec3 missingColor(const scene::ColorMap& colors) {
@@ -58,6 +59,19 @@ struct LegendText {
            colors.name == other.colors.name;
   }
 };
+
+OrgansSeen organsSeenIn(const Scene& scene) {
+  OrgansSeen seen = scene.view.organsSeen;
+  if (!scene.map || !scene.map->glassAround)
+    return seen;
+  for (const auto& organ : *scene.state.organs)
+    if (scene.map->values.count(organ->id) == 0) {
+      OrganSeen& glass =
+          seen.try_emplace(organ->id, OrganSeen{organ->look.visible, organ->look.opacity}).first->second;
+      glass.opacity = std::min(glass.opacity, kGlassOpacity);
+    }
+  return seen;
+}
 
 } // namespace
 
@@ -274,9 +288,9 @@ Presenter::~Presenter() {
 }
 
 void Presenter::update(const Scene& scene) {
-  parts_->update({parts_->seen.of(scene.state, scene.view.organsSeen), scene.organs, scene.view,
-                  scene.systems, scene.stress, scene.map, scene.measuring, scene.transient, scene.parts,
-                  scene.warping, scene.valves, scene.stressRange, scene.stressLegend, scene.pointedOrgan});
+  parts_->update({parts_->seen.of(scene.state, organsSeenIn(scene)), scene.organs, scene.view, scene.systems,
+                  scene.stress, scene.map, scene.measuring, scene.transient, scene.parts, scene.warping,
+                  scene.valves, scene.stressRange, scene.stressLegend, scene.pointedOrgan});
 }
 
 void Presenter::Parts::update(const Scene& scene) {

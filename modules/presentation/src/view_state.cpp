@@ -3,15 +3,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <sstream>
 #include <tuple>
 
 #include <nlohmann/json.hpp>
 
 #include "former_beat.h"
+#include "look_json.h"
+#include "strain_look.h"
 #include "viscera/core/error.h"
 #include "viscera/core/json_reader.h"
-#include "viscera/presentation/stress_values.h"
 
 // The view of a session as JSON: written in format 3, read in formats 1 to 3 (docs/session_format.md).
 namespace viscera::presentation {
@@ -21,30 +21,9 @@ using nlohmann::ordered_json;
 
 /// Since format 2 switches have names of their own; since 3 a heart's beat begins before its atria contract.
 constexpr int kFormat = 3, kNamedSwitches = 2, kBeatBeforeAtria = 3;
-constexpr const char* kView = "the session's view";
-constexpr const char* kViewAdvice = "the organs and the handles are complete; save the session anew";
-constexpr double kShortestNormal = 1e-6;
 constexpr double kFastestRate = 1e6; ///< Of a sequence, a minute: its range has the last word.
 constexpr std::array<const char*, 4> kMirrors = {"off", "sagittal", "coronal", "axial"};
-constexpr std::array<const char*, 3> kGlyphNames = {"none", "ellipsoids", "crosses"};
 constexpr std::array<const char*, 4> kCompared = {"rate", "coordinates", "pose", "sample"};
-constexpr std::array<const char*, 2> kCutStyles = {"smooth", "crinkle"};
-constexpr std::array<const char*, 3> kStrainDirections = {"longitudinal", "circumferential", "radial"};
-constexpr std::array<const char*, 3> kStrainMoments = {"peak", "instant", "timeToPeak"};
-constexpr int kMostSegments = 17;
-
-/// A named value of an enumeration; the first for a name that is none of them.
-template <class Enum, std::size_t count>
-Enum fromName(const std::array<const char*, count>& names, const ordered_json& name) {
-  const auto found = std::find(names.begin(), names.end(), name.is_string() ? name.get<std::string>() : "");
-  return static_cast<Enum>(found == names.end() ? 0 : found - names.begin());
-}
-
-/// Of unit length; the first direction again for one without any.
-Vec3 unit(const Vec3& normal) {
-  return normal.allFinite() && normal.norm() > kShortestNormal ? Vec3(normal.normalized())
-                                                               : StressLook().normal;
-}
 
 ordered_json cameraJson(const Camera& camera) {
   return {{"position", jsonOf(camera.position)},
@@ -108,177 +87,6 @@ void visitPlaying(Playing& playing, Visit visit) {
   visit("speed", playing.speed);
   visit("loop", playing.loop);
   visit("shown", playing.shown);
-}
-
-template <class Visit>
-void visitStress(StressLook& look, Visit visit) {
-  visit("onSurface", look.onSurface);
-  visit("pinned", look.pinned);
-  visit("logarithmic", look.logarithmic);
-  visit("amountColors", look.amountColors);
-  visit("ratioColors", look.ratioColors);
-  visit("peak", look.peak);
-  visit("cut", look.cut);
-  visit("offset", look.offset);
-  visit("threshold", look.threshold);
-  visit("limit", look.limit);
-  visit("below", look.below);
-  visit("handles", look.handles);
-  visit("others", look.others);
-  visit("sameRange", look.sameRange);
-  visit("witnesses", look.witnesses);
-  visit("probe", look.probe);
-}
-
-ordered_json stressJson(StressLook look) {
-  look.range = onScale(look.quantity, look.range, look.logarithmic); // As it is when it is read.
-  ordered_json item = {{"quantity", live::describe(look.quantity).id},
-                       {"range", {look.range.low, look.range.high}},
-                       {"cutStyle", kCutStyles[static_cast<std::size_t>(look.style)]},
-                       {"normal", jsonOf(look.normal)},
-                       {"glyphs", kGlyphNames[static_cast<std::size_t>(look.glyphs)]}};
-  visitStress(look, [&](const char* key, const auto& value) { item[key] = value; });
-  return item;
-}
-
-bool isColorMap(const std::string& name) {
-  const auto& all = scene::colorMaps();
-  return std::any_of(all.begin(), all.end(), [&](const scene::ColorMap& map) { return map.name == name; });
-}
-
-void keepWithinBounds(StressLook& look) {
-  // A map that a newer version wrote is not refused: the usual one stands for it.
-  for (std::string StressLook::*colors : {&StressLook::amountColors, &StressLook::ratioColors})
-    if (!isColorMap(look.*colors))
-      look.*colors = StressLook().*colors;
-  look.normal = unit(look.normal);
-  look.offset = std::clamp(std::isfinite(look.offset) ? look.offset : 0.0, -1.0, 1.0);
-  look.witnesses = std::clamp(look.witnesses, live::WitnessOptions::kFewest, live::WitnessOptions::kMost);
-  if (!std::isfinite(look.range.low) || !std::isfinite(look.range.high))
-    look.range = {0, 0};
-  look.range = onScale(look.quantity, look.range, look.logarithmic);
-}
-
-StressLook stressFrom(const JsonReader& json, const ordered_json& item, const std::string& place) {
-  json.requireObject(item, place);
-  StressLook look;
-  visitStress(look, [&](const char* key, auto& value) { json.readIfThere(item, key, place, value); });
-  if (item.contains("quantity"))
-    look.quantity = live::stressQuantityFromId(json.valueOf<std::string>(item, "quantity", place));
-  std::array<double, 2> range = {look.range.low, look.range.high};
-  json.readIfThere(item, "range", place, range);
-  look.range = {range[0], range[1]};
-  json.readIfThere(item, "normal", place, look.normal);
-  look.style = fromName<scene::CutStyle>(kCutStyles, item.value("cutStyle", ordered_json()));
-  look.glyphs = fromName<GlyphChoice>(kGlyphNames, item.value("glyphs", ordered_json()));
-  keepWithinBounds(look);
-  return look;
-}
-
-/// Format 1 kept the user's settings, some of them as text.
-StressLook stressFromSettings(const JsonReader& json, const ordered_json& settings) {
-  json.requireObject(settings, "stress");
-  ordered_json item = ordered_json::object();
-  for (const auto& [key, value] : settings.items())
-    item[key.substr(key.find('/') + 1)] = value;
-  if (item.contains("normal") && item.at("normal").is_string()) {
-    std::istringstream numbers(item.at("normal").get<std::string>());
-    Vec3 normal = Vec3::Zero();
-    numbers >> normal[0] >> normal[1] >> normal[2];
-    item["normal"] = jsonOf(normal);
-  }
-  return stressFrom(json, item, "stress");
-}
-
-ordered_json strainJson(const StrainLook& look) {
-  return {{"chart", look.chart},
-          {"onOrgan", look.onOrgan},
-          {"direction", kStrainDirections[static_cast<std::size_t>(look.direction)]},
-          {"moment", kStrainMoments[static_cast<std::size_t>(look.moment)]},
-          {"segment", look.segment}};
-}
-
-StrainLook strainFrom(const JsonReader& json, const ordered_json& item, const std::string& place) {
-  json.requireObject(item, place);
-  StrainLook look;
-  json.readIfThere(item, "chart", place, look.chart);
-  json.readIfThere(item, "onOrgan", place, look.onOrgan);
-  look.direction =
-      fromName<live::StrainDirection>(kStrainDirections, item.value("direction", ordered_json()));
-  look.moment = fromName<live::StrainMoment>(kStrainMoments, item.value("moment", ordered_json()));
-  json.readIfThere(item, "segment", place, look.segment);
-  if (look.segment < 0 || look.segment > kMostSegments)
-    look.segment = 0;
-  return look;
-}
-
-template <class Visit>
-void visitScan(ScanLook& look, Visit visit) {
-  visit("layout", look.layout);
-  visit("level", look.level);
-  visit("width", look.width);
-  visit("slabMm", look.slabMm);
-  visit("maximum", look.maximum);
-  visit("smooth", look.smooth);
-  visit("contours", look.contours);
-  visit("rest", look.rest);
-  visit("standing", look.standing);
-  visit("bent", look.warped);
-}
-
-template <class Visit>
-void visitFraming(SliceFraming& framing, Visit visit) {
-  visit("rightMm", framing.rightMm);
-  visit("upMm", framing.upMm);
-  visit("zoom", framing.zoom);
-}
-
-ordered_json scanJson(ScanLook look) {
-  ordered_json item;
-  visitScan(look, [&](const char* key, const auto& value) { item[key] = value; });
-  if (look.width <= 0) {
-    item.erase("level");
-    item.erase("width");
-  }
-  if (look.focus)
-    item["focus"] = jsonOf(*look.focus);
-  for (SliceFraming& framing : look.framings) {
-    ordered_json one;
-    visitFraming(framing, [&](const char* key, const auto& value) { one[key] = value; });
-    item["framings"].push_back(one);
-  }
-  return item;
-}
-
-/// A number of a look, or `otherwise` for one that nothing can be drawn with.
-double within(double value, double low, double high, double otherwise) {
-  return std::isfinite(value) && value >= low && value <= high ? value : otherwise;
-}
-
-ScanLook scanFrom(const JsonReader& json, const ordered_json& item, const std::string& place) {
-  constexpr double kFar = 1e6;
-  constexpr double kMostSlabMm = 200, kMostZoom = 1000;
-  json.requireObject(item, place);
-  ScanLook look;
-  visitScan(look, [&](const char* key, auto& value) { json.readIfThere(item, key, place, value); });
-  if (item.contains("focus"))
-    look.focus = json.valueOf<Vec3>(item, "focus", place);
-  if (look.focus && !(look.focus->cwiseAbs().maxCoeff() < kFar))
-    look.focus.reset();
-  look.level = within(look.level, -kFar, kFar, 0);
-  look.width = within(look.width, 0, kFar, 0);
-  look.slabMm = within(look.slabMm, 0, kMostSlabMm, 0);
-  std::size_t read = 0;
-  json.eachOf(item, "framings", place, [&](const ordered_json& one, const std::string& inList) {
-    if (read == look.framings.size())
-      return;
-    SliceFraming& framing = look.framings[read++];
-    visitFraming(framing, [&](const char* key, double& value) { json.readIfThere(one, key, inList, value); });
-    framing.rightMm = within(framing.rightMm, -kFar, kFar, 0);
-    framing.upMm = within(framing.upMm, -kFar, kFar, 0);
-    framing.zoom = within(framing.zoom, 1 / kMostZoom, kMostZoom, 1);
-  });
-  return look;
 }
 
 /// The items that the modes of format 1 showed.
@@ -513,8 +321,9 @@ ViewState viewFrom(const JsonReader& json, const ordered_json& item,
                 [&](const char* key, const char*, bool& value) { json.readIfThere(item, key, "", value); });
   view.mirror = fromName<Mirror>(kMirrors, item.value("mirror", ordered_json()));
   take("stress", view.stress, stressFrom);
-  take("strain", view.strain, strainFrom);
+  take("strain", view.strain, strainLookFrom);
   take("scan", view.scan, scanFrom);
+  take("heartSigns", view.heartSigns, heartSignsFrom);
   return view;
 }
 
@@ -531,33 +340,12 @@ bool ViewState::operator==(const ViewState& other) const {
                     view.partNames, view.measurements, view.orientationCube, view.scaleBar, view.gizmo,
                     view.exactly, view.mirror, view.layout.regions, view.layout.zones,
                     view.layout.superRegions, view.chartOfCycle, view.circulationChart, view.beatSigns,
-                    view.valves, view.stress, view.strain, view.cut, view.organsSeen, view.person.sex,
-                    view.person.bodySurfaceM2, view.scan, view.selection, view.motions, view.playing,
-                    view.compared, view.slides);
+                    view.valves, view.heartSigns, view.stress, view.strain, view.cut, view.organsSeen,
+                    view.person.sex, view.person.bodySurfaceM2, view.scan, view.selection, view.motions,
+                    view.playing, view.compared, view.slides);
   };
   return parts(*this) == parts(other) && shownPose.rows() == other.shownPose.rows() &&
          shownPose == other.shownPose;
-}
-
-std::string toJson(const StressLook& look) {
-  return stressJson(look).dump();
-}
-
-StressLook habitOf(StressLook look) {
-  look.pinned = look.threshold = look.peak = false;
-  look.range = {0, 0};
-  look.probe = -1;
-  look.glyphs = GlyphChoice::none;
-  return look;
-}
-
-StressLook stressLookFromJson(const std::string& text) {
-  const JsonReader json(kView, kViewAdvice);
-  try {
-    return stressFrom(json, json.parse(text), "stress");
-  } catch (const JsonError&) {
-    return {};
-  }
 }
 
 std::string toJson(const ViewState& state) {
@@ -568,8 +356,9 @@ std::string toJson(const ViewState& state) {
     item["camera"] = cameraJson(*view.camera);
   visitSwitches(view, [&](const char* key, const char*, bool value) { item[key] = value; });
   item["mirror"] = kMirrors[static_cast<std::size_t>(view.mirror)];
+  item["heartSigns"] = heartSignsJson(view.heartSigns);
   item["stress"] = stressJson(view.stress);
-  item["strain"] = strainJson(view.strain);
+  item["strain"] = strainLookJson(view.strain);
   item["scan"] = scanJson(view.scan);
   item["cut"] = cutJson(view.cut);
   if (!view.organsSeen.empty())

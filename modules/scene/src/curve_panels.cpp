@@ -116,12 +116,16 @@ vtkSmartPointer<vtkChartXY> chartOf(const CurvePanel& panel) {
   chart->SetShowLegend(panel.legend);
   chart->GetLegend()->SetHorizontalAlignment(vtkChartLegend::RIGHT);
   chart->GetLegend()->SetVerticalAlignment(vtkChartLegend::TOP);
-  chart->GetLegend()->SetLabelSize(kPanelFontSize);
   chart->GetLegend()->GetPen()->SetLineType(vtkPen::NO_PEN);
   chart->GetBackgroundBrush()->SetOpacity(0);
   for (const PanelCurve& curve : panel.curves)
     addCurve(chart, curve);
   return chart;
+}
+
+/// The size of type, in points, at the theme's scale.
+int scaledType(const Theme& theme, int size) {
+  return static_cast<int>(std::lround(theme.typeScale * size));
 }
 
 void applyTheme(vtkChartXY* chart, const Theme& theme) {
@@ -130,14 +134,15 @@ void applyTheme(vtkChartXY* chart, const Theme& theme) {
     auto* axis = chart->GetAxis(which);
     for (vtkTextProperty* property : {axis->GetLabelProperties(), axis->GetTitleProperties()}) {
       property->SetColor(text.x(), text.y(), text.z());
-      property->SetFontSize(kPanelFontSize);
+      property->SetFontSize(scaledType(theme, kPanelFontSize));
       property->BoldOff();
     }
     setPen(axis->GetPen(), theme.muted, 1);
     setPen(axis->GetGridPen(), theme.muted, kGrid);
   }
   chart->GetTitleProperties()->SetColor(text.x(), text.y(), text.z());
-  chart->GetTitleProperties()->SetFontSize(kTitleSize);
+  chart->GetTitleProperties()->SetFontSize(scaledType(theme, kTitleSize));
+  chart->GetLegend()->SetLabelSize(scaledType(theme, kPanelFontSize));
   chart->GetLegend()->GetLabelProperties()->SetColor(text.x(), text.y(), text.z());
   const Vec3& back = theme.panel;
   chart->GetLegend()->GetBrush()->SetColor(byteOf(back.x()), byteOf(back.y()), byteOf(back.z()), 190);
@@ -174,7 +179,7 @@ public:
     painter->GetPen()->SetWidth(ratio_);
     painter->GetPen()->SetLineType(vtkPen::DASH_LINE);
     painter->GetTextProp()->SetColor(ink.x(), ink.y(), ink.z());
-    painter->GetTextProp()->SetFontSize(kPanelFontSize);
+    painter->GetTextProp()->SetFontSize(scaledType(theme_, kPanelFontSize));
     painter->GetTextProp()->SetJustificationToLeft();
     painter->GetTextProp()->SetVerticalJustificationToTop();
     for (const Line& line : lines_) {
@@ -218,7 +223,7 @@ void CurvePanels::Parts::show(const Panel& panel) {
   int plot = 0;
   for (const PanelCurve& curve : p.curves)
     if (curve.x.size() >= 2)
-      panel.chart->GetPlot(plot++)->SetWidth(ratio * curve.width);
+      panel.chart->GetPlot(plot++)->SetWidth(ratio * static_cast<float>(theme.typeScale) * curve.width);
   applyTheme(panel.chart, theme);
   panel.chart->RecalculateBounds();
 }

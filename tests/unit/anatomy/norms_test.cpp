@@ -105,6 +105,36 @@ TEST(Norms, OfAVentricleAddUp) {
   }
 }
 
+/// What lies between is no disease yet, and not healthy either.
+TEST(Norms, BoundsOfDiseasesLieOutsideTheHealthyRangeAndAreCited) {
+  std::size_t bounds = 0;
+  for (const Norm& row : norms())
+    for (const DiseaseLimit& limit : row.disease) {
+      ++bounds;
+      const Range healthy = rangeOf(row);
+      // Two deviations above the mean pressure of healthy lungs lie half a mmHg above the guideline's bound.
+      constexpr double kOverlap = 1;
+      EXPECT_TRUE(limit.above ? limit.bound > healthy.high - kOverlap : limit.bound < healthy.low)
+          << row.id << ": " << limit.name;
+      EXPECT_NE(limit.source.find("doi 10."), std::string::npos) << row.id << ": " << limit.name;
+      EXPECT_FALSE(limit.name.empty()) << row.id;
+    }
+  EXPECT_GE(bounds, 10u);
+  EXPECT_LE(rangeOf(norm("aortic.gradient")).high, 5) << "20 mmHg is a moderate stenosis";
+  EXPECT_LE(rangeOf(norm("mitral.regurgitation")).high, 5) << "30 % is moderate";
+}
+
+TEST(Norms, WhatIsTaughtInExerciseAndOfTimesIsCited) {
+  std::size_t rows = 0;
+  for (const Norm& row : norms())
+    if (row.id.rfind("exercise.", 0) == 0 || row.unit == "ms" || !row.disease.empty()) {
+      ++rows;
+      const bool customary = row.id == "la.mean"; // Only its limit of disease is a guideline's.
+      EXPECT_TRUE(customary || row.source.find("doi 10.") != std::string::npos) << row.id;
+    }
+  EXPECT_GE(rows, 10u);
+}
+
 TEST(Norms, AnUnknownRowIsSaidSo) {
   EXPECT_THROW(norm("lv.nonsense"), UsageError);
 }

@@ -260,6 +260,16 @@ TEST(StrainReading, VerticesOfTheLeftVentriclesWallKnowTheirSegments) {
   }
   EXPECT_GT(left, 0);
   EXPECT_GT(right, 0);
+  geometry::TriangleMesh stub = *organs.organs[0].mesh; // A vessel that leaves the surface there.
+  Eigen::Index tip = -1;
+  for (Eigen::Index row = 0; row < outer.rows() && tip < 0; ++row)
+    if (around[static_cast<std::size_t>(row)] > 0 && outer(row, 0) > 30)
+      tip = row;
+  ASSERT_GE(tip, 0);
+  stub.points.row(tip).head<2>() *= 4;
+  organs.organs[0].mesh = std::make_shared<const geometry::TriangleMesh>(stub);
+  const StrainGauge withStub(organs, fewWitnesses(), progress);
+  EXPECT_EQ(withStub.segmentsOn(0)[static_cast<std::size_t>(tip)], 0);
   std::set<int> inside(gauge.segmentsOn(1).begin(), gauge.segmentsOn(1).end());
   inside.erase(0);
   EXPECT_GE(inside.size(), 16U) << "the cap may lie beyond the tip of the cavity";

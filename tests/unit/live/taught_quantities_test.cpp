@@ -1,8 +1,11 @@
 #include "viscera/live/taught_quantities.h"
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdlib>
 #include <fstream>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -19,6 +22,11 @@ std::string contents(const char* file) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
+std::ptrdiff_t rowsOf(const std::vector<TaughtQuantity>& rows, const std::string& id) {
+  return std::count_if(rows.begin(), rows.end(),
+                       [&](const TaughtQuantity& row) { return row.norm->id == id; });
+}
+
 /// Measures anew everything that docs/reference_values.md says. VISCERA_UPDATE_PAGES=1 writes it there.
 TEST(TaughtQuantities, AreAsTheDocumentationSaysAndWithinTheirRangesOrSayWhyNot) {
   Progress progress;
@@ -28,6 +36,12 @@ TEST(TaughtQuantities, AreAsTheDocumentationSaysAndWithinTheirRangesOrSayWhyNot)
     const bool within = anatomy::rangeOf(*row.norm).holds(row.here);
     EXPECT_TRUE(within || !row.remark.empty()) << row.norm->id << " in " << row.where << ": " << row.here;
   }
+  // Of the textbook's beat and of the circulation at rest.
+  for (const char* id : {"lv.ivct", "lv.ejection", "lv.ivrt", "heart.output"})
+    EXPECT_EQ(rowsOf(rows, id), 2) << id;
+  for (const char* id : {"exercise.systolic", "exercise.la", "exercise.a", "exercise.gradient",
+                         "aortic.gradient", "mitral.regurgitation"})
+    EXPECT_EQ(rowsOf(rows, id), 1) << id;
   const std::string table = markdownTable(rows);
   std::string page = contents(kPage);
   if (std::getenv("VISCERA_UPDATE_PAGES")) {

@@ -33,6 +33,18 @@ TEST(ViewStateJson, WhatIsComparedComesBack) {
   EXPECT_EQ(toJson(ViewState()).find("compared"), std::string::npos);
 }
 
+TEST(ViewStateJson, TheSignsOfAHeartComeBackAndOlderViewsHaveAll) {
+  EXPECT_EQ(viewFromJson(R"({"format": 3, "mode": "play"})").heartSigns, HeartSigns());
+  for (bool HeartSigns::*sign : {&HeartSigns::pressures, &HeartSigns::loops, &HeartSigns::ecg,
+                                 &HeartSigns::valves, &HeartSigns::sounds}) {
+    ViewState view;
+    view.heartSigns.*sign = false;
+    EXPECT_FALSE(view == ViewState());
+    EXPECT_EQ(viewFromJson(toJson(view)).heartSigns, view.heartSigns);
+  }
+  EXPECT_THROW(viewFromJson(R"({"format": 3, "heartSigns": 1})"), DataError);
+}
+
 TEST(ViewStateJson, WhatCannotBeComparedIsLeftOut) {
   EXPECT_FALSE(withCompared(R"({"what": "of a newer version"})").compared);
   EXPECT_FALSE(withCompared(R"({"what": "coordinates"})").compared);
@@ -81,6 +93,13 @@ TEST(ViewStateJson, ThatIsDamagedIsRefusedWithThePlaceOfTheMistake) {
 TEST(ViewStateJson, TheLookOfStrainComesBackAndOneThatIsNoneIsTheUsual) {
   ViewState view;
   view.strain = {true, true, live::StrainDirection::radial, live::StrainMoment::timeToPeak, 9};
+  EXPECT_EQ(viewFromJson(toJson(view)).strain, view.strain);
+  view.strain.direction = live::StrainDirection::thickening;
+  view.strain.reference = 4;
+  view.strain.axesOf = {12};
+  view.strain.apex = Vec3(1, 2, 3.5);
+  EXPECT_EQ(viewFromJson(toJson(view)).strain, view.strain);
+  view.strain.base = view.strain.insertion = Vec3(-7, 0, 80);
   EXPECT_EQ(viewFromJson(toJson(view)).strain, view.strain);
   EXPECT_FALSE(viewFromJson(toJson(view)) == ViewState());
   EXPECT_EQ(viewFromJson(R"({"format": 2})").strain, StrainLook());

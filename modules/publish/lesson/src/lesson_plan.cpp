@@ -92,19 +92,21 @@ std::string sourceOf(const heart::NormalRange& range, const PageWords& words) {
          words.named(range.people) + "; " + words.named(range.source) + ".";
 }
 
-std::vector<heart::NormalRange> rangesOf(const Organ& organ, const std::string& title) {
+std::vector<heart::NormalRange> rangesOf(const Organ& organ, const std::string& title,
+                                         const anatomy::Person& person) {
   for (const std::string& name : {organ.name, title})
-    if (std::vector<heart::NormalRange> ranges = heart::normalRanges(name); !ranges.empty())
+    if (std::vector<heart::NormalRange> ranges = heart::normalRanges(name, person); !ranges.empty())
       return ranges;
   return {};
 }
 
 /// The bands of one organ; a ventricle ejects.
-void addRanges(LessonPlan& plan, const Organ& organ, const PageWords& words, std::set<std::string>& sources) {
+void addRanges(LessonPlan& plan, const Organ& organ, const anatomy::Person& person, const PageWords& words,
+               std::set<std::string>& sources) {
   PlannedSurface& surface = plan.surfaces.back();
   if (!surface.charted)
     return;
-  for (const heart::NormalRange& range : rangesOf(organ, surface.title)) {
+  for (const heart::NormalRange& range : rangesOf(organ, surface.title, person)) {
     using Quantity = heart::NormalRange::Quantity;
     const bool percent = range.quantity == Quantity::ejectionPercent;
     surface.ejects = surface.ejects || range.quantity == Quantity::endDiastolicMl;
@@ -256,7 +258,7 @@ LessonPlan planLesson(const LessonSource& source, const LessonSpec& spec) {
   for (const auto& organ : *state.organs)
     if (organ->look.visible) {
       plan.surfaces.push_back(plannedSurface(*organ, state, spec, words));
-      addRanges(plan, *organ, words, sources);
+      addRanges(plan, *organ, source.view.person, words, sources);
     }
   if (plan.surfaces.empty())
     throw UsageError("No organ is shown", "the lesson", "show those that the lesson is about");

@@ -7,6 +7,7 @@
 #include "viscera/circulation/indices.h"
 #include "viscera/circulation/parameters.h"
 #include "viscera/core/phrase.h"
+#include "viscera/presentation/heart_signs.h"
 #include "viscera/scene/curve_panels.h"
 
 namespace viscera::presentation {
@@ -30,11 +31,26 @@ std::vector<scene::CurvePanel> wiggersPanels(const ShownCirculation& shown, doub
 std::vector<scene::CurvePanel> loopPanels(const ShownCirculation& shown, const ShownCirculation* before,
                                           double left);
 
-/// The panels of both figures, arranged for a low and wide window of that many pixels, as under a view: the
-/// strips of Wiggers's diagram, then the loops of the left and of the right ventricle, the last two panels.
-/// Without titles and legends; `circulationLegend` returns the meaning of the colours.
+/// The room for a strip, what it shows and the size of its type.
+struct StripLook {
+  int width = 0, height = 0; ///< Pixels.
+  double typeScale = 1;      ///< As that of the theme it is drawn with.
+  HeartSigns signs = {};     ///< Nothing is drawn of what is not chosen; the rest shares the room.
+};
+
+/// The panels of both figures, arranged for a low and wide window, as under a view: the strips of Wiggers's
+/// diagram with a cursor, then the loops of the left and of the right ventricle. Without titles and legends;
+/// `circulationLegend` returns the meaning of the colours.
 std::vector<scene::CurvePanel> circulationStrip(const ShownCirculation& shown, const ShownCirculation* before,
-                                                int width, int height);
+                                                const StripLook& look);
+
+/// The largest scale of type with which a strip of that many pixels can be read, at most that of a lecture.
+double stripTypeScale(int width, int height);
+
+/// Where the instant at `fraction` of the beat that is drawn, in [0, 1], lies in a strip: a line in each
+/// panel over the time, a ring on each loop. O(panels).
+scene::InstantMarks instantMarks(const std::vector<scene::CurvePanel>& strip, const ShownCirculation& shown,
+                                 double fraction);
 
 /// An entry of the legend: the name, colour and style of a curve.
 struct CirculationLine {

@@ -40,6 +40,7 @@ struct SurfaceMap {
   std::string title; ///< Of the legend.
   std::string unit;  ///< Or empty.
   std::string mark;  ///< Label of the map's `missing` colour ("folded"); empty: that colour is not used.
+  bool glassAround = false; ///< Organs without values are drawn as glass: they would hide those with.
 };
 
 /// A measurement that the user has begun and that is not part of the document yet.

@@ -11,6 +11,7 @@
 #include "viscera/document/circulation_choice.h"
 #include "viscera/document/ids.h"
 #include "viscera/live/strain_reading.h"
+#include "viscera/presentation/heart_signs.h"
 #include "viscera/presentation/scan_look.h"
 #include "viscera/presentation/stress_look.h"
 #include "viscera/scene/region_hulls.h"
@@ -156,6 +157,13 @@ struct StrainLook {
   live::StrainDirection direction = live::StrainDirection::longitudinal;
   live::StrainMoment moment = live::StrainMoment::peak;
   int segment = 0; ///< The chosen one, 1 to 17; 0: none.
+  /// The phase that strain is measured from, counted from 1; 0: the end of diastole is found. A cycle with
+  /// less phases is measured from the one that is found.
+  int reference = 0;
+  /// The left ventricle whose axes have been clicked, and the points, mm at rest; those that are missing are
+  /// found.
+  document::OrganId axesOf = {};
+  std::optional<Vec3> base = std::nullopt, apex = std::nullopt, insertion = std::nullopt;
 
   bool operator==(const StrainLook&) const = default;
 };
@@ -184,12 +192,14 @@ struct ViewState {
                                 ///< volumes.
   bool valves = true;           ///< Valves of a beating heart, and the flow through them.
   bool beatSigns = false;       ///< Electrocardiogram, sounds and valves under the heart's phases.
+  HeartSigns heartSigns;        ///< Below the view in lectures, and in movies.
   StressLook stress;
   StrainLook strain;
   ScanLook scan;
   OrganCut cut;
-  OrgansSeen organsSeen;  ///< Set while a slide is shown; the document does not change.
-  anatomy::Person person; ///< Whose normal ranges are shown.
+  OrgansSeen organsSeen; ///< Set while a slide is shown; the document does not change.
+  /// Whose normal ranges are shown: of one sex, since those of both shade nearly all of a chart.
+  anatomy::Person person{anatomy::Sex::women, 0};
 
   SelectionState selection;
   std::vector<MotionChoice> motions;

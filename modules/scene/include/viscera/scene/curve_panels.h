@@ -54,6 +54,25 @@ struct CurvePanel {
   bool cursor = false; ///< Whether x is the time, on which a cursor marks the present instant.
 };
 
+/// The present instant over charts: upright lines, and rings on loops. Places are parts of the window's width
+/// and height, from its lower left.
+struct InstantMarks {
+  struct Line {
+    double x = 0;
+    double low = 0;
+    double high = 1;
+    bool operator==(const Line&) const = default;
+  };
+  struct Ring {
+    double x = 0;
+    double y = 0;
+    bool operator==(const Ring&) const = default;
+  };
+  std::vector<Line> lines;
+  std::vector<Ring> rings;
+  bool operator==(const InstantMarks&) const = default;
+};
+
 /// Draws several charts of complete curves in one window: curves over one cycle, loops of two quantities. It
 /// draws into any vtkRenderWindow, which it uses alone; nothing is drawn until the window is rendered.
 /// Belongs to the thread that renders.
@@ -66,6 +85,7 @@ public:
 
   /// Draws in `window`; null: detaches from the present one.
   void setWindow(vtkRenderWindow* window);
+  /// Type and lines grow with the theme's scale of type.
   void setTheme(const Theme& theme);
   /// Sets the decimal mark of numbers, a point by default: ',' in German. Call it before `setPanels`.
   void setDecimalMark(char mark);
