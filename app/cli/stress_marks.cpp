@@ -96,13 +96,17 @@ void StressMarkOptions::check() const {
     throw UsageError("There is no profile to write a table of", "--profile-csv", "add --profile X,Y,Z:X,Y,Z");
 }
 
+std::vector<Vec3> StressMarkOptions::probePlaces() const {
+  std::vector<Vec3> places;
+  for (const std::string& text : probes_)
+    places.push_back(positionOf(text, kProbe));
+  return places;
+}
+
 void StressMarkOptions::readProbes(const std::shared_ptr<const deformation::WitnessMesh>& mesh,
                                    const Points& posed, const deformation::StressMap& map,
                                    Outcome& outcome) const {
-  Points rest(static_cast<Eigen::Index>(probes_.size()), 3);
-  for (std::size_t i = 0; i < probes_.size(); ++i)
-    rest.row(static_cast<Eigen::Index>(i)) = positionOf(probes_[i], kProbe).transpose();
-  const live::TissuePoints points(mesh, rest, live::probeReach(*mesh));
+  const live::TissuePoints points(mesh, pointsOf(probePlaces()), live::probeReach(*mesh));
   const std::vector<live::StressReading> readings = points.read(posed, map);
   std::vector<live::NamedReading> rows;
   Listing listing;

@@ -19,6 +19,9 @@ public:
   /// Throws `UsageError` for texts that are no points or lines, and for a table without probes or profiles.
   void check() const;
 
+  /// The places of the probes at rest, mm, LPS.
+  std::vector<Vec3> probePlaces() const;
+
   /// Interpolates the values in a map at the points of `mesh` and writes the tables; adds to the outcome's
   /// JSON, text and warnings.
   void read(const std::shared_ptr<const deformation::WitnessMesh>& mesh, const Points& posed,

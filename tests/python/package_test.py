@@ -179,6 +179,23 @@ class Numbers(unittest.TestCase):
         np.testing.assert_allclose(np.einsum("hi,phj->pij", self.pose, by_weights), gradients, atol=1e-9)
         self.assertEqual(viscera.rotational_stress(self.binding, self.handles, inside).folded, 0)
 
+    def test_stress_of_two_poses_and_over_poses(self):
+        inside = 0.8 * self.points[::40]
+        stress = viscera.StressPoints(self.binding, inside)
+        one, other = stress.evaluate(self.pose), stress.evaluate(self.handles)
+        difference = viscera.stress_difference(self.binding, self.pose, self.handles, inside)
+        np.testing.assert_allclose(
+            difference["stress_degrees"], np.degrees(one.rotational_stress - other.rotational_stress), atol=1e-9
+        )
+        np.testing.assert_allclose(difference["volume_ratio"], one.volume_ratio - other.volume_ratio, atol=1e-12)
+        curves = viscera.stress_curves(self.binding, [self.handles, self.pose], inside)
+        self.assertEqual(curves["stretch_max"].shape, (2, len(inside)))
+        np.testing.assert_array_equal(curves["stretch_max"][1], one.stretch_max)
+        mirrored = np.asarray(self.handles) * [-1, 1, 1]
+        self.assertTrue(np.isnan(viscera.stress_curves(self.binding, [mirrored], inside)["stress_degrees"]).all())
+        with self.assertRaises(viscera.UsageError):
+            viscera.stress_curves(self.binding, [], inside)
+
     def test_no_result_depends_on_threads(self):
         one = viscera.bind(self.points, self.handles, threads=1)
         np.testing.assert_array_equal(one.pose(self.pose, threads=1), self.binding.pose(self.pose))

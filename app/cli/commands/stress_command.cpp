@@ -13,6 +13,7 @@
 #include "cli/listing.h"
 #include "cli/number_bounds.h"
 #include "cli/stress_marks.h"
+#include "cli/stress_over_poses.h"
 #include "viscera/deformation/tetrahedralise.h"
 #include "viscera/live/stress_files.h"
 #include "viscera/medical_io/cell_file.h"
@@ -101,11 +102,14 @@ public:
   std::string name() const override { return "stress"; }
   std::string summary() const override { return "Measure how a pose distorts the tissue inside an organ"; }
   std::vector<OutputOption> outputs() const override {
-    return {{"--output"},
-            tableOutput("--csv"),
-            tableOutput("--histogram"),
-            tableOutput("--probes-csv"),
-            tableOutput("--profile-csv")};
+    std::vector<OutputOption> all = {{"--output"},
+                                     tableOutput("--csv"),
+                                     tableOutput("--histogram"),
+                                     tableOutput("--probes-csv"),
+                                     tableOutput("--profile-csv")};
+    for (const OutputOption& option : StressOverPosesOptions::outputs())
+      all.push_back(option);
+    return all;
   }
 
   void addOptions(CLI::App& options) override {
@@ -145,11 +149,13 @@ public:
         ->expected(1)
         ->take_all();
     marks_.addTo(options);
+    poses_.addTo(options);
   }
 
   Outcome run(CommandContext& context) override {
     const auto begin = std::chrono::steady_clock::now();
     marks_.check();
+    poses_.check();
     std::vector<Text> warnings;
     const BoundInput input = input_.read(context, warnings);
     live::WitnessOptions witnesses = witnesses_;
@@ -185,6 +191,8 @@ public:
     warnings.insert(warnings.end(), input.organ.warnings.begin(), input.organ.warnings.end());
     outcome.warnings = std::move(warnings);
     marks_.read(measured.interior.sample.mesh, measured.posed, measured.map, outcome);
+    poses_.compute({input, measured.interior, measured.posed, measured.map}, marks_.probePlaces(), context,
+                   outcome);
     return outcome;
   }
 
@@ -212,6 +220,7 @@ private:
   std::string histogram_;
   std::vector<std::string> cavities_;
   StressMarkOptions marks_;
+  StressOverPosesOptions poses_;
   double memoryMb_ = 2048;
   live::WitnessOptions witnesses_;
 };

@@ -91,11 +91,12 @@ void LiveWarp::Impl::follow() {
     return;
   BindingTarget now = makeTarget(document.state(), registry);
   StiffOrgans stiffNow = stiffOrgans(document.organs());
-  if (target && sameBinding(*target, now) && sameBodies(stiff, stiffNow))
+  const bool bodiesStay = sameBodies(stiff, stiffNow);
+  if (target && bodiesStay && sameBinding(*target, now))
     return;
-  if (binding && target && worthWaitingFor(*target, now))
+  if (binding && target && bodiesStay && worthWaitingFor(*target, now))
     return;
-  const auto known = sameBodies(stiff, stiffNow) ? bound.stiff : nullptr;
+  const auto known = bodiesStay ? bound.stiff : nullptr;
   bound = {};
   ++revision;
   problem = {};

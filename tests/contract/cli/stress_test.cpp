@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
@@ -8,6 +9,7 @@
 #include <vtkXMLUnstructuredGridReader.h>
 
 #include "cli_test.h"
+#include "viscera/live/sequence_file.h"
 
 namespace viscera::app::cli {
 
@@ -82,6 +84,73 @@ TEST_F(CliStress, KeepsTheCellsOfAMeshUnlessOtherPointsAreAskedFor) {
   std::vector<std::string> anew = command;
   anew.insert(anew.end(), {"--witnesses", "500"});
   EXPECT_EQ(runJson(anew)["sampling"], "surface");
+}
+
+TEST_F(CliStress, ComparesTwoPosesPointByPoint) {
+  const json result = runJson(stress(stretched(3, 2, 1), {"--before", rest_, "--difference", path("d.csv")}));
+  const json& difference = result["difference"];
+  for (const char* key : {"min", "mean", "p95", "max"}) {
+    EXPECT_NEAR(difference["stressDegrees"][key].get<double>(), 30, 1e-6) << key;
+    EXPECT_NEAR(difference["volumeRatio"][key].get<double>(), 5, 1e-8) << key;
+  }
+  EXPECT_EQ(difference["stressDegrees"]["missing"], 0);
+  std::istringstream table(contents(path("d.csv")));
+  std::string line;
+  std::getline(table, line);
+  EXPECT_EQ(line, "rest_x_mm,rest_y_mm,rest_z_mm,x_mm,y_mm,z_mm,stress_degrees_difference,"
+                  "volume_ratio_difference,stretch_max_difference,stretch_min_difference");
+  int rows = 0;
+  while (std::getline(table, line))
+    ++rows;
+  EXPECT_EQ(rows, result["witnesses"]);
+  // Itself before itself is no difference; a map in a fold has no value.
+  const std::string pose = stretched(3, 2, 1);
+  const json none = runJson(stress(pose, {"--before", pose, "--difference", path("d.vtu")}));
+  EXPECT_EQ(none["difference"]["stressDegrees"]["max"], 0);
+  vtkNew<vtkXMLUnstructuredGridReader> reader;
+  reader->SetFileName(path("d.vtu").c_str());
+  reader->Update();
+  EXPECT_TRUE(reader->GetOutput()->GetPointData()->GetArray("stress_degrees_difference"));
+  const json folded = runJson(stress(stretched(-1, 1, 1), {"--before", rest_}));
+  EXPECT_EQ(folded["difference"]["stressDegrees"]["missing"], folded["witnesses"]);
+  expectFailure(stress(pose, {"--difference", path("d.csv")}), kUsage, "--before");
+}
+
+TEST_F(CliStress, FollowsTheStressAtAProbeOverTheCycleOfASequence) {
+  const auto points = [](double x, double y, double z) {
+    Points all(8, 3);
+    const auto at = corners(20);
+    for (Eigen::Index i = 0; i < 8; ++i)
+      all.row(i) << x * at[std::size_t(i)][0], y * at[std::size_t(i)][1], z * at[std::size_t(i)][2];
+    return all;
+  };
+  live::SequenceFile file;
+  file.track.restHandles = points(1, 1, 1);
+  file.track.periodSeconds = 2;
+  file.track.keys = {{0, points(1, 1, 1)}, {1, points(3, 2, 1)}};
+  for (int i = 8; i > 0; --i)
+    file.labels.push_back("H-" + std::to_string(9 - i));
+  live::writeSequence(path("beat.sequence.json"), file);
+  const json result = runJson(stress(rest_, {"--sequence", path("beat.sequence.json"), "--instants", "4",
+                                             "--probe", "1,2,3", "--curve-csv", path("curve.csv")}));
+  const json& course = result["overSequence"];
+  EXPECT_EQ(course["periodMs"], 2000);
+  EXPECT_EQ(course["timeMs"], (json{0, 500, 1000, 1500}));
+  ASSERT_EQ(course["probes"].size(), 1U);
+  EXPECT_NEAR(course["probes"][0]["stressDegrees"][0].get<double>(), 0, 1e-6);
+  EXPECT_NEAR(course["probes"][0]["stressDegrees"][2].get<double>(), 30, 1e-6);
+  EXPECT_NEAR(course["probes"][0]["volumeRatio"][2].get<double>(), 6, 1e-8);
+  EXPECT_NEAR(course["stressDegrees"]["max"][2].get<double>(), 30, 1e-6);
+  const std::string table = contents(path("curve.csv"));
+  EXPECT_EQ(
+      table.find("time_s,stress_degrees_min,stress_degrees_mean,stress_degrees_p95,stress_degrees_max,folded,"
+                 "probe1_stress_degrees,probe1_volume_ratio,probe1_stretch_max,probe1_stretch_min\n"),
+      0U)
+      << table;
+  EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 5);
+  file.labels.back() = "elsewhere";
+  live::writeSequence(path("other.sequence.json"), file);
+  expectFailure(stress(rest_, {"--sequence", path("other.sequence.json")}), kUsage, "elsewhere");
 }
 
 TEST_F(CliStress, OfABoneSaysThatABoneHasNone) {

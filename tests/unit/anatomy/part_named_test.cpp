@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "names_of_atlases.h"
 #include "names_of_organs.h"
 #include "viscera/anatomy/organ_facts.h"
 #include "viscera/anatomy/part.h"
@@ -43,6 +44,14 @@ TEST(PartNamed, KnowsTheNamesOfElevenSources) {
                     expectAll(kAbdominalAtlas) + expectAll(kBrain) + expectAll(kLatin) + expectAll(kGerman) +
                     expectAll(kFrench) + expectAll(kSpanish) + expectAll(kCatalan) + expectAll(kFiles);
   EXPECT_GE(count, 300);
+}
+
+TEST(PartNamed, KnowsTheNamesOfTenFurtherAtlases) {
+  using namespace names;
+  const int count = expectAll(kAmos) + expectAll(kBtcv) + expectAll(kChaos) + expectAll(kFlare) +
+                    expectAll(kWholeHeart) + expectAll(kAcdc) + expectAll(kSegThor) + expectAll(kKits) +
+                    expectAll(kVerse) + expectAll(kBodyParts) + expectAll(kZAnatomy);
+  EXPECT_GE(count, 100);
 }
 
 TEST(PartNamed, MakesNoOrganOfWhatIsNone) {

@@ -8,8 +8,10 @@
 
 #include "build_paths.h"
 #include "mesh_checks.h"
+#include "viscera/anatomy/part.h"
 #include "viscera/geometry/signed_distance.h"
 #include "viscera/geometry/surface_check.h"
+#include "viscera/medical_io/assess_patient.h"
 #include "viscera/medical_io/label_map.h"
 #include "viscera/medical_io/label_surfaces.h"
 #include "viscera/medical_io/surface_file.h"
@@ -106,6 +108,51 @@ TEST(SharedOrgans, LabelsOfTheAbdomenAreClosedAndAsLargeAsTheirVoxels) {
     EXPECT_DOUBLE_EQ(surface.voxelVolumeMm3,
                      static_cast<double>(map.segments[surface.segment].voxels) * map.voxelVolumeMm3());
     EXPECT_LE(surface.mesh.triangles.rows(), 40000);
+  }
+}
+
+PlacedOrgan inOtherAxes(PlacedOrgan organ, double x, double y) {
+  const Vec3 signs(x, y, 1), a = signs.cwiseProduct(organ.bounds.low),
+                             b = signs.cwiseProduct(organ.bounds.high);
+  organ.bounds = {a.cwiseMin(b), a.cwiseMax(b)};
+  return organ;
+}
+
+/// 41 organs of a CT, and the atlas: also with any one of them left out.
+TEST(SharedOrgans, AllOrgansOfAPatientAreNamedAndToldFromThoseInRasAndMirrored) {
+  for (const char* name : {"ct/example_seg.nii.gz", "abdomen_seg.nrrd"}) {
+    const auto file = kOrgans / name;
+    SKIP_WITHOUT(file);
+    SCOPED_TRACE(name);
+    Progress progress;
+    const LabelMap map = readLabelMap(file, progress);
+    if (map.segments.size() == 41)
+      for (const Segment& segment : map.segments) {
+        const auto part = anatomy::partNamed(segment.name);
+        ASSERT_TRUE(part) << segment.name;
+        const bool left = segment.name.find("left") != std::string::npos;
+        const bool right = segment.name.find("right") != std::string::npos;
+        EXPECT_EQ(part->side, left    ? anatomy::Side::left
+                              : right ? anatomy::Side::right
+                                      : anatomy::Side::none)
+            << segment.name;
+      }
+    const std::vector<PlacedOrgan> patient = placedOrgans(map);
+    for (std::size_t without = 0; without <= patient.size(); ++without) {
+      std::vector<PlacedOrgan> lps, ras, mirrored;
+      for (std::size_t i = 0; i < patient.size(); ++i)
+        if (i != without) {
+          lps.push_back(patient[i]);
+          ras.push_back(inOtherAxes(patient[i], -1, -1));
+          mirrored.push_back(inOtherAxes(patient[i], -1, 1));
+        }
+      EXPECT_EQ(assessPatient(lps).axes(), "LPS") << without;
+      EXPECT_EQ(assessPatient(ras).axes(), "RAS") << without;
+      EXPECT_EQ(assessPatient(mirrored).axes(), "mirrored") << without;
+      EXPECT_FALSE(assessPatient(ras).sidesChecked() || assessPatient(mirrored).sidesChecked()) << without;
+      EXPECT_FALSE(assessPatient(ras).findings.empty() || assessPatient(mirrored).findings.empty())
+          << without;
+    }
   }
 }
 

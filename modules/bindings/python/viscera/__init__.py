@@ -39,7 +39,7 @@ from ._core import (
     volume_gradient,
 )
 from .circulation import circulate, circulation_response
-from .deformation import bind, lock_volume, rotational_stress, sweep
+from .deformation import bind, lock_volume, rotational_stress, stress_curves, stress_difference, sweep
 from .errors import (
     Cancelled,
     CannotCreateError,
@@ -120,6 +120,8 @@ __all__ = [
     "sequence_names",
     "sides_of_plane",
     "strain",
+    "stress_curves",
+    "stress_difference",
     "surface_gap",
     "surface_repairs",
     "sweep",

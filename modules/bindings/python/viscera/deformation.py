@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Callable, Mapping, Optional, Sequence, Union
+from typing import Callable, Iterable, Mapping, Optional, Sequence, Union
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -77,6 +77,58 @@ def rotational_stress(
     For many poses keep `StressPoints`: it takes the derivatives once.
     """
     return StressPoints(binding, points, progress).evaluate(handles)
+
+
+def stress_difference(
+    binding: Binding,
+    handles: ArrayLike,
+    before: ArrayLike,
+    points: ArrayLike | None = None,
+    progress: Progress | None = None,
+) -> dict[str, np.ndarray]:
+    """What the distortion by a pose `handles` (h x 3, mm) exceeds that by the pose `before` by, point by point.
+
+    points      m x 3 mm at rest; none: the bound ones.
+
+    Arrays of m numbers: stress_degrees, volume_ratio, stretch_max, stretch_min; not a number where one of the poses
+    folds the tissue.
+    """
+    there = StressPoints(binding, points, progress)
+    now, then = (_quantities(there.evaluate(pose)) for pose in (handles, before))
+    return {name: now[name] - then[name] for name in now}
+
+
+def stress_curves(
+    binding: Binding,
+    poses: Iterable[ArrayLike],
+    points: ArrayLike,
+    progress: Progress | None = None,
+) -> dict[str, np.ndarray]:
+    """The distortion at `points` (m x 3 mm at rest), such as one probe, over poses (each h x 3, mm), such as a beat.
+
+    Arrays of poses x m numbers: stress_degrees, volume_ratio, stretch_max, stretch_min; not a number where a pose folds
+    the tissue. With a sequence whose handles the binding has:
+
+        beat = viscera.sequence("heartbeat")
+        poses = [beat.pose(t) for t in np.linspace(0, 0.8, 64, endpoint=False)]
+        curves = viscera.stress_curves(binding, poses, [[0.0, -20.0, 10.0]])
+    """
+    there = StressPoints(binding, points, progress)
+    rows = [_quantities(there.evaluate(pose)) for pose in poses]
+    if not rows:
+        raise UsageError("There is no pose")
+    return {name: np.stack([row[name] for row in rows]) for name in rows[0]}
+
+
+def _quantities(found: StressMap) -> dict[str, np.ndarray]:
+    folded = found.volume_ratio <= 0
+    values = {
+        "stress_degrees": np.degrees(found.rotational_stress),
+        "volume_ratio": found.volume_ratio,
+        "stretch_max": found.stretch_max,
+        "stretch_min": found.stretch_min,
+    }
+    return {name: np.where(folded, np.nan, array) for name, array in values.items()}
 
 
 def sweep(
