@@ -245,7 +245,7 @@ SessionPicture sessionPicture(const document::OpenedSession& opened, const Stage
       picture.leftOut.push_back("the stress map (" + missing.english() + ")");
   const live::StressFrame frame = posed.stress().frame();
   std::optional<presentation::Warping> warping;
-  if (view.scan.standing && view.scan.warped)
+  if (state.scan && view.scan.warped && (view.scan.standing || !state.measurements->empty()))
     if (live::LiveWarp* warp = posed.makeWarp())
       warping = presentation::warpingOf(*warp);
   presentation::Stage stage = stageFor(options, context.threads);

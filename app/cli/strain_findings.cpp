@@ -1,7 +1,7 @@
 #include "cli/strain_findings.h"
 
-#include <algorithm>
-#include <cmath>
+#include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -22,17 +22,16 @@ constexpr std::pair<const char*, StrainDirection> kStrainDirections[] = {
     {"circumferential", StrainDirection::circumferential},
     {"radial", StrainDirection::radial}};
 
-/// Degrees with the sign of the largest twist.
-double largestTurn(const std::vector<double>& values) {
-  const auto most = std::max_element(values.begin(), values.end(),
-                                     [](double a, double b) { return std::abs(a) < std::abs(b); });
-  return most == values.end() ? std::nan("") : *most;
-}
-
 std::string healthyRange(const char* id) {
   const anatomy::Norm& norm = anatomy::norm(id);
   const anatomy::Range range = anatomy::rangeOf(norm);
   return " (healthy adults " + fixed(range.low, 1) + " to " + fixed(range.high, 1) + ")";
+}
+
+/// " +- 1.2", or nothing where it is not known.
+std::string uncertainty(const live::StrainReading& reading, int segment, StrainDirection direction) {
+  const std::optional<double> deviation = live::strainDeviation(reading, segment, direction);
+  return deviation ? " +- " + fixed(*deviation, 1) : std::string();
 }
 
 } // namespace
@@ -61,9 +60,10 @@ std::string strainText(const live::StrainReading& reading) {
   add("LA reservoir", strain.leftReservoir, "");
   for (const ContourStrain& area : strain.areas)
     listing.add("area of " + area.name, percent(area));
-  if (!strain.twistDegrees.empty())
-    listing.add("twist", fixed(largestTurn(strain.twistDegrees), 1) + " degrees, " +
-                             fixed(largestTurn(strain.torsionDegreesPerCm), 2) + " a cm");
+  const std::optional<double> twist = live::largestTurn(strain.twistDegrees),
+                              torsion = live::largestTurn(strain.torsionDegreesPerCm);
+  if (twist && torsion)
+    listing.add("twist", fixed(*twist, 1) + " degrees, " + fixed(*torsion, 2) + " a cm");
   listing.add("dispersion", fixed(kMsOfSecond * strain.dispersionLongitudinal, 0) + " ms along, " +
                                 fixed(kMsOfSecond * strain.dispersionCircumferential, 0) + " ms around");
   for (const strain::Segment& place : strain::segments()) {
@@ -71,7 +71,11 @@ std::string strainText(const live::StrainReading& reading) {
     std::string text;
     for (const auto& [name, direction] : kStrainDirections)
       if (const auto value = live::strainValue(reading, place.number, direction, StrainMoment::peak))
-        text += (text.empty() ? "" : ", ") + fixed(*value, 1) + " % " + name;
+        text += (text.empty() ? "" : ", ") + fixed(*value, 1) +
+                uncertainty(reading, place.number, direction) + " % " + name;
+    if (const auto wall = live::wallThickness(reading, place.number); wall && !text.empty())
+      text +=
+          ", " + fixed(wall->millimeters, 1) + " mm, thickens by " + fixed(wall->thickeningPercent, 0) + " %";
     text += text.empty() ? "too few points" : "";
     if (!reading.reliable(segment))
       text += "; not to be relied on";

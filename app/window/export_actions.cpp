@@ -154,9 +154,10 @@ void ExportActions::exportTable(const QString& file) {
 }
 
 void ExportActions::exportMeasurements(const QString& file) {
-  auto rows = document::measurementRows(workspace_.state(), [this](document::OrganId organ) -> const Points& {
-    return workspace_.live().points(organ);
-  });
+  auto rows = document::measurementRows(
+      workspace_.state(),
+      [this](document::OrganId organ) -> const Points& { return workspace_.live().points(organ); },
+      live::tissueMotionOf(workspace_.warp()));
   write(tr("measurements"), file, [rows = std::move(rows), path = file.toStdString()](Progress&) {
     document::writeMeasurementTable(path, rows);
     return QString();

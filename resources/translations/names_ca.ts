@@ -6916,6 +6916,14 @@
         <source>left ventricle</source>
         <translation>ventricle esquerre</translation>
     </message>
+    <message>
+        <source>Patient</source>
+        <translation>Pacient</translation>
+    </message>
+    <message>
+        <source>Study date</source>
+        <translation>Data de l’estudi</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app</name>

@@ -6916,6 +6916,14 @@
         <source>left ventricle</source>
         <translation>linke Herzkammer</translation>
     </message>
+    <message>
+        <source>Patient</source>
+        <translation>Patient</translation>
+    </message>
+    <message>
+        <source>Study date</source>
+        <translation>Untersuchungsdatum</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app</name>

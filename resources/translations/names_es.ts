@@ -6916,6 +6916,14 @@
         <source>left ventricle</source>
         <translation>ventrículo izquierdo</translation>
     </message>
+    <message>
+        <source>Patient</source>
+        <translation>Paciente</translation>
+    </message>
+    <message>
+        <source>Study date</source>
+        <translation>Fecha del estudio</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app</name>

@@ -6916,6 +6916,14 @@
         <source>left ventricle</source>
         <translation>ventricule gauche</translation>
     </message>
+    <message>
+        <source>Patient</source>
+        <translation>Patient</translation>
+    </message>
+    <message>
+        <source>Study date</source>
+        <translation>Date de l’examen</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app</name>

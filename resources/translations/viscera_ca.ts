@@ -2361,8 +2361,8 @@ Moveu el lliscador de dalt per col·locar-ne, o feu clic a l’òrgan en el mode
         <translation>Exporta CSV...</translation>
     </message>
     <message>
-        <source>Points stay on the organ while it moves, and can be dragged along it; those on a slice stay there.</source>
-        <translation>Els punts segueixen l’òrgan mentre es mou, i s’hi poden arrossegar; els d’un tall es queden on són.</translation>
+        <source>Points stay on the organ while it moves, and can be dragged along it; those on a slice go with the warped scan.</source>
+        <translation>Els punts segueixen l’òrgan mentre es mou, i s’hi poden arrossegar; els d’un tall segueixen la imatge deformada.</translation>
     </message>
     <message>
         <source>Click two points on an organ or on a slice. Esc ends.</source>

@@ -2361,8 +2361,8 @@ Bewegen Sie den Regler oben, um welche zu setzen, oder klicken Sie im Modus Grif
         <translation>CSV exportieren...</translation>
     </message>
     <message>
-        <source>Points stay on the organ while it moves, and can be dragged along it; those on a slice stay there.</source>
-        <translation>Punkte bleiben auf dem Organ, während es sich bewegt, und lassen sich darauf ziehen; Punkte auf einer Schicht bleiben dort.</translation>
+        <source>Points stay on the organ while it moves, and can be dragged along it; those on a slice go with the warped scan.</source>
+        <translation>Punkte bleiben auf dem Organ, während es sich bewegt, und lassen sich darauf ziehen; Punkte auf einer Schicht gehen mit dem verformten Scan.</translation>
     </message>
     <message>
         <source>Click two points on an organ or on a slice. Esc ends.</source>

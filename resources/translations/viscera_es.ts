@@ -2361,8 +2361,8 @@ Mueva el control de arriba para colocar algunos o haga clic en el órgano en el 
         <translation>Exportar CSV...</translation>
     </message>
     <message>
-        <source>Points stay on the organ while it moves, and can be dragged along it; those on a slice stay there.</source>
-        <translation>Los puntos siguen al órgano mientras se mueve y pueden arrastrarse por él; los de un corte se quedan en el corte.</translation>
+        <source>Points stay on the organ while it moves, and can be dragged along it; those on a slice go with the warped scan.</source>
+        <translation>Los puntos siguen al órgano mientras se mueve y pueden arrastrarse por él; los de un corte siguen a la imagen deformada.</translation>
     </message>
     <message>
         <source>Click two points on an organ or on a slice. Esc ends.</source>

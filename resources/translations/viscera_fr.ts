@@ -2361,8 +2361,8 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez sur l’organe en mode
         <translation>Exporter en CSV...</translation>
     </message>
     <message>
-        <source>Points stay on the organ while it moves, and can be dragged along it; those on a slice stay there.</source>
-        <translation>Les points restent sur l’organe quand il bouge, et glissent le long de lui&#x202f;; ceux d’une coupe y restent.</translation>
+        <source>Points stay on the organ while it moves, and can be dragged along it; those on a slice go with the warped scan.</source>
+        <translation>Les points restent sur l’organe quand il bouge, et glissent le long de lui&#x202f;; ceux d’une coupe suivent le scan déformé.</translation>
     </message>
     <message>
         <source>Click two points on an organ or on a slice. Esc ends.</source>

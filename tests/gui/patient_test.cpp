@@ -6,11 +6,13 @@
 #include <QJsonObject>
 #include <QLabel>
 #include <QPushButton>
+#include <QTreeWidget>
 
 #include <fstream>
 #include <string>
 
 #include "label_files.h"
+#include "viscera/document/measurement_commands.h"
 #include "viscera/document/rig_commands.h"
 #include "viscera/document/scan_item.h"
 #include "viscera/medical_io/image_file.h"
@@ -119,6 +121,34 @@ TEST_F(PatientTest, TheScanBendsAlongAndComesBackWithThePose) {
   window().actions()["edit.undo"]->trigger();
   settle();
   EXPECT_LT(valueAt(1, Vec3(0, 0, 55)), 0);
+}
+
+TEST_F(PatientTest, WhatIsMeasuredOnSlicesGoesWithTheWarpedScan) {
+  openBoth();
+  const auto fixedAt = [](const Vec3& place) {
+    document::MeasuredPoint point;
+    point.rest = place;
+    return point;
+  };
+  window().workspace().perform(document::addMeasurement({fixedAt(Vec3(0, 0, -30)), fixedAt(Vec3(0, 0, 30))}));
+  auto* list = window().findChild<QTreeWidget*>(QStringLiteral("measureList"));
+  const auto now = [&] { return list->topLevelItem(0)->text(1); };
+  window().actions()["scan.bent"]->trigger();
+  settle();
+  EXPECT_EQ(now(), QStringLiteral("60.0 mm"));
+  Points longer = document().rig().restPositions();
+  longer.col(2) *= 1.5;
+  window().workspace().perform(document::moveHandles(allHandles(), longer));
+  ASSERT_TRUE(bent());
+  settle();
+  EXPECT_NEAR(now().section(QLatin1Char(' '), 0, 0).toDouble(), 90, 0.3) << now().toStdString();
+  window().actions()["scan.bent"]->trigger();
+  settle();
+  EXPECT_EQ(now(), QStringLiteral("60.0 mm")) << "the scan as it was recorded";
+  window().actions()["scan.bent"]->trigger();
+  window().actions()["edit.undo"]->trigger();
+  settle();
+  EXPECT_EQ(now(), QStringLiteral("60.0 mm"));
 }
 
 TEST_F(PatientTest, FoldedTissueIsCountedInTheStatus) {

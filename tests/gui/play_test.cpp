@@ -48,6 +48,12 @@ TEST_F(PlayMode, SpacePlaysAndTheVolumesFollowTheBeat) {
   EXPECT_EQ(window().workspace().undo().names().size(), 0u) << "playing leaves no undo steps";
 }
 
+/// Of the textbook's beat at its own rate, as a part of the cycle.
+double endOfSystole() {
+  const heart::CardiacTimes times = heart::cardiacTimes(75);
+  return heart::leftClock(times).outletShuts / times.cycle;
+}
+
 /// Rows of a table of numbers, without its heading.
 std::vector<std::vector<double>> tableIn(const QString& file) {
   QFile stream(file);
@@ -123,11 +129,12 @@ TEST_F(PlayMode, VolumesAreWrittenIntoTheListWithoutASignalForEach) {
 TEST_F(PlayMode, TheTimelineLooksAtOneInstant) {
   auto* scrubber = window().findChild<app::PhaseScrubber*>();
   ASSERT_NE(scrubber, nullptr);
+  const double systoleEnds = endOfSystole();
   QTest::mouseClick(scrubber, Qt::LeftButton, Qt::NoModifier,
-                    QPoint(8 + (scrubber->width() - 16) / 2, scrubber->height() / 2));
+                    QPoint(8 + qRound((scrubber->width() - 16) * systoleEnds), scrubber->height() / 2));
   settle();
-  EXPECT_NEAR(window().playback().player().fraction(), 0.5, 0.02);
-  EXPECT_LT(volumeOf("LV"), 62) << "the middle of the cycle is the end of systole";
+  EXPECT_NEAR(window().playback().player().fraction(), systoleEnds, 0.02);
+  EXPECT_LT(volumeOf("LV"), 62);
   EXPECT_FALSE(scrubber->phaseName().isEmpty());
 }
 
@@ -276,13 +283,13 @@ TEST_F(PlayMode, PhasesNormalRangesAndIndicesOfTheBeatAreShown) {
   EXPECT_TRUE(names.contains(QStringLiteral("rapid ejection")));
   EXPECT_TRUE(names.contains(QStringLiteral("diastasis")));
   scrubber->resize(2000, scrubber->height());
-  EXPECT_EQ(scrubber->namesShown().size(), 7);
+  EXPECT_EQ(scrubber->namesShown().size(), 8) << "diastasis at both ends of the beat";
   const QStringList groups = scrubber->groupsShown();
   ASSERT_EQ(groups.size(), 2);
   EXPECT_TRUE(groups[0].startsWith(QStringLiteral("systole 32"))) << groups[0].toStdString();
   EXPECT_TRUE(groups[1].startsWith(QStringLiteral("diastole 47"))) << groups[1].toStdString();
   scrubber->resize(90, scrubber->height());
-  EXPECT_LT(scrubber->namesShown().size(), 7) << "what has no room is left out";
+  EXPECT_LT(scrubber->namesShown().size(), 8) << "what has no room is left out";
 
   auto* chart = window().findChild<app::VolumePanel*>();
   ASSERT_NE(chart, nullptr);
@@ -442,14 +449,15 @@ TEST_F(PlayMode, AnUndoThatLeavesTheHandlesLeavesTheInstantAndItsPose) {
 TEST_F(PlayMode, AVolumeCurveIsFollowedUntilItIsTakenBack) {
   QFile file(path(QStringLiteral("lv.csv")));
   ASSERT_TRUE(file.open(QIODevice::WriteOnly));
-  file.write("fraction,ml\n0,130\n0.5,75\n");
+  const double systoleEnds = endOfSystole();
+  file.write(QStringLiteral("fraction,ml\n0,130\n%1,75\n").arg(systoleEnds).toUtf8());
   file.close();
   auto* box = window().findChild<app::CurveBox*>();
   auto* organ = window().findChild<QComboBox*>(QStringLiteral("curveOrgan"));
   auto* remove = window().findChild<QAbstractButton*>(QStringLiteral("removeCurve"));
   ASSERT_TRUE(box && organ && remove);
   organ->setCurrentIndex(organ->findText(QStringLiteral("LV cavity")));
-  window().playback().seek(0.5);
+  window().playback().seek(systoleEnds);
   const double own = volumeOf("LV");
   EXPECT_LT(own, 62);
   box->load(file.fileName());

@@ -1,16 +1,25 @@
 #include "play_fixture.h"
 
 #include <QAction>
+#include <QComboBox>
+#include <QDir>
 #include <QLabel>
 #include <QMouseEvent>
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <vector>
 
 #include "viscera/document/rig_commands.h"
 #include "viscera/presentation/strain_figure.h"
+#include "viscera/presentation/view_state.h"
+#include "viscera/scene/picture.h"
 #include "viscera/strain/aha_segments.h"
+#include "window/movie/movie_plan.h"
+#include "window/strain/axis_picker.h"
 #include "window/strain/strain_panel.h"
+#include "window_probe.h"
 
 /// The strain of the heart's wall: below the view, on the organ, and of two views.
 namespace viscera::tests {
@@ -73,13 +82,11 @@ protected:
     onEyes(QEvent::MouseButtonPress, place);
     EXPECT_EQ(chosen(), 0) << "a second click chooses none";
     onEyes(QEvent::MouseMove, place);
-    QTest::qWait(kDrawnMs);
-    EXPECT_EQ(panel().curves().curves.size(), curves + 1);
+    EXPECT_TRUE(waitUntil([&] { return panel().curves().curves.size() == curves + 1; }));
     EXPECT_TRUE(find<QLabel>("strainSegment").text().startsWith(QString::number(segment)));
     QEvent leaves(QEvent::Leave);
     QCoreApplication::sendEvent(&find<QVTKOpenGLNativeWidget>("strainEyes"), &leaves);
-    QTest::qWait(kDrawnMs);
-    EXPECT_EQ(panel().curves().curves.size(), curves);
+    EXPECT_TRUE(waitUntil([&] { return panel().curves().curves.size() == curves; }));
   }
 
   void expectSegmentsOnTheOrgan() {
@@ -92,6 +99,13 @@ protected:
     };
     EXPECT_TRUE(coloured(left));
     EXPECT_FALSE(coloured(organ("RV")));
+    EXPECT_LT(window().picture().actorOf(organ("RV"))->opacity(), 0.2) << "else it hides the left one";
+    window().setMode("explore"); // It has no switch for them.
+    settle();
+    EXPECT_FALSE(coloured(left));
+    window().setMode("play");
+    settle();
+    EXPECT_TRUE(coloured(left));
     const std::vector<int>* segments = model().segmentsOn(left);
     ASSERT_NE(segments, nullptr);
     const auto seventh = std::find(segments->begin(), segments->end(), 7);
@@ -101,8 +115,7 @@ protected:
                                   Vec3::UnitZ()};
     parts().click(&place);
     EXPECT_EQ(chosen(), 7);
-    QTest::qWait(kDrawnMs);
-    EXPECT_EQ(panel().figures()[0].selected, 6) << "both ways";
+    EXPECT_TRUE(waitUntil([this] { return panel().figures()[0].selected == 6; })) << "both ways";
     window().actions()["play.strainOnOrgan"]->trigger();
     settle();
     EXPECT_FALSE(coloured(left));
@@ -125,6 +138,76 @@ protected:
     EXPECT_TRUE(waitUntil([this] { return model().pose() == nullptr; }));
   }
 
+  void expectNumbersAsTheCommandPrints() {
+    const strain::HeartStrain& strain = model().cycle()->strain;
+    const QString numbers = find<QLabel>("strainNumbers").text();
+    for (const double value :
+         {100 * strain.rightFreeWall->peak.value, *live::largestTurn(strain.twistDegrees),
+          *live::largestTurn(strain.torsionDegreesPerCm)})
+      EXPECT_TRUE(numbers.contains(QString::number(std::abs(value), 'f', std::abs(value) < 3 ? 2 : 1)))
+          << value << " in " << numbers.toStdString();
+    window().viewModel().change([](presentation::ViewState& state) { state.strain.segment = 7; });
+    const auto wall = live::wallThickness(*model().cycle(), 7);
+    ASSERT_TRUE(wall);
+    const auto& segment = find<QLabel>("strainSegment");
+    const QString thickness = QString::number(wall->millimeters, 'f', 1) + QStringLiteral(" mm");
+    EXPECT_TRUE(waitUntil([&] { return segment.text().contains(thickness); }))
+        << segment.text().toStdString();
+    auto& direction = find<QComboBox>("strainDirection");
+    direction.setCurrentIndex(3);
+    Q_EMIT direction.activated(3);
+    EXPECT_TRUE(waitUntil([&] {
+      return std::abs(panel().figures()[0].sectors[6].value.value() - wall->thickeningPercent) < 1e-9;
+    }));
+    window().viewModel().change([](presentation::ViewState& state) {
+      state.strain.direction = live::StrainDirection::longitudinal;
+      state.strain.segment = 0;
+    });
+  }
+
+  void expectTheChosenReference() {
+    const std::size_t found = model().cycle()->strain.reference;
+    auto& reference = find<QComboBox>("strainReference");
+    ASSERT_EQ(reference.count(), static_cast<int>(model().cycle()->strain.seconds.size()) + 1);
+    const std::size_t wanted = found == 9 ? 8 : 9;
+    reference.setCurrentIndex(static_cast<int>(wanted) + 1);
+    Q_EMIT reference.activated(static_cast<int>(wanted) + 1);
+    ASSERT_TRUE(waitUntil([&] { return model().cycle() && model().cycle()->strain.reference == wanted; }));
+    EXPECT_NEAR(model().cycle()->strain.gcs->curve[wanted], 0, 1e-12);
+    EXPECT_EQ(presentation::viewFromJson(presentation::toJson(window().viewModel().state())).strain.reference,
+              static_cast<int>(wanted) + 1)
+        << "a session keeps it";
+    window().viewModel().change([](presentation::ViewState& state) { state.strain.reference = 0; });
+    ASSERT_TRUE(waitUntil([&] { return model().cycle() && model().cycle()->strain.reference == found; }));
+    drawn();
+    EXPECT_EQ(reference.currentIndex(), 0);
+  }
+
+  void expectAxesThatAreClicked() {
+    const Vec3 found = model().cycle()->strain.axes.towardsInsertion();
+    find<QAction>("strainInsertion").trigger();
+    EXPECT_TRUE(panel().axes().picking());
+    EXPECT_TRUE(view().hasClickHandler());
+    const app::StrainModel::Reading before = model().cycle();
+    click(QPoint(view().width() / 2, view().height() / 2));
+    EXPECT_FALSE(panel().axes().picking());
+    const presentation::StrainLook look = window().viewModel().state().strain;
+    ASSERT_TRUE(look.insertion);
+    EXPECT_EQ(look.axesOf, organ("LV"));
+    ASSERT_TRUE(waitUntil([&] { return model().cycle() && model().cycle() != before; }))
+        << model().failureReason().toStdString();
+    EXPECT_NEAR(std::remainder(model().cycle()->strain.axes.angleOf(*look.insertion), 2 * std::numbers::pi),
+                0, 1e-6);
+    EXPECT_EQ(panel().axes().glyphs().items().size(), 1U);
+    find<QAction>("strainByShape").trigger();
+    EXPECT_FALSE(window().viewModel().state().strain.insertion);
+    ASSERT_TRUE(waitUntil([&] {
+      return model().cycle() && (model().cycle()->strain.axes.towardsInsertion() - found).norm() < 1e-9;
+    }));
+    EXPECT_TRUE(panel().axes().glyphs().items().empty());
+    drawn();
+  }
+
   document::OrganId organ(const char* name) {
     for (const auto& each : document().organs())
       if (each->name == name)
@@ -136,9 +219,37 @@ protected:
 /// One test, because the strain of a beat takes seconds.
 TEST_F(PlayedStrain, IsDrawnAndFollowsMouseOrganAndPose) {
   expectTheBeat();
+  expectNumbersAsTheCommandPrints();
+  expectTheChosenReference();
   expectSegmentsUnderTheMouse();
   expectSegmentsOnTheOrgan();
   expectThePoseOfADrag();
+}
+
+TEST_F(PlayedStrain, IsMeasuredAlongAxesThatAreClicked) {
+  expectAxesThatAreClicked();
+}
+
+/// As the window shows them at the same instant.
+TEST_F(PlayedStrain, OnTheOrganIsInMovies) {
+  setViewSize(window(), 640, 480);
+  window().actions()["play.strainOnOrgan"]->trigger();
+  window().viewModel().change(
+      [](presentation::ViewState& state) { state.strain.moment = live::StrainMoment::instant; });
+  window().playback().seek(0.5);
+  ASSERT_TRUE(waitUntil([this] { return atPeace(window()); }));
+  app::MoviePlan plan;
+  plan.format = app::MovieFormat::pictures;
+  plan.file = path(QStringLiteral("segments"));
+  plan.size = {640, 480};
+  plan.framesPerSecond = 10;
+  plan.caption = false;
+  ASSERT_TRUE(parts().record(plan));
+  ASSERT_TRUE(waitUntil([this] { return !parts().recorder().running(); }));
+  const QStringList frames = QDir(plan.file).entryList(QDir::Files, QDir::Name);
+  ASSERT_EQ(frames.size(), 8);
+  const auto frame = scene::readPng((plan.file + QLatin1Char('/') + frames[4]).toStdString());
+  EXPECT_LE(scene::comparePictures(grab(window()), frame, 8).differing, 0.005) << "half a beat";
 }
 
 TEST_F(PlayedStrain, OfTwoViewsShowsBothAndTheirDifference) {
@@ -146,11 +257,11 @@ TEST_F(PlayedStrain, OfTwoViewsShowsBothAndTheirDifference) {
   ASSERT_TRUE(waitUntil([this] { return panel().figures().size() == 3; }));
   const auto& eyes = panel().figures();
   for (std::size_t i = 0; i < eyes[0].sectors.size(); ++i)
-    if (eyes[2].sectors[i].value)
+    if (eyes[2].sectors[i].value) {
       EXPECT_NEAR(*eyes[2].sectors[i].value, *eyes[0].sectors[i].value - *eyes[1].sectors[i].value, 1e-9);
+    }
   parts().comparison().end();
-  QTest::qWait(kDrawnMs);
-  EXPECT_EQ(panel().figures().size(), 1U);
+  EXPECT_TRUE(waitUntil([this] { return panel().figures().size() == 1; }));
 }
 
 TEST_F(WindowTest, StrainNeedsALeftVentricle) {

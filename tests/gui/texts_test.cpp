@@ -8,8 +8,11 @@
 #include "shapes.h"
 #include "viscera/document/organ_commands.h"
 #include "viscera/medical_io/surface_file.h"
+#include "window/import/import_controller.h"
+#include "window/language.h"
 #include "window/view/cut_sight.h"
 #include "window/widgets/elided_check.h"
+#include "window/widgets/page.h"
 #include "window/widgets/wrapped_label.h"
 #include "window_test.h"
 
@@ -84,6 +87,61 @@ TEST(ScrolledPages, ThatAreWiderThanTheirPanelAreFound) {
     EXPECT_EQ(cut.size(), wide > 300 ? 1U : 0U) << wide;
   }
 }
+
+class LongNames : public WindowTest, public ::testing::WithParamInterface<const char*> {
+protected:
+  std::optional<QSize> viewSize() const override { return std::nullopt; }
+  app::InstalledLanguage language_{QLatin1String(GetParam())};
+
+  /// A small open liver in a file of that name.
+  QString fileOf(const char* word) {
+    geometry::TriangleMesh small = sphere(3, 0.07);
+    small.triangles = small.triangles.bottomRows(small.triangles.rows() - 20).eval();
+    const QString file = path(QLatin1String(word) + QStringLiteral(".stl"));
+    medical_io::writeSurface(file.toStdString(), small);
+    return file;
+  }
+  void look(const std::string& where, CutTexts& cut) {
+    for (auto* section : window().findChildren<app::CollapsibleSection*>())
+      section->setOpen(true);
+    settle();
+    // Pages lay themselves out between the view's frames; what stays cut off counts.
+    CutTexts stays;
+    const auto nothingStays = [&] {
+      handleEvents();
+      stays.clear();
+      collectAll(window(), where, stays);
+      return stays.empty();
+    };
+    (void)QTest::qWaitFor(nothingStays, 10'000);
+    cut.merge(stays);
+  }
+};
+
+/// Every page is scrolled through, because texts below the edge of a panel count as well.
+TEST_P(LongNames, CutNothingOffInTheImportAndOnEveryPage) {
+  CutTexts cut;
+  for (const QSize& size : {QSize(1280, 800), QSize(1440, 900)}) {
+    window().resize(size);
+    const std::string at = ' ' + std::to_string(size.width());
+    for (const char* word : kLongWords) {
+      open(fileOf(word));
+      ASSERT_TRUE(window().imports().isOpen());
+      look("import" + at, cut);
+      window().imports().accept();
+      ASSERT_TRUE(waitUntil([this] { return !document().organs().empty() && !window().imports().isOpen(); }));
+    }
+    for (const auto& mode : window().modes().all()) {
+      window().setMode(mode->description().id);
+      look(mode->description().id + at, cut);
+    }
+  }
+  for (const std::string& text : cut)
+    ADD_FAILURE() << text;
+}
+
+INSTANTIATE_TEST_SUITE_P(Windows, LongNames, ::testing::Values("en", "de", "es", "fr", "ca"),
+                         [](const auto& language) { return std::string(language.param); });
 
 /// The same file again, and another file of the same name and place.
 TEST_F(WindowTest, ASecondFileAtTheSamePlaceIsSaid) {

@@ -43,13 +43,21 @@ vtkSmartPointer<vtkImageData> drawn(const std::array<TriangleMesh, 3>& surfaces,
 }
 
 /// docs/pictures/measured_heart.png: the sample heart's own beat, given as voxels of 1.5 x 1.5 x 8 mm, beside
-/// what comes back of it, at the end of diastole and near the end of systole.
+/// what comes back of it, in the phases in which the left ventricle holds most and least.
 TEST(MeasuredHeart, LooksLikeTheHeartThatItsVoxelsWereMadeOf) {
-  const MeasuredBeat beat(6, sample_organs::Resolution::low);
+  constexpr std::size_t kPhases = 6;
+  const MeasuredBeat beat(kPhases, sample_organs::Resolution::low);
   Progress progress;
   const PatientMotion found = trackMotion(beat.voxels({1.5, 1.5, 8}), {}, progress);
   std::vector<vtkSmartPointer<vtkImageData>> pictures;
-  for (const std::size_t phase : {0U, 2U}) {
+  std::array<std::size_t, 2> fullAndEmpty{};
+  for (std::size_t phase = 1; phase < kPhases; ++phase) {
+    if (beat.trueMl(phase, 1) > beat.trueMl(fullAndEmpty[0], 1))
+      fullAndEmpty[0] = phase;
+    if (beat.trueMl(phase, 1) < beat.trueMl(fullAndEmpty[1], 1))
+      fullAndEmpty[1] = phase;
+  }
+  for (const std::size_t phase : fullAndEmpty) {
     std::array<TriangleMesh, 3> truth, back;
     std::vector<Values> apart;
     for (std::size_t surface = 0; surface < truth.size(); ++surface) {

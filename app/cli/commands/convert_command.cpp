@@ -243,8 +243,22 @@ private:
     Outcome outcome = outcomeOf(solid);
     outcome.warnings = std::move(group.warnings);
     outcome.warnings.insert(outcome.warnings.end(), hollow.warnings.begin(), hollow.warnings.end());
+    assessFiles(inputs_, outcome.warnings, context);
+    assessFiles(cavities_, outcome.warnings, context);
     outcome.json["warnings"] = outcome.warnings;
+    appendPatient(outcome, placedOf(group, hollow));
     return outcome;
+  }
+
+  /// All organs that were named, where they lie.
+  static std::vector<medical_io::PlacedOrgan> placedOf(const OrganGroup& group, const OrganGroup& hollow) {
+    std::vector<medical_io::PlacedOrgan> placed;
+    for (const OrganGroup* each : {&group, &hollow})
+      for (const document::Organ& organ : each->organs)
+        if (organ.origin.sample.empty()) // Those are made in LPS, each about an origin of its own.
+          placed.push_back(
+              {organ.name, boundsOf(organ.mesh->points), std::abs(organ.restVolumeMm3) / kMm3PerMl});
+    return placed;
   }
 
   deformation::OrganSolid filled(const document::Organ& organ,
@@ -316,14 +330,38 @@ private:
     std::optional<medical_io::SurfaceChange> change;
   };
 
+  /// What is doubtful about a surface of that file.
+  static std::vector<medical_io::Finding> findingsOf(const medical_io::SurfaceFile& surface,
+                                                     const geometry::TriangleMesh& mesh,
+                                                     const geometry::SurfaceReport& report,
+                                                     CommandContext& context) {
+    return medical_io::assessSurface(
+               mesh, report,
+               {surface.name, surface.spaceStated ? std::optional(surface.space) : std::nullopt},
+               context.progress, context.threads)
+        .findings;
+  }
+
+  /// Adds what is doubtful about the surfaces in these files, once.
+  static void assessFiles(const std::vector<std::string>& files, std::vector<Text>& warnings,
+                          CommandContext& context) {
+    for (const std::string& file : files) {
+      std::error_code unreachable;
+      if (isSample(file) || !std::filesystem::is_regular_file(file, unreachable) ||
+          medical_io::fileKind(file) != medical_io::FileKind::surface)
+        continue;
+      for (const medical_io::SurfacePart& part : medical_io::readSurfaces(file)) {
+        const auto findings = findingsOf(part.surface, part.surface.mesh, part.surface.report, context);
+        removeFindings(warnings, findings);
+        appendFindings(warnings, findings);
+      }
+    }
+  }
+
   Converted convertOne(const medical_io::SurfaceFile& surface, bool amongOthers, Outcome& outcome,
                        CommandContext& context) const {
     const auto assess = [&](const geometry::TriangleMesh& mesh, const geometry::SurfaceReport& report) {
-      return medical_io::assessSurface(
-                 mesh, report,
-                 {surface.name, surface.spaceStated ? std::optional(surface.space) : std::nullopt},
-                 context.progress, context.threads)
-          .findings;
+      return findingsOf(surface, mesh, report, context);
     };
     std::vector<Text> warnings = surface.warnings;
     removeFindings(warnings, assess(surface.mesh, surface.report));

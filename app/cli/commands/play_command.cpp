@@ -281,7 +281,7 @@ public:
     const int frames = std::max(1, static_cast<int>(std::lround(cycles_ * 60.0 / rate * framesPerSecond_)));
     const Measured measured = play(played, rate, frames, context);
     if (!csv_.empty())
-      sequences::writeVolumeTable(csv_, measured.volumes);
+      sequences::writeVolumeTable(csv_, measured.volumes, anatomy::chamberKeys(measured.volumes.names()));
     Outcome outcome = report(played, measured, rate);
     outcome.warnings = std::move(played.warnings);
     if (!measured.obstacle.empty())

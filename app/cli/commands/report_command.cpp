@@ -57,6 +57,14 @@ public:
     source.view = material.view;
     source.organs = &posed.organs();
     source.systems = &context.systems;
+    if (material.view.scan.warped && material.state.scan && !material.state.measurements->empty()) {
+      try {
+        if (live::LiveWarp* warp = posed.makeWarp())
+          source.tissue = live::tissueMotionOf(*warp);
+      } catch (const DataError& error) { // Everything else can be reported.
+        outcome.warnings.push_back(error.explanation());
+      }
+    }
     source.title = title_;
     source.file = material.file;
     source.notes = material.notes;

@@ -153,6 +153,10 @@ public:
     std::vector<Text> warnings;
     const BoundInput input = input_.read(context, warnings);
     live::WitnessOptions witnesses = witnesses_;
+    if (input.organ.mobility == document::Mobility::rigid)
+      warnings.push_back(input.organ.name +
+                         " is a bone, which moves as a rigid body and has no stress; these are "
+                         "the values of soft tissue in its place");
     witnesses.memoryLimitBytes = static_cast<std::uint64_t>(memoryMb_ * 1024 * 1024);
     witnesses.threads = context.threads;
     std::vector<std::shared_ptr<const geometry::TriangleMesh>> hollow;
@@ -171,6 +175,7 @@ public:
     Outcome outcome =
         outcomeOf(measured, input.organ.name, input.system->id(),
                   std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
+    outcome.json["mobility"] = document::nameOf(input.organ.mobility);
     if (!output_.empty())
       outcome.json["file"] = output_;
     if (!csv_.empty())

@@ -69,6 +69,10 @@ MeasureBox::MeasureBox(Workspace& workspace, MeasureTool& tool, const Actions& a
     if ((event.moved || event.replaced) && !values_.isActive() && list_->topLevelItemCount() > 0)
       values_.start();
   }));
+  subscriptions_.push_back(workspace.warp().onChange([this] {
+    if (!values_.isActive() && list_->topLevelItemCount() > 0)
+      values_.start();
+  }));
   rebuild();
 }
 
@@ -139,7 +143,7 @@ void MeasureBox::syncValues() {
     const document::MeasuredValues values = document::measure(
         measurements[row], workspace_.state(),
         [this](document::OrganId organ) -> const Points& { return workspace_.live().points(organ); },
-        &memory_);
+        &memory_, live::tissueMotionOf(workspace_.warp()));
     const document::MeasurementKind kind = measurements[row].kind;
     const std::string unit = document::unitOf(measurements[row], workspace_.state());
     QTreeWidgetItem* item = list_->topLevelItem(static_cast<int>(row));
@@ -177,7 +181,8 @@ QString MeasureBox::hint() const {
   const auto kind = tool_.kind();
   if (!kind)
     return tr(
-        "Points stay on the organ while it moves, and can be dragged along it; those on a slice stay there.");
+        "Points stay on the organ while it moves, and can be dragged along it; those on a slice go with the "
+        "warped scan.");
   if (*kind == Kind::distance)
     return tr("Click two points on an organ or on a slice. Esc ends.");
   if (*kind == Kind::angle)

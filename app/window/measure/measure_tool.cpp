@@ -10,6 +10,9 @@
 namespace viscera::app {
 namespace {
 
+/// Nearer points of a warped scan are the same place, found twice.
+constexpr double kSamePlaceMm = 0.01;
+
 /// Whether points are on surfaces that a document has, or on none.
 bool areOn(const document::Document& document, const std::vector<document::MeasuredPoint>& points) {
   return std::all_of(points.begin(), points.end(), [&](const auto& point) {
@@ -130,7 +133,7 @@ void MeasureTool::add(const document::MeasuredPoint& point, std::optional<int> a
   if (*kind_ == Kind::rectangle && !points_.empty() &&
       (*axis != axis_ || point.rest[axis_] != points_.front().rest[axis_]))
     points_.clear();
-  if (!points_.empty() && points_.back().rest == point.rest)
+  if (!points_.empty() && (points_.back().rest - point.rest).norm() < kSamePlaceMm)
     return; // The second click of two at one place: nothing lies between them.
   axis_ = axis.value_or(axis_);
   points_.push_back(point);
@@ -171,6 +174,17 @@ Vec3 MeasureTool::placeHeld() const {
     if (measurement.id == held_->measurement)
       return measurement.points[held_->point].rest;
   return Vec3::Zero();
+}
+
+std::optional<Vec3> MeasureTool::regionStart() const {
+  if (!held_) {
+    const bool region = kind_ && document::isRegion(*kind_) && !points_.empty();
+    return region ? std::optional(points_.front().rest) : std::nullopt;
+  }
+  for (const document::Measurement& measurement : workspace_.document().measurements())
+    if (measurement.id == held_->measurement && document::isRegion(measurement.kind) && held_->point > 0)
+      return measurement.points.front().rest;
+  return std::nullopt;
 }
 
 void MeasureTool::moveHeld(const document::MeasuredPoint& point) {

@@ -59,8 +59,11 @@ public:
   /// Grabs a point of a measurement in the document; false when it does not exist.
   bool hold(const scene::MeasurementGlyphs::Mark& mark);
   bool holding() const { return held_.has_value(); }
-  /// The position of the grabbed point, mm. Requires that a point is grabbed.
+  /// The place at rest of the grabbed point, mm. Requires that a point is grabbed.
   Vec3 placeHeld() const;
+  /// The place at rest of the first point of a region, by which all of it goes with the tissue (`placesNow`):
+  /// of the one under way, or of the one whose other point is grabbed. None for the other kinds.
+  std::optional<Vec3> regionStart() const;
   void moveHeld(const document::MeasuredPoint& point);
   void letGo();
 

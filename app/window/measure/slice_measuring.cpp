@@ -1,18 +1,42 @@
 #include "window/measure/slice_measuring.h"
 
+#include <cmath>
+
 #include "viscera/medical_io/slice_frame.h"
 #include "window/slices/slice_panes.h"
 
 namespace viscera::app {
+namespace {
+
+/// Slices are farther apart; the warped scan's own accuracy is finer.
+constexpr double kSameSliceMm = 0.1;
+
+} // namespace
 
 int SliceMeasuring::axisOf(int direction) {
   return medical_io::sliceDirections()[static_cast<std::size_t>(direction)].axis;
 }
 
-document::MeasuredPoint SliceMeasuring::pointAt(int direction, const Eigen::Vector2d& pixel) const {
+/// The point of the tissue that is drawn at a place. The other points of a region keep their distance from
+/// its first one, by which it goes with the tissue.
+document::MeasuredPoint SliceMeasuring::pointAt(const Vec3& place, int axis) const {
   document::MeasuredPoint point;
-  point.rest = panes_.presenter().frame(direction).at(pixel.x(), pixel.y());
+  point.rest = panes_.restOf(place);
+  const auto start = tool_.regionStart();
+  if (!start)
+    return point;
+  const Vec3 along = place - panes_.drawnAt(*start);
+  const bool sameSlice = std::abs(along[axis]) < kSameSliceMm;
+  if (!sameSlice && tool_.kind() == document::MeasurementKind::rectangle)
+    return point; // It begins anew there.
+  point.rest = *start + along;
+  if (sameSlice)
+    point.rest[axis] = (*start)[axis];
   return point;
+}
+
+document::MeasuredPoint SliceMeasuring::pointAt(int direction, const Eigen::Vector2d& pixel) const {
+  return pointAt(panes_.presenter().frame(direction).at(pixel.x(), pixel.y()), axisOf(direction));
 }
 
 bool SliceMeasuring::press(int direction, const Eigen::Vector2d& pixel, Qt::KeyboardModifiers modifiers) {
@@ -26,7 +50,9 @@ bool SliceMeasuring::press(int direction, const Eigen::Vector2d& pixel, Qt::Keyb
   const auto mark = panes_.presenter().measuredAt(direction, pixel, panes_.reach(direction));
   if (!mark || !tool_.hold(*mark))
     return false;
-  start_ = tool_.placeHeld();
+  const auto first = tool_.regionStart();
+  start_ =
+      first ? Vec3(tool_.placeHeld() + (panes_.drawnAt(*first) - *first)) : panes_.drawnAt(tool_.placeHeld());
   offset_ = panes_.presenter().frame(direction).pixelOf(start_) - pixel;
   return true;
 }
@@ -35,9 +61,9 @@ bool SliceMeasuring::press(int direction, const Eigen::Vector2d& pixel, Qt::Keyb
 void SliceMeasuring::drag(int direction, const Eigen::Vector2d& pixel) {
   if (!tool_.holding())
     return tool_.setUnderMouse(pointAt(direction, pixel), axisOf(direction));
-  document::MeasuredPoint point = pointAt(direction, pixel + offset_);
-  point.rest[axisOf(direction)] = start_[axisOf(direction)];
-  tool_.moveHeld(point);
+  Vec3 place = panes_.presenter().frame(direction).at((pixel + offset_).x(), (pixel + offset_).y());
+  place[axisOf(direction)] = start_[axisOf(direction)];
+  tool_.moveHeld(pointAt(place, axisOf(direction)));
 }
 
 void SliceMeasuring::release(int direction, const Eigen::Vector2d& pixel, bool moved) {

@@ -21,13 +21,14 @@ public:
   std::optional<Qt::CursorShape> hover(int direction, const std::optional<Eigen::Vector2d>& pixel) override;
 
 private:
+  document::MeasuredPoint pointAt(const Vec3& place, int axis) const;
   document::MeasuredPoint pointAt(int direction, const Eigen::Vector2d& pixel) const;
   static int axisOf(int direction);
 
   MeasureTool& tool_;
   SlicePanes& panes_;
   bool drawing_ = false;      ///< The press added the first point, so the release may add the next one.
-  Vec3 start_ = Vec3::Zero(); ///< Where the grabbed point was at first, mm.
+  Vec3 start_ = Vec3::Zero(); ///< Where the grabbed point was drawn at first, mm.
   Eigen::Vector2d offset_ = Eigen::Vector2d::Zero(); ///< From the mouse to that point at the press, pixels.
 };
 

@@ -19,6 +19,7 @@
 #include "window/panels/play_page.h"
 #include "window/sample_loader.h"
 #include "window/status_line.h"
+#include "window/strain/axis_picker.h"
 #include "window/view/view_area.h"
 
 namespace viscera::app {
@@ -78,6 +79,8 @@ PlayMode::PlayMode(const ModeParts& parts, Actions& actions)
   subscription_ = parts.workspace.onChange([this](const document::Change& change) {
     if (change.keySequence())
       retractKey();
+    if (change.organs())
+      syncStrain(); // Axes are those of a heart of that shape.
   });
 }
 
@@ -283,44 +286,72 @@ void PlayMode::makeStrainActions(Actions& actions) {
 }
 
 StrainPanel* PlayMode::makeStrain(const Actions& actions) {
-  strainPanel_ = new StrainPanel(*strain_, parts_.playback, parts_.view, actions);
+  strainPanel_ =
+      new StrainPanel({*strain_, parts_.playback, parts_.view, parts_.picture, *parts_.area.view()}, actions);
   syncStrain();
   return strainPanel_;
 }
 
 void PlayMode::syncStrain() {
   const presentation::StrainLook& look = parts_.view.state().strain;
+  const auto left = workspace_.document().organ(look.axesOf);
+  const StrainChoice choice{
+      look.reference, {look.base, look.apex, look.insertion}, left ? left->mesh : nullptr};
+  strain_->choose(choice);
   strain_->setWanted(look.chart || look.onOrgan);
-  if (secondStrain_)
+  if (secondStrain_) {
+    secondStrain_->choose(choice);
     secondStrain_->setWanted(look.chart);
+  }
   syncSegments();
 }
 
-/// In the colours of the bull's eye, so that both say the same.
-void PlayMode::syncSegments() {
+/// Of a surface that was exchanged they are not known until they are found anew.
+SegmentsOfOrgans PlayMode::segments() const {
+  SegmentsOfOrgans found;
+  for (const auto& organ : parts_.workspace.document().organs())
+    if (const std::vector<int>* segments = strain_->segmentsOn(organ->id);
+        segments && static_cast<Eigen::Index>(segments->size()) == organ->mesh->points.rows())
+      found[organ->id] = *segments;
+  return found;
+}
+
+/// In the modes that move the heart: no other one has the switch.
+bool PlayMode::segmentsShown() const {
   const presentation::ViewState& view = parts_.view.state();
-  const presentation::StrainLook& look = view.strain;
+  const bool moves = view.mode == "play" || view.mode == "deform";
+  return view.strain.onOrgan && moves && !view.shown.stress && (strain_->pose() || strain_->cycle());
+}
+
+presentation::SurfaceMap PlayMode::segmentsNow() const {
+  const presentation::StrainLook& look = parts_.view.state().strain;
   const StrainModel::Reading pose = strain_->pose();
-  if (!look.onOrgan || view.shown.stress || (!pose && !strain_->cycle()))
-    return parts_.picture.setSegments(std::nullopt);
   const scene::BullsEyeFigure figure =
       pose
           ? presentation::strainBullsEye(*pose, look.direction, live::StrainMoment::instant, 1)
           : presentation::strainBullsEye(*strain_->cycle(), look.direction, look.moment, strain_->phaseNow());
-  presentation::SurfaceMap map;
-  map.colors = figure.colors;
-  map.range = figure.range;
-  map.title = inWords(figure.title).toStdString();
-  map.unit = figure.unit;
-  for (const auto& organ : parts_.workspace.document().organs())
-    if (const std::vector<int>* segments = strain_->segmentsOn(organ->id))
-      map.values[organ->id] =
-          std::make_shared<const Values>(presentation::strainOnSurface(figure, *segments, look.segment));
-  parts_.picture.setSegments(std::move(map));
+  return segmentMap(figure, segments(), look.segment, inWords(figure.title).toStdString());
+}
+
+void PlayMode::syncSegments() {
+  parts_.picture.setSegments(segmentsShown() ? std::optional(segmentsNow()) : std::nullopt);
+}
+
+std::function<presentation::SurfaceMap(double)> PlayMode::segmentsOverTime() const {
+  if (!segmentsShown())
+    return nullptr;
+  if (!strain_->cycle())
+    return [still = segmentsNow()](double) { return still; };
+  return [movie = SegmentMovie(strain_->cycle(), parts_.view.state().strain, segments(),
+                               parts_.playback.player().periodSeconds())](double seconds) {
+    return movie.at(seconds);
+  };
 }
 
 void PlayMode::click(const ClickedPlace* place) {
   Mode::click(place);
+  if (strainPanel_ && strainPanel_->axes().picking())
+    return;
   const std::vector<int>* segments =
       place && parts_.view.state().strain.onOrgan ? strain_->segmentsOn(place->organ) : nullptr;
   if (!segments)
@@ -534,9 +565,10 @@ void PlayMode::retractKey() {
 }
 
 bool PlayMode::record(const MoviePlan& plan) {
-  std::vector<MovieStage::Source> sources = {{parts_.workspace, parts_.playback, parts_.picture}};
+  std::vector<MovieStage::Source> sources = {
+      {parts_.workspace, parts_.playback, parts_.picture, segmentsOverTime()}};
   if (comparison_->on())
-    sources.push_back({comparison_->workspace(), comparison_->playback(), comparison_->picture()});
+    sources.push_back({comparison_->workspace(), comparison_->playback(), comparison_->picture(), nullptr});
   const bool begun =
       recorder_->start(plan, sources,
                        MovieSigns::of({parts_.playback, *circulation_, parts_.view.state().heartSigns,

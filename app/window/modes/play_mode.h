@@ -2,6 +2,7 @@
 
 #include <QPointer>
 
+#include <functional>
 #include <map>
 #include <memory>
 
@@ -12,6 +13,7 @@
 #include "window/key_sequence/key_sequence_playback.h"
 #include "window/modes/mode.h"
 #include "window/movie/movie_recorder.h"
+#include "window/strain/segment_map.h"
 #include "window/strain/strain_model.h"
 #include "window/strain/strain_panel.h"
 #include "window/timeline/volume_monitor.h"
@@ -85,6 +87,10 @@ private:
   void chooseStrainFile();
   void syncStrain();
   void syncSegments();
+  bool segmentsShown() const;
+  presentation::SurfaceMap segmentsNow() const;
+  SegmentsOfOrgans segments() const;
+  std::function<presentation::SurfaceMap(double seconds)> segmentsOverTime() const;
   void makeValvesAction(Actions& actions);
   QString whyNoValves() const;
   void syncValves();

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "viscera/anatomy/part.h"
 #include "viscera/core/error.h"
 #include "viscera/scene/movie_writer.h"
 #include "viscera/sequences/volume_record.h"
@@ -108,7 +109,8 @@ int record(Take take, Progress& progress) {
     writer->finish(closing);
   }
   if (take.plan.table || !writer)
-    sequences::writeVolumeTable((writer ? take.plan.tableFile() : take.plan.file).toStdString(), volumes);
+    sequences::writeVolumeTable((writer ? take.plan.tableFile() : take.plan.file).toStdString(), volumes,
+                                anatomy::chamberKeys(volumes.names()));
   return take.frames;
 }
 

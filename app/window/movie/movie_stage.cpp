@@ -22,8 +22,8 @@ MovieStage::MovieStage(const Source& source, const QSize& size, bool caption)
     : systems_(source.workspace.registry()), state_(source.workspace.state()),
       organs_(source.workspace.live().copy()), stress_(source.workspace.stress().copy()),
       runner_(state_, organs_), view_(source.picture.state()), stressRange_(source.picture.stressRange()),
-      stressLegend_(source.picture.stressLegend()), theme_(source.picture.view().theme()), size_(size),
-      captionWanted_(caption) {
+      stressLegend_(source.picture.stressLegend()), segments_(source.segments),
+      theme_(source.picture.view().theme()), size_(size), captionWanted_(caption) {
   view_.camera = presentation::cameraOf(source.picture.view());
   if (const auto& values = source.picture.presenter().stressValues(); values.ready())
     view_.stress.range = values.range();
@@ -89,6 +89,9 @@ vtkSmartPointer<vtkImageData> MovieStage::picture() {
     openStage();
   const live::StressFrame& stress = stress_.at(organs_.shownPose());
   presentation::Scene scene{state_, organs_, view_, systems_, &stress};
+  std::optional<presentation::SurfaceMap> segments;
+  if (segments_)
+    scene.map = &segments.emplace(segments_(seconds_));
   scene.stressRange = stressRange_;
   scene.stressLegend = stressLegend_;
   if (runner_.sequence())

@@ -3,6 +3,7 @@
 #include <QSize>
 #include <QString>
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -14,6 +15,7 @@
 
 #include "viscera/live/motion_runner.h"
 #include "viscera/live/posed_organs.h"
+#include "viscera/presentation/presenter.h"
 #include "viscera/presentation/stage.h"
 #include "window/timeline/playback.h"
 #include "window/view/picture.h"
@@ -30,6 +32,8 @@ public:
     Workspace& workspace;
     Playback& playback;
     const Picture& picture;
+    /// The segments of a heart's wall as colours at an instant of the sequence, for any thread; empty: none.
+    std::function<presentation::SurfaceMap(double seconds)> segments;
   };
 
   /// For pictures of this size.
@@ -57,6 +61,7 @@ private:
   presentation::ViewState view_;
   std::optional<scene::ValueRange> stressRange_; ///< Range of both views at the start.
   bool stressLegend_;
+  std::function<presentation::SurfaceMap(double)> segments_;
   scene::Theme theme_;
   QSize size_;
   bool captionWanted_;

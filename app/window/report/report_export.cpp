@@ -68,6 +68,7 @@ void ReportExport::write(const QString& file) {
   if (!workspace.guarded([&] {
         source.view = view();
         source.state = workspace.state();
+        source.tissue = live::measuredTissueOf(workspace.warp(), *source.state.measurements);
         if (source.view.shownPose.rows() != source.state.pose->rows())
           material->organs.showPose(*source.state.pose);
         if (source.view.shown.stress) {

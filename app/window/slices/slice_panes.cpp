@@ -124,6 +124,14 @@ double SlicePanes::reach(int direction) const {
   return kGripReach * widgets_[static_cast<std::size_t>(direction)]->devicePixelRatioF();
 }
 
+Vec3 SlicePanes::restOf(const Vec3& place) const {
+  return workspace_.warp().warpsScan() ? workspace_.warp().restOf(place) : place;
+}
+
+Vec3 SlicePanes::drawnAt(const Vec3& rest) const {
+  return workspace_.warp().warpsScan() ? workspace_.warp().posedOf(rest) : rest;
+}
+
 void SlicePanes::setMeasuring(presentation::PendingMeasurement measuring) {
   measuring_ = std::move(measuring);
   markOutdated();

@@ -46,6 +46,10 @@ public:
   void addGrip(SliceGrip& grip) { grips_.push_back(&grip); }
   /// The largest distance from the mouse at which something can be grabbed, in pixels of a slice's picture.
   double reach(int direction) const;
+  /// Where the tissue drawn at a place of a slice is at rest, mm, and the reverse: other places in a warped
+  /// scan only.
+  Vec3 restOf(const Vec3& place) const;
+  Vec3 drawnAt(const Vec3& rest) const;
   /// Sets the measurement under way, which the slices draw.
   void setMeasuring(presentation::PendingMeasurement measuring);
 

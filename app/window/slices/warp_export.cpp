@@ -8,6 +8,7 @@
 
 #include "viscera/document/rig.h"
 #include "viscera/document/scan_item.h"
+#include "viscera/live/movable_binding.h"
 #include "viscera/medical_io/image_file.h"
 #include "viscera/medical_io/warped_image.h"
 #include "window/actions.h"
@@ -27,6 +28,8 @@ struct Work {
   coordinates::BindOptions options;
   coordinates::HandleSet handles;
   Points pose;
+  std::vector<std::shared_ptr<const document::Organ>> stiff; ///< Organs that do not bend,
+  std::vector<Points> stiffPosed;                            ///< and their vertices in the pose.
   std::filesystem::path file;
   std::optional<std::filesystem::path> labels; ///< The label map to warp as well.
 };
@@ -58,14 +61,21 @@ std::filesystem::path labelFileBeside(const std::filesystem::path& scan) {
 Written write(const Work& work, Progress& progress) {
   const medical_io::Scan& scan = *work.scan->scan;
   std::optional<deformation::InverseMap> map;
+  std::shared_ptr<deformation::StiffBodies> stiff;
   runPart(progress, 0, kBound, [&](Progress& part) {
     map.emplace(*work.system, work.handles, work.pose, work.options, medical_io::warpOptions(scan.spacing()),
                 part);
+    stiff = live::stiffBodies(work.stiff, {}, part);
+    std::vector<const Points*> posed;
+    for (const Points& points : work.stiffPosed)
+      posed.push_back(&points);
+    stiff->setPose(posed, *map);
   });
+  const medical_io::Warp warp{*map, *work.system, stiff->empty() ? nullptr : stiff.get()};
   Written written;
   runPart(progress, kBound, work.labels ? kScanWritten : 1, [&](Progress& part) {
     medical_io::WarpReport report;
-    const medical_io::Scan warped = medical_io::warpedScan(scan, {*map, *work.system}, report, part);
+    const medical_io::Scan warped = medical_io::warpedScan(scan, warp, report, part);
     part.report(1, "Writing the scan");
     medical_io::writeScan(work.file, warped);
     written.folded = report.folded;
@@ -77,7 +87,7 @@ Written write(const Work& work, Progress& progress) {
     const medical_io::LabelMap labels = medical_io::readLabelMap(
         *work.labels, part, document::phaseOfLabels(*work.labels, work.scan.get(), part));
     const std::filesystem::path file = labelFileBeside(work.file);
-    medical_io::writeLabelMap(file, medical_io::warpedLabelMap(labels, {*map, *work.system}, report, part));
+    medical_io::writeLabelMap(file, medical_io::warpedLabelMap(labels, warp, report, part));
     written.labels = text(file.filename().string());
   });
   return written;
@@ -120,8 +130,12 @@ void WarpExport::exportScan(const QString& file) {
             {state.system->parameters, {}},
             document::handleSet(*state.rig),
             workspace_.live().shownPose(),
+            live::stiffOrgans(*state.organs),
+            {},
             file.toStdString(),
             labelsOf(state)};
+    for (const auto& organ : work.stiff)
+      work.stiffPosed.push_back(workspace_.live().points(organ->id));
   });
   if (!can)
     return;

@@ -1,13 +1,13 @@
 #include "window/strain/strain_model.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "viscera/anatomy/part.h"
 #include "viscera/core/background.h"
 #include "viscera/document/rig.h"
 #include "window/mailbox.h"
+#include "window/strain/segment_map.h"
 #include "window/track/measured_motion.h"
 
 namespace viscera::app {
@@ -58,6 +58,15 @@ void StrainModel::setMeasured(const MeasuredMotion& measured) {
   });
 }
 
+void StrainModel::choose(const StrainChoice& choice) {
+  const StrainChoice before = std::exchange(choice_, choice);
+  if (before == choice)
+    return;
+  if (before.reference != choice.reference)
+    cycleOf_.reset();
+  syncSoon();
+}
+
 void StrainModel::setWanted(bool wanted) {
   if (std::exchange(wanted_, wanted) != wanted)
     syncSoon();
@@ -72,15 +81,19 @@ void StrainModel::syncSoon() {
 StrainModel::Basis StrainModel::basis() const {
   const document::DocumentState& state = workspace_.state();
   Basis found{{}, state.rig, state.system};
+  if (const auto left = state.organ(leftVentricle()); left && left->mesh == choice_.axesOf)
+    found.axes = choice_.axes;
   for (const auto& organ : *state.organs)
     if (workspace_.live().status(organ->id).state == live::BindingStatus::State::bound)
       found.organs.emplace_back(organ->id, organ->mesh);
   return found;
 }
 
-bool StrainModel::possible() const {
-  const document::OrganList& organs = workspace_.document().organs();
-  return std::any_of(organs.begin(), organs.end(), [](const auto& organ) { return isLeftVentricle(*organ); });
+document::OrganId StrainModel::leftVentricle() const {
+  for (const auto& organ : workspace_.document().organs())
+    if (isLeftVentricle(*organ))
+      return organ->id;
+  return {};
 }
 
 bool StrainModel::posed() const {
@@ -188,10 +201,11 @@ void StrainModel::readCycle(const Basis& basis, const live::MotionCause& cause) 
             moved.measured.push_back(series->series->corresponding[surface].phases);
         return moved;
       },
-      std::nullopt,
-      [this, cause](const Reading& reading) {
+      choice_.reference > 0 ? std::optional(static_cast<std::size_t>(choice_.reference - 1)) : std::nullopt,
+      [this, cause, reference = choice_.reference](const Reading& reading) {
         cycle_ = reading;
-        cycleOf_ = cause;
+        if (reference == choice_.reference) // Else it is read again.
+          cycleOf_ = cause;
       });
 }
 
@@ -201,16 +215,21 @@ void StrainModel::submit(const Basis& basis, std::function<live::MovedOrgans(Pro
   running_ = true;
   Q_EMIT changed();
   auto made = std::make_shared<std::shared_ptr<const live::StrainGauge>>(gauge_);
-  auto work = [made, rest = atRest(basis), motion = std::move(motion), reference](Progress& progress) {
+  live::StrainOptions options;
+  options.landmarks = basis.axes;
+  auto work = [made, rest = atRest(basis), motion = std::move(motion), reference,
+               options](Progress& progress) {
     Reading reading;
     inBackground([&] {
       if (!*made)
         runPart(progress, 0, 0.7, [&](Progress& part) {
-          *made = std::make_shared<const live::StrainGauge>(rest, live::StrainOptions(), part);
+          *made = std::make_shared<const live::StrainGauge>(rest, options, part);
         });
       runPart(progress, 0.7, 1, [&](Progress& part) {
-        reading =
-            std::make_shared<const live::StrainReading>((*made)->read(motion(part), part, {}, reference));
+        const live::MovedOrgans moved = motion(part);
+        const bool has = reference && *reference < moved.seconds.size();
+        reading = std::make_shared<const live::StrainReading>(
+            (*made)->read(moved, part, {}, has ? reference : std::nullopt));
       });
     });
     return reading;
@@ -234,15 +253,7 @@ std::size_t StrainModel::phaseNow() const {
     return 0;
   if (!playing())
     return cycle_->strain.reference;
-  const std::vector<double>& seconds = cycle_->strain.seconds;
-  const double period = playback_.player().periodSeconds(), now = secondsNow();
-  const auto apart = [&](double other) {
-    const double straight = std::abs(other - now);
-    return std::min(straight, std::abs(period - straight)); // The cycle leads back to its beginning.
-  };
-  const auto nearest = std::min_element(seconds.begin(), seconds.end(),
-                                        [&](double a, double b) { return apart(a) < apart(b); });
-  return static_cast<std::size_t>(nearest - seconds.begin());
+  return strainPhaseAt(*cycle_, secondsNow(), playback_.player().periodSeconds());
 }
 
 const std::vector<int>* StrainModel::segmentsOn(document::OrganId organ) const {

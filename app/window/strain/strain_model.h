@@ -17,6 +17,15 @@ namespace viscera::app {
 
 class MeasuredMotion;
 
+/// What a user has chosen about how strain is measured.
+struct StrainChoice {
+  int reference = 0; ///< The phase to measure from, counted from 1; 0: the end of diastole is found.
+  strain::AxisLandmarks axes = {};                                ///< Points that were clicked, mm at rest.
+  std::shared_ptr<const geometry::TriangleMesh> axesOf = nullptr; ///< The left ventricle that they are of.
+
+  bool operator==(const StrainChoice&) const = default;
+};
+
 /// Measures the strain of one view's heart on a worker, as long as it is wanted: over the whole cycle of its
 /// motion, and in the pose of the document, against rest, while handles move it. What belongs to the heart at
 /// rest is prepared once for organs, handles and coordinates; each pose then takes as long as a stress map. A
@@ -35,9 +44,14 @@ public:
   void setMeasured(const MeasuredMotion& measured);
   /// Sets whether to measure; what was measured stays.
   void setWanted(bool wanted);
+  /// Sets how to measure. Other axes are a new preparation of the heart, another reference only a new
+  /// reading.
+  void choose(const StrainChoice& choice);
 
   /// Whether an organ is a left ventricle by its name.
-  bool possible() const;
+  bool possible() const { return static_cast<bool>(leftVentricle()); }
+  /// The first of these; none without any.
+  document::OrganId leftVentricle() const;
   /// Over the cycle; null while there is no motion, and until it is measured.
   const Reading& cycle() const { return cycle_; }
   /// Of the document's pose, at rest in phase 0 and as it is in phase 1; null while the sequence's pose or
@@ -67,6 +81,7 @@ private:
     std::vector<std::pair<document::OrganId, std::shared_ptr<const geometry::TriangleMesh>>> organs;
     std::shared_ptr<const document::Rig> rig;
     std::shared_ptr<const document::SystemChoice> system;
+    strain::AxisLandmarks axes = {};
     bool operator==(const Basis&) const = default;
   };
   /// The measured surfaces of a tracked motion, for the organs of the basis.
@@ -84,7 +99,7 @@ private:
   std::optional<Series> series(const Basis& basis) const;
   void readPose(const Basis& basis);
   void readCycle(const Basis& basis, const live::MotionCause& cause);
-  /// Against the phase `reference`; none: the end of diastole.
+  /// Against the phase `reference`; none, or a phase that there is not: the end of diastole.
   void submit(const Basis& basis, std::function<live::MovedOrgans(Progress&)> motion,
               std::optional<std::size_t> reference, std::function<void(const Reading&)> take);
   void forget(const Basis& now);
@@ -94,6 +109,7 @@ private:
   Playback& playback_;
   QPointer<const MeasuredMotion> measured_;
   bool wanted_ = false;
+  StrainChoice choice_;
   live::WantedPose poseWanted_ = live::WantedPose::sequence; ///< When it was looked at last.
   bool asked_ = false; ///< `sync` is scheduled after the present notification.
   bool running_ = false;

@@ -3,6 +3,7 @@
 #include <QAction>
 #include <QCheckBox>
 #include <QComboBox>
+#include <QCoreApplication>
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -21,6 +22,7 @@
 #include "viscera/strain/aha_segments.h"
 #include "window/actions.h"
 #include "window/language.h"
+#include "window/strain/axis_picker.h"
 #include "window/view/view_model.h"
 #include "window/widgets/ready_made.h"
 
@@ -33,6 +35,7 @@ using live::StrainMoment;
 /// ms: during a drag the picture of the organs comes first.
 constexpr int kStrainDelay = 30;
 constexpr int kEyesStretch = 5, kCurvesStretch = 4;
+constexpr double kLeftOfCurves = 64, kBelowCurves = 42; ///< Room of the axes' labels, pixels.
 
 std::string strainWords(const std::string& english) {
   return english.empty() ? english : inWords(english).toStdString();
@@ -47,6 +50,12 @@ QVTKOpenGLNativeWidget* chartWidget(QWidget* parent, const char* name) {
   return widget;
 }
 
+/// Rich text that names a curve by its colour.
+QString markedBy(const Vec3& color, const QString& said) {
+  return QStringLiteral("<span style=\"color:%1\">&#9632;</span>&nbsp;%2")
+      .arg(QColor::fromRgbF(color.x(), color.y(), color.z()).name(), said.toHtmlEscaped());
+}
+
 } // namespace
 
 QString nameOfSegment(int number) {
@@ -57,12 +66,13 @@ QString nameOfSegment(int number) {
   return QStringLiteral("%1 %2").arg(number).arg(words.join(QLatin1Char(' ')));
 }
 
-StrainPanel::StrainPanel(StrainModel& model, Playback& playback, ViewModel& view, const Actions& actions,
-                         QWidget* parent)
-    : QWidget(parent), model_(model), playback_(playback), view_(view),
+StrainPanel::StrainPanel(const Parts& parts, const Actions& actions, QWidget* parent)
+    : QWidget(parent), model_(parts.model), playback_(parts.playback), view_(parts.view),
       eyes_(std::make_unique<scene::BullsEyes>()), panels_(std::make_unique<scene::CurvePanels>()),
       eyesWidget_(chartWidget(this, "strainEyes")), chart_(chartWidget(this, "strainCurves")),
       cursor_(new ChartCursor(*chart_)), direction_(new QComboBox(this)), moment_(new QComboBox(this)),
+      reference_(new QComboBox(this)),
+      axes_(new AxisPicker(parts.model, parts.view, parts.picture, parts.widget, this)),
       numbers_(new QLabel(this)), segment_(new QLabel(this)), remarks_(makeRemark(QString(), this)) {
   setObjectName(QStringLiteral("panel"));
   setAttribute(Qt::WA_StyledBackground);
@@ -97,10 +107,11 @@ StrainPanel::StrainPanel(StrainModel& model, Playback& playback, ViewModel& view
   soon_.setSingleShot(true);
   soon_.setInterval(kStrainDelay);
   connect(&soon_, &QTimer::timeout, this, &StrainPanel::rebuild);
-  connect(&model, &StrainModel::changed, this, &StrainPanel::rebuildSoon);
-  connect(&view, &ViewModel::changed, this, &StrainPanel::followView);
-  connect(&playback, &Playback::advanced, this, &StrainPanel::followFrame);
-  connect(&playback, &Playback::stateChanged, this, &StrainPanel::followFrame);
+  connect(&parts.model, &StrainModel::changed, this, &StrainPanel::rebuildSoon);
+  connect(axes_, &AxisPicker::pickingChanged, this, &StrainPanel::rebuildSoon);
+  connect(&parts.view, &ViewModel::changed, this, &StrainPanel::followView);
+  connect(&parts.playback, &Playback::advanced, this, &StrainPanel::followFrame);
+  connect(&parts.playback, &Playback::stateChanged, this, &StrainPanel::followFrame);
   followView();
 }
 
@@ -113,13 +124,18 @@ QWidget* StrainPanel::makeChoices(const Actions& actions) {
   auto* choices = new QWidget(this);
   auto* row = makeLayout<QHBoxLayout>(choices, 8);
   for (const StrainDirection direction :
-       {StrainDirection::longitudinal, StrainDirection::circumferential, StrainDirection::radial})
+       {StrainDirection::longitudinal, StrainDirection::circumferential, StrainDirection::radial,
+        StrainDirection::thickening}) // As the enumeration.
     direction_->addItem(inWords(std::string(presentation::titleOf(direction))));
   moment_->addItems({tr("Peak"), tr("At this instant"), tr("Time to peak")}); // As the enumeration.
   direction_->setObjectName(QStringLiteral("strainDirection"));
   moment_->setObjectName(QStringLiteral("strainMoment"));
-  row->addWidget(direction_);
-  row->addWidget(moment_);
+  reference_->setObjectName(QStringLiteral("strainReference"));
+  reference_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  reference_->addItem(tr("From the fullest phase"));
+  for (QWidget* choice : {static_cast<QWidget*>(direction_), static_cast<QWidget*>(moment_),
+                          static_cast<QWidget*>(reference_), static_cast<QWidget*>(axes_)})
+    row->addWidget(choice);
   connect(direction_, QOverload<int>::of(&QComboBox::activated), this, [this](int index) {
     view_.change([index](presentation::ViewState& state) {
       state.strain.direction = static_cast<StrainDirection>(index);
@@ -128,6 +144,9 @@ QWidget* StrainPanel::makeChoices(const Actions& actions) {
   connect(moment_, QOverload<int>::of(&QComboBox::activated), this, [this](int index) {
     view_.change(
         [index](presentation::ViewState& state) { state.strain.moment = static_cast<StrainMoment>(index); });
+  });
+  connect(reference_, QOverload<int>::of(&QComboBox::activated), this, [this](int index) {
+    view_.change([index](presentation::ViewState& state) { state.strain.reference = index; });
   });
   row->addStretch(1);
   for (const char* id : {"play.strainOnOrgan", "play.exportStrain"})
@@ -250,13 +269,22 @@ void StrainPanel::rebuild() {
   presentation::translate(curves_, strainWords);
   if (model_.cycle())
     curves_.xRange = scene::ValueRange{0, std::max(1e-3, model_.cycle()->strain.seconds.back())};
+  makeRoom(curves_);
   panels_->setPanels(model_.cycle() ? std::vector{curves_} : std::vector<scene::CurvePanel>());
+  syncReferences();
   numbers_->setText(numbersText());
   segment_->setText(segmentText());
   remarks_->setText(remarksText());
   eyesWidget_->setVisible(!figures_.empty());
   chart_->setVisible(model_.cycle() != nullptr);
   draw();
+}
+
+/// The axes get the room of their labels, however small the chart is; the numbers above it name the curves.
+void StrainPanel::makeRoom(scene::CurvePanel& curves) const {
+  curves.legend = false;
+  curves.left = std::min(0.4, kLeftOfCurves / std::max(1, chart_->width()));
+  curves.bottom = std::min(0.4, kBelowCurves / std::max(1, chart_->height()));
 }
 
 /// A bull's eye of an instant is drawn when another phase comes; the cursor follows each frame.
@@ -292,22 +320,61 @@ void StrainPanel::placeInstant() {
   cursor_->setMarks(std::move(marks));
 }
 
+/// A phase that the present cycle does not have is not measured from.
+void StrainPanel::syncReferences() {
+  const int phases = model_.cycle() ? static_cast<int>(model_.cycle()->strain.seconds.size()) : 0;
+  while (model_.cycle() && reference_->count() > phases + 1)
+    reference_->removeItem(reference_->count() - 1);
+  while (reference_->count() < phases + 1)
+    reference_->addItem(tr("From phase %1").arg(reference_->count()));
+  const int chosen = view_.state().strain.reference;
+  reference_->setCurrentIndex(chosen < reference_->count() ? chosen : 0);
+}
+
 QString StrainPanel::numbersText() const {
   if (!model_.cycle())
     return {};
   QStringList parts;
   for (const presentation::GlobalStrain& global : presentation::globalStrains(*model_.cycle())) {
-    const QColor color = QColor::fromRgbF(global.color.x(), global.color.y(), global.color.z());
     const QString said = tr("%1 %2 % at %3 ms (healthy adults %4 to %5)")
                              .arg(text(global.name))
                              .arg(formatNumber(global.peakPercent, 1))
                              .arg(formatNumber(global.peakMs, 0))
                              .arg(formatNumber(global.healthyPercent.low, 1))
                              .arg(formatNumber(global.healthyPercent.high, 1));
-    parts.push_back(QStringLiteral("<span style=\"color:%1\">&#9632;</span>&nbsp;%2")
-                        .arg(color.name(), said.toHtmlEscaped()));
+    parts.push_back(markedBy(global.color, said));
   }
+  parts += furtherNumbers();
   return parts.join(QStringLiteral("&nbsp;&nbsp; "));
+}
+
+/// In rich text, as all numbers here. Those without a range: of the right ventricle and the atrium, of twist
+/// and of the segments' times.
+QStringList StrainPanel::furtherNumbers() const {
+  const strain::HeartStrain& strain = model_.cycle()->strain;
+  QStringList said;
+  const auto add = [&](const char* name, const std::optional<strain::ContourStrain>& contour) {
+    const QString title = inWords(std::string(name));
+    const auto curve =
+        std::find_if(curves_.curves.begin(), curves_.curves.end(),
+                     [&title](const scene::PanelCurve& one) { return text(one.name) == title; });
+    if (contour && curve != curves_.curves.end())
+      said.push_back(markedBy(curve->color, QStringLiteral("%1 %2 %").arg(
+                                                title, formatNumber(kPercent * contour->peak.value, 1))));
+  };
+  add("RV free wall", strain.rightFreeWall);
+  add("Left atrium", strain.leftReservoir);
+  const std::optional<double> twist = live::largestTurn(strain.twistDegrees),
+                              torsion = live::largestTurn(strain.torsionDegreesPerCm);
+  if (twist && torsion)
+    said.push_back(QStringLiteral("%1 %2\u00b0 (%3\u00b0/cm)")
+                       .arg(inWords(std::string("Twist")), formatNumber(*twist, 1), formatNumber(*torsion, 2))
+                       .toHtmlEscaped());
+  said.push_back(tr("Times to the peak differ by %1 ms along and %2 ms around")
+                     .arg(formatNumber(kMsPerSecond * strain.dispersionLongitudinal, 0),
+                          formatNumber(kMsPerSecond * strain.dispersionCircumferential, 0))
+                     .toHtmlEscaped());
+  return said;
 }
 
 /// The segment under the mouse, else the chosen one.
@@ -321,10 +388,22 @@ QString StrainPanel::segmentText() const {
     values.push_back(value ? QStringLiteral("%1 %2").arg(formatNumber(*value, 1), text(figure.unit))
                            : QStringLiteral("-"));
   }
+  if (model_.cycle() && !model_.pose()) {
+    if (const auto deviation =
+            live::strainDeviation(*model_.cycle(), segment, view_.state().strain.direction))
+      values.front() += QStringLiteral(" \u00b1 %1").arg(formatNumber(*deviation, 1));
+    if (const auto wall = live::wallThickness(*model_.cycle(), segment))
+      values.push_back(QStringLiteral("%1 mm, %2 %3 %")
+                           .arg(formatNumber(wall->millimeters, 1),
+                                inWords(std::string(presentation::titleOf(StrainDirection::thickening))),
+                                formatNumber(wall->thickeningPercent, 0)));
+  }
   return tr("%1: %2").arg(nameOfSegment(segment), values.join(listSeparator()));
 }
 
 QString StrainPanel::remarksText() const {
+  if (axes_->picking())
+    return QCoreApplication::translate("viscera::app::FitBox", "click the organ");
   if (!model_.failureReason().isEmpty())
     return model_.failureReason();
   if (!model_.cycle() && !model_.pose())

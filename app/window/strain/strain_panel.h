@@ -2,6 +2,7 @@
 
 #include <QLabel>
 #include <QPointer>
+#include <QStringList>
 #include <QTimer>
 #include <QVTKOpenGLNativeWidget.h>
 #include <QWidget>
@@ -21,19 +22,31 @@ class QComboBox;
 namespace viscera::app {
 
 class Actions;
+class AxisPicker;
+class Picture;
 class ViewModel;
+class ViewWidget;
 
 /// A panel with the strain of the heart's wall: the bull's eye of its 17 segments, curves over the cycle with
 /// the bands of healthy adults, and the peaks in words. The mouse over a segment names it and shows its
 /// curve, a click chooses it. While a handle is dragged the bull's eye is that of the pose. With a second
-/// view both bull's eyes and their difference stand side by side. It is drawn anew when a reading or the
-/// choice changes; a cursor follows every frame.
+/// view both bull's eyes and their difference stand side by side. The user chooses the phase that strain is
+/// measured from, and sets the axes of the heart. It is drawn anew when a reading or the choice changes; a
+/// cursor follows every frame.
 class StrainPanel final : public QWidget {
   Q_OBJECT
 
 public:
-  StrainPanel(StrainModel& model, Playback& playback, ViewModel& view, const Actions& actions,
-              QWidget* parent = nullptr);
+  /// What the panel shows and works with; all have to live longer.
+  struct Parts {
+    StrainModel& model;
+    Playback& playback;
+    ViewModel& view;
+    const Picture& picture; ///< Of the organs, on which axes are clicked.
+    ViewWidget& widget;     ///< That shows them.
+  };
+
+  StrainPanel(const Parts& parts, const Actions& actions, QWidget* parent = nullptr);
   ~StrainPanel() override;
 
   /// Shows a second view's strain beside the first one's; null: ends that. It has to live until then.
@@ -46,6 +59,8 @@ public:
   /// The bull's eyes as they are drawn.
   const std::vector<scene::BullsEyeFigure>& figures() const { return figures_; }
   const scene::CurvePanel& curves() const { return curves_; }
+  /// Sets the axes of the heart by clicks.
+  const AxisPicker& axes() const { return *axes_; }
   /// What is said below them about a lack or a limit.
   QString remarks() const { return remarks_->text(); }
 
@@ -63,11 +78,14 @@ private:
   void rebuild();
   void followFrame();
   void draw();
+  void makeRoom(scene::CurvePanel& curves) const;
   void placeInstant();
   void hover(std::optional<int> segment);
   std::optional<int> segmentAt(const QPointF& place) const;
   std::optional<scene::BullsEyeFigure> figureOf(const StrainModel& model) const;
+  void syncReferences();
   QString numbersText() const;
+  QStringList furtherNumbers() const;
   QString segmentText() const;
   QString remarksText() const;
 
@@ -82,6 +100,8 @@ private:
   ChartCursor* cursor_;
   QComboBox* direction_;
   QComboBox* moment_;
+  QComboBox* reference_;
+  AxisPicker* axes_;
   QLabel* numbers_;
   QLabel* segment_;
   QLabel* remarks_;

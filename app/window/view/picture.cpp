@@ -162,7 +162,7 @@ void Picture::setSegments(std::optional<presentation::SurfaceMap> segments) {
 
 bool Picture::hasMoreThanMovies() const {
   const presentation::ScanLook& scan = model_.state().scan;
-  return map_ || segments_ || !transient_.empty() || !measured_.empty() || (scan.standing && scan.warped);
+  return map_ || !transient_.empty() || !measured_.empty() || (scan.standing && scan.warped);
 }
 
 void Picture::markOutdated() {
@@ -194,7 +194,7 @@ void Picture::update() const {
       hide(shown, view);
     const live::StressFrame stress = workspace_.stress().frame();
     std::optional<presentation::Warping> warping;
-    if (view.scan.standing && view.scan.warped)
+    if (shown.scan && view.scan.warped)
       warping = presentation::warpingOf(workspace_.warp());
     std::vector<presentation::TransientSurface> transient = transient_;
     if (!view.shown.stress) // They would cover the map.

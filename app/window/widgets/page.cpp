@@ -2,7 +2,7 @@
 
 #include <QAction>
 #include <QCheckBox>
-#include <QFormLayout>
+#include <QGridLayout>
 #include <QLabel>
 #include <QPushButton>
 #include <QToolButton>
@@ -79,11 +79,11 @@ void Page::add(QWidget* widget) {
 
 QLabel* Page::addFact(const QString& name) {
   if (!facts_) {
-    facts_ = new QFormLayout;
+    facts_ = new QGridLayout;
     facts_->setContentsMargins(0, 0, 0, 0);
     facts_->setHorizontalSpacing(12);
     facts_->setVerticalSpacing(4);
-    facts_->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
+    facts_->setColumnStretch(1, 1);
     (section_ ? section_ : column_)->addLayout(facts_);
   }
   auto* label = new QLabel(name, this);
@@ -91,7 +91,9 @@ QLabel* Page::addFact(const QString& name) {
   auto* value = new WrappedLabel(this);
   value->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   value->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  facts_->addRow(label, value);
+  const int row = facts_->count() / 2;
+  facts_->addWidget(label, row, 0, Qt::AlignLeft | Qt::AlignTop); // Beside the value's first line.
+  facts_->addWidget(value, row, 1);
   value->setProperty("name", QVariant::fromValue<QWidget*>(label));
   return value;
 }

@@ -3,7 +3,7 @@
 #include <QWidget>
 
 class QAction;
-class QFormLayout;
+class QGridLayout;
 class QLabel;
 class QPushButton;
 class QToolButton;
@@ -58,8 +58,8 @@ protected:
 private:
   QVBoxLayout* column_;            ///< Of the sections.
   QVBoxLayout* section_ = nullptr; ///< Of the present section; null between sections.
-  QFormLayout* facts_ = nullptr;   ///< The layout of the present section, in which successive facts are
-                                   ///< aligned.
+  QGridLayout* facts_ = nullptr;   ///< The layout of the present section, in which successive facts are
+                                   ///< aligned: a grid gives values that break into lines their height.
 };
 
 } // namespace viscera::app

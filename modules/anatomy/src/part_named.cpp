@@ -228,6 +228,19 @@ std::string chamberKey(std::string_view name) {
   return key;
 }
 
+std::vector<std::pair<std::string, std::size_t>> chamberKeys(const std::vector<std::string>& names) {
+  std::vector<std::pair<std::string, std::size_t>> keys;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    std::string key = chamberKey(names[i]);
+    const bool known =
+        std::find(names.begin(), names.end(), key) != names.end() ||
+        std::any_of(keys.begin(), keys.end(), [&](const auto& one) { return one.first == key; });
+    if (!key.empty() && !known)
+      keys.emplace_back(std::move(key), i);
+  }
+  return keys;
+}
+
 std::optional<Vec3> colorNamed(std::string_view name) {
   const Meant meant = meantBy(name);
   if (meant.part)

@@ -19,8 +19,11 @@ double meanOf(const std::optional<medical_io::RegionStatistics>& region) {
 
 } // namespace
 
-Vec3 placeNow(const MeasuredPoint& point, const DocumentState& state, const PointsOf& pointsOf) {
-  const auto organ = point.organ ? state.organ(point.organ) : nullptr;
+Vec3 placeNow(const MeasuredPoint& point, const DocumentState& state, const PointsOf& pointsOf,
+              const TissueMotion& tissue) {
+  if (!point.organ)
+    return tissue ? tissue(point.rest) : point.rest;
+  const auto organ = state.organ(point.organ);
   if (!organ)
     return point.rest;
   const Points& points = pointsOf(point.organ);
@@ -28,6 +31,17 @@ Vec3 placeNow(const MeasuredPoint& point, const DocumentState& state, const Poin
   for (int k = 0; k < 3; ++k)
     place += point.weights[k] * points.row(organ->mesh->triangles(point.triangle, k)).transpose();
   return place;
+}
+
+std::vector<Vec3> placesNow(const Measurement& measurement, const DocumentState& state,
+                            const PointsOf& pointsOf, const TissueMotion& tissue) {
+  std::vector<Vec3> places;
+  for (const MeasuredPoint& point : measurement.points)
+    if (!tissue || !isRegion(measurement.kind) || places.empty())
+      places.push_back(placeNow(point, state, pointsOf, tissue));
+    else
+      places.push_back(places.front() + (point.rest - measurement.points.front().rest));
+  return places;
 }
 
 std::optional<medical_io::RegionStatistics> MeasuringMemory::of(const Measurement& measurement,
@@ -87,13 +101,12 @@ double measuredValue(const std::vector<Vec3>& places) {
 }
 
 MeasuredValues measure(const Measurement& measurement, const DocumentState& state, const PointsOf& pointsOf,
-                       MeasuringMemory* memory) {
+                       MeasuringMemory* memory, const TissueMotion& tissue) {
   MeasuredValues values;
+  values.places = placesNow(measurement, state, pointsOf, tissue);
   std::vector<Vec3> rest;
-  for (const MeasuredPoint& point : measurement.points) {
+  for (const MeasuredPoint& point : measurement.points)
     rest.push_back(point.rest);
-    values.places.push_back(placeNow(point, state, pointsOf));
-  }
   MeasuringMemory none;
   if (isRegion(measurement.kind)) {
     values.region = (memory ? *memory : none).of(measurement, state);

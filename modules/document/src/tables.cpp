@@ -7,6 +7,7 @@
 #include <sstream>
 #include <utility>
 
+#include "viscera/anatomy/part.h"
 #include "viscera/core/atomic_file.h"
 #include "viscera/core/text.h"
 #include "viscera/document/document.h"
@@ -35,7 +36,10 @@ void writeRow(std::ostream& out, const PosedOrgan& posed) {
   const Bounds box = boundsOf(posed.points);
   const Vec3 size = box.high - box.low;
   out << geometry::area(posed.points, triangles) / kMm2PerCm2 << ',' << size.x() << ',' << size.y() << ','
-      << size.z() << ',' << (posed.points - organ.mesh->points).rowwise().norm().maxCoeff() << '\n';
+      << size.z() << ',' << (posed.points - organ.mesh->points).rowwise().norm().maxCoeff() << ',';
+  if (organ.closed())
+    out << organ.restVolumeMm3 / kMm3PerMl;
+  out << ',' << anatomy::chamberKey(organ.name) << '\n';
 }
 
 std::string measurementHeader() {
@@ -106,14 +110,16 @@ void writeTable(const std::filesystem::path& file, const std::string& header, co
 void writeOrganTable(const std::filesystem::path& file, const std::vector<PosedOrgan>& organs) {
   writeTable(file,
              "name,vertices,triangles,closed,rest_ml,volume_ml,change_ml,change_percent,area_cm2,size_x_mm,"
-             "size_y_mm,size_z_mm,largest_displacement_mm",
+             "size_y_mm,size_z_mm,largest_displacement_mm,volume_rest_ml,chamber",
              organs);
 }
 
-std::vector<MeasurementRow> measurementRows(const DocumentState& state, const PointsOf& pointsOf) {
+std::vector<MeasurementRow> measurementRows(const DocumentState& state, const PointsOf& pointsOf,
+                                            const TissueMotion& tissue) {
   std::vector<MeasurementRow> rows;
   for (const Measurement& measurement : *state.measurements) {
-    MeasurementRow row{measurement, measure(measurement, state, pointsOf), unitOf(measurement, state), {}};
+    MeasurementRow row{
+        measurement, measure(measurement, state, pointsOf, nullptr, tissue), unitOf(measurement, state), {}};
     for (const MeasuredPoint& point : measurement.points) {
       const auto organ = point.organ ? state.organ(point.organ) : nullptr;
       row.organs.push_back(organ ? organ->name : std::string());

@@ -20,4 +20,21 @@ std::shared_ptr<const coordinates::Binding> bindMovable(const document::Organ& o
   return deformation::rigidBinding(std::move(soft), *organ.mesh);
 }
 
+std::vector<std::shared_ptr<const document::Organ>> stiffOrgans(const document::OrganList& organs) {
+  std::vector<std::shared_ptr<const document::Organ>> stiff;
+  for (const auto& organ : organs)
+    if (organ->mobility != document::Mobility::bends)
+      stiff.push_back(organ);
+  return stiff;
+}
+
+std::shared_ptr<deformation::StiffBodies>
+stiffBodies(const std::vector<std::shared_ptr<const document::Organ>>& organs, Threads threads,
+            Progress& progress) {
+  std::vector<std::shared_ptr<const geometry::TriangleMesh>> surfaces;
+  for (const auto& organ : organs)
+    surfaces.push_back(organ->mesh);
+  return std::make_shared<deformation::StiffBodies>(std::move(surfaces), threads, progress);
+}
+
 } // namespace viscera::live

@@ -56,35 +56,24 @@ ordered_json withParts(const std::optional<ContourStrain>& mean, const std::vect
   return json;
 }
 
-/// The thickness of a segment at the reference and at its largest.
-ordered_json thicknessJson(const SegmentStrain& segment, std::size_t reference) {
-  if (segment.thicknessMm.empty() || !std::isfinite(segment.thicknessMm[reference]))
-    return nullptr;
-  return segment.thicknessMm[reference];
-}
-
-double thickeningOf(const SegmentStrain& segment, std::size_t reference) {
-  if (segment.thicknessMm.empty() || !(segment.thicknessMm[reference] > 0))
-    return std::nan("");
-  const double most = *std::max_element(segment.thicknessMm.begin(), segment.thicknessMm.end());
-  return kPercentOfPart * (most / segment.thicknessMm[reference] - 1);
-}
-
 ordered_json segmentJson(const StrainReading& reading, const strain::Segment& place) {
   const SegmentStrain& segment = reading.strain.segment(place.number);
-  ordered_json peak, time;
+  ordered_json peak, time, deviation;
   for (const auto& [name, direction] : kDirections) {
+    deviation[name] = optionalJson(strainDeviation(reading, place.number, direction));
     peak[name] = optionalJson(strainValue(reading, place.number, direction, StrainMoment::peak));
     time[name] = optionalJson(strainValue(reading, place.number, direction, StrainMoment::timeToPeak));
   }
   const auto area = std::min_element(segment.area.begin(), segment.area.end());
   peak["area"] = area == segment.area.end() ? ordered_json(nullptr) : numberOrNull(kPercentOfPart * *area);
+  const std::optional<WallThickness> wall = wallThickness(reading, place.number);
   return {{"number", place.number},
           {"name", place.name},
           {"peak", std::move(peak)},
+          {"deviationPercent", std::move(deviation)},
           {"timeToPeakMs", std::move(time)},
-          {"thicknessMm", thicknessJson(segment, reading.strain.reference)},
-          {"thickeningPercent", numberOrNull(thickeningOf(segment, reading.strain.reference))},
+          {"thicknessMm", wall ? ordered_json(wall->millimeters) : ordered_json(nullptr)},
+          {"thickeningPercent", wall ? ordered_json(wall->thickeningPercent) : ordered_json(nullptr)},
           {"witnesses", segment.witnesses},
           {"septal", place.septal},
           {"reliable", reading.reliable(segment)}};
@@ -139,19 +128,24 @@ ordered_json definitionJson(const StrainReading& reading) {
        reading.corresponding ? ordered_json(*reading.corresponding) : ordered_json(nullptr)}};
 }
 
-/// Degrees with the sign of the largest twist.
-double largestTurn(const std::vector<double>& values) {
-  const auto most = std::max_element(values.begin(), values.end(),
-                                     [](double a, double b) { return std::abs(a) < std::abs(b); });
-  return most == values.end() ? std::nan("") : *most;
-}
-
 /// One column of the table.
 struct StrainColumn {
   std::string name;
   std::vector<double> values;
   double factor = 1;
 };
+
+/// "rvFreeWall_percent" as "rv_free_wall_percent", as Python writes names.
+std::string withUnderscores(const std::string& name) {
+  std::string result;
+  for (const char letter : name) {
+    const bool capital = letter >= 'A' && letter <= 'Z';
+    if (capital && !result.empty() && result.back() != '_')
+      result += '_';
+    result += capital ? static_cast<char>(letter - 'A' + 'a') : letter;
+  }
+  return result;
+}
 
 std::vector<StrainColumn> strainColumns(const strain::HeartStrain& strain) {
   std::vector<StrainColumn> columns = {{"time_s", strain.seconds}};
@@ -180,36 +174,14 @@ std::vector<StrainColumn> strainColumns(const strain::HeartStrain& strain) {
     if (!segment.thicknessMm.empty())
       columns.push_back({name + "_thickness_mm", segment.thicknessMm});
   }
+  const std::size_t older = columns.size();
+  for (std::size_t i = 0; i < older; ++i)
+    if (std::string name = withUnderscores(columns[i].name); name != columns[i].name)
+      columns.push_back({std::move(name), columns[i].values, columns[i].factor});
   return columns;
 }
 
 } // namespace
-
-const std::vector<double>& strainCurve(const SegmentStrain& segment, StrainDirection direction) {
-  switch (direction) {
-  case StrainDirection::longitudinal:
-    return segment.longitudinal;
-  case StrainDirection::circumferential:
-    return segment.circumferential;
-  case StrainDirection::radial:
-    return segment.radial;
-  }
-  return segment.longitudinal;
-}
-
-std::optional<double> strainValue(const StrainReading& reading, int segment, StrainDirection direction,
-                                  StrainMoment moment, std::size_t phase) {
-  const SegmentStrain& each = reading.strain.segment(segment);
-  const std::vector<double>& curve = strainCurve(each, direction);
-  if (!each.enough || curve.empty() || !std::isfinite(curve.front()))
-    return std::nullopt;
-  if (moment == StrainMoment::instant)
-    return phase < curve.size() ? std::optional(kPercentOfPart * curve[phase]) : std::nullopt;
-  const strain::Peak peak = direction == StrainDirection::radial
-                                ? strain::longestOf(curve, reading.strain.seconds)
-                                : strain::shortestOf(curve, reading.strain.seconds);
-  return moment == StrainMoment::peak ? kPercentOfPart * peak.value : kMsOfSecond * peak.seconds;
-}
 
 std::string strainJson(const StrainReading& reading) {
   const strain::HeartStrain& strain = reading.strain;
@@ -233,8 +205,8 @@ std::string strainJson(const StrainReading& reading) {
     json["areaStrain"][area.name] = {{"peakPercent", kPercentOfPart * area.peak.value},
                                      {"timeMs", kMsOfSecond * area.peak.seconds},
                                      {"referenceMm2", area.referenceMm}};
-  json["twistDegrees"] = numberOrNull(largestTurn(strain.twistDegrees));
-  json["torsionDegreesPerCm"] = numberOrNull(largestTurn(strain.torsionDegreesPerCm));
+  json["twistDegrees"] = optionalJson(largestTurn(strain.twistDegrees));
+  json["torsionDegreesPerCm"] = optionalJson(largestTurn(strain.torsionDegreesPerCm));
   json["dispersionMs"] = {{"longitudinal", kMsOfSecond * strain.dispersionLongitudinal},
                           {"circumferential", kMsOfSecond * strain.dispersionCircumferential}};
   json["axes"] = {{"baseMm", placeJson(strain.axes.base())},

@@ -17,6 +17,8 @@
 #include "viscera/live/witness_sampling.h"
 #include "viscera/strain/wall_measures.h"
 
+#include "strain_confidence.h"
+
 namespace viscera::live {
 namespace {
 
@@ -28,6 +30,8 @@ constexpr double kMostlyInside = 0.95;
 constexpr Eigen::Index kTried = 400;
 /// A left ventricle that holds more in another phase than in the reference: a part of it.
 constexpr double kFuller = 0.03;
+/// The outer surface may lie this many times farther from the cavity than its wall: fat is upon it.
+constexpr double kBeyondWall = 1.5;
 constexpr double kSecondsOfMinute = 60;
 
 std::size_t organNamed(const MovedOrgans& organs, const std::string& name) {
@@ -85,7 +89,7 @@ std::optional<std::size_t> outerOf(const MovedOrgans& organs, const std::string&
 struct GaugedSurface {
   std::size_t organ = 0;
   MovingSurface rest;
-  std::shared_ptr<const coordinates::Binding> binding; ///< Null: phases are measured.
+  std::shared_ptr<const coordinates::Binding> binding; ///< Never null.
 
   GaugedSurface(const MovedOrgans& organs, std::size_t place, Progress& progress, Threads threads)
       : organ(place), rest{organs.organs[place].name,
@@ -94,9 +98,8 @@ struct GaugedSurface {
                            {}} {
     if (geometry::volume(rest.rest, rest.triangles) < 0)
       rest.triangles.col(1).swap(rest.triangles.col(2));
-    if (organs.measured.empty())
-      binding = deformation::bindOrgan(*organs.system, organs.handles, rest.rest,
-                                       {organs.parameters, threads}, progress);
+    binding = deformation::bindOrgan(*organs.system, organs.handles, rest.rest, {organs.parameters, threads},
+                                     progress);
   }
 
   MovingSurface in(const MovedOrgans& moved, Threads threads) const {
@@ -106,11 +109,23 @@ struct GaugedSurface {
       return surface;
     }
     surface.phases.resize(moved.poses.size());
-    for (std::size_t phase = 0; binding && phase < moved.poses.size(); ++phase)
+    for (std::size_t phase = 0; phase < moved.poses.size(); ++phase)
       binding->deform(moved.poses[phase], surface.phases[phase], threads);
     return surface;
   }
 };
+
+/// A pose of a motion that was fitted to measured surfaces, with what it has left at the handles.
+FittedPose fittedPose(const MovedOrgans& moved, const std::vector<const GaugedSurface*>& surfaces,
+                      std::size_t phase, Threads threads) {
+  std::vector<Points> fitted(surfaces.size());
+  std::vector<SurfaceResidual> left;
+  for (std::size_t i = 0; i < surfaces.size(); ++i) {
+    surfaces[i]->binding->deform(moved.poses[phase], fitted[i], threads);
+    left.push_back({&surfaces[i]->rest.rest, &fitted[i], &moved.measured[surfaces[i]->organ][phase]});
+  }
+  return {&moved.poses[phase], handleResiduals(moved.handles.positions, left, threads)};
+}
 
 /// The wall of the left ventricle with the gradients at its points.
 struct BoundWall {
@@ -206,6 +221,19 @@ void warn(const strain::MovingSurface& left, const strain::FoundAxes& axes, Stra
         phrase("The left ventricle is fullest in phase %1, and strain is measured from "
                "phase %2",
                *fuller + 1, reading.strain.reference + 1));
+  constexpr StrainDirection kWithRange[] = {StrainDirection::longitudinal, StrainDirection::circumferential,
+                                            StrainDirection::radial};
+  int uncertain = 0;
+  for (const strain::SegmentStrain& segment : reading.strain.segments)
+    uncertain += reading.reliable(segment) &&
+                 std::any_of(std::begin(kWithRange), std::end(kWithRange), [&](StrainDirection direction) {
+                   return !reliablePeak(reading, segment.number, direction);
+                 });
+  if (uncertain > 0)
+    reading.warnings.push_back(
+        phrase("In %n {segment|segments} the fit of the motion leaves a peak less certain than its distance "
+               "from the range of healthy adults",
+               uncertain));
   const auto few = std::count_if(reading.strain.segments.begin(), reading.strain.segments.end(),
                                  [](const strain::SegmentStrain& segment) { return !segment.enough; });
   if (few > 0)
@@ -304,21 +332,28 @@ std::vector<int> StrainGauge::Parts::segmentsOfCavity() const {
   return found;
 }
 
-/// What is nearer to the right cavity than to the left one is the right ventricle's wall.
+/// What is nearer to the right cavity than to the left one is the right ventricle's wall; what is far from
+/// both is no ventricle.
 std::vector<int> StrainGauge::Parts::segmentsAround() const {
-  const auto distanceFrom = [](const MovingSurface& surface) {
-    return geometry::SignedDistance(
-        std::make_shared<const TriangleMesh>(TriangleMesh{surface.rest, surface.triangles, {}}));
+  const auto meshOf = [](const GaugedSurface& surface) {
+    return std::make_shared<const TriangleMesh>(TriangleMesh{surface.rest.rest, surface.rest.triangles, {}});
   };
-  const geometry::SignedDistance fromLeft = distanceFrom(left->rest);
+  const auto leftMesh = meshOf(*left), outerMesh = meshOf(*outer),
+             rightMesh = right ? meshOf(*right) : nullptr;
+  const auto reach =
+      strain::reachOfSegments({leftMesh.get(), outerMesh.get(), rightMesh.get()}, axes.axes, axes.cap);
+  const geometry::SignedDistance fromLeft(leftMesh);
   std::optional<geometry::SignedDistance> fromRight;
   if (right)
-    fromRight = distanceFrom(right->rest);
-  std::vector<int> found(static_cast<std::size_t>(outer->rest.rest.rows()), 0);
+    fromRight.emplace(rightMesh);
+  std::vector<int> found(static_cast<std::size_t>(outerMesh->points.rows()), 0);
   for (std::size_t i = 0; i < found.size(); ++i) {
-    const Vec3 place = outer->rest.rest.row(static_cast<Eigen::Index>(i)).transpose();
-    if (!fromRight || std::abs(fromLeft(place)) <= std::abs((*fromRight)(place)))
-      found[i] = strain::segmentOf(axes.axes, place);
+    const Vec3 place = outerMesh->points.row(static_cast<Eigen::Index>(i)).transpose();
+    const double away = std::abs(fromLeft(place));
+    const int segment = strain::segmentOf(axes.axes, place);
+    if (away <= kBeyondWall * reach[static_cast<std::size_t>(segment)] &&
+        (!fromRight || away <= std::abs((*fromRight)(place))))
+      found[i] = segment;
   }
   return found;
 }
@@ -402,6 +437,16 @@ StrainReading StrainGauge::read(const MovedOrgans& moved, Progress& progress, Th
   }
   reading.strain = strain::heartStrain(heart, parts.axes, parts.wall ? &movingWall : nullptr, parts.contours,
                                        progress, threads);
+  if (parts.wall && !moved.measured.empty() && moved.corresponding.value_or(false)) {
+    std::vector<const GaugedSurface*> surfaces;
+    for (const auto* surface : {&parts.left, &parts.right, &parts.outer, &parts.atrium})
+      if (*surface)
+        surfaces.push_back(&**surface);
+    const std::size_t peak = reading.strain.gls ? reading.strain.gls->peak.phase : heart.reference;
+    reading.deviations = drawnDeviations(parts.wall->points, *parts.wall->gradients,
+                                         fittedPose(moved, surfaces, heart.reference, threads),
+                                         fittedPose(moved, surfaces, peak, threads), progress, threads);
+  }
   warn(left, parts.axes, reading);
   return reading;
 }

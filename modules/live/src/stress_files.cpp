@@ -44,7 +44,7 @@ void writeStressTable(const std::filesystem::path& file, const deformation::Witn
                       const Points& posed, const deformation::StressMap& map) {
   writeAtomically(file, [&](std::ostream& stream) {
     stream << "rest_x_mm,rest_y_mm,rest_z_mm,x_mm,y_mm,z_mm,RotationalStress_deg,VolumeRatio,StretchMax,"
-              "StretchMin,Folded\n";
+              "StretchMin,Folded,stress_degrees,volume_ratio,stretch_max,stretch_min\n";
     for (Eigen::Index i = 0; i < mesh.witnesses; ++i) {
       const auto rest = mesh.points.row(i), now = posed.row(i);
       const double ratio = map.volumeRatio[i];
@@ -52,7 +52,12 @@ void writeStressTable(const std::filesystem::path& file, const deformation::Witn
            {rest[0], rest[1], rest[2], now[0], now[1], now[2], kDegrees * map.rotationalStress[i], ratio,
             map.stretchMax[i], map.stretchMin[i]})
         stream << significant(value, kStressDigits) << ',';
-      stream << (ratio <= 0 ? 1 : 0) << '\n';
+      stream << (ratio <= 0 ? 1 : 0);
+      // Once more under the names that JSON and Python have.
+      for (const double value :
+           {kDegrees * map.rotationalStress[i], ratio, map.stretchMax[i], map.stretchMin[i]})
+        stream << ',' << significant(value, kStressDigits);
+      stream << '\n';
     }
   });
 }
@@ -100,13 +105,15 @@ void writeStressHistogram(const std::filesystem::path& file, const StressHistogr
 
 void writeStressCurve(const std::filesystem::path& file, const std::vector<StressSample>& samples) {
   writeAtomically(file, [&](std::ostream& stream) {
-    stream << "time_s,min_deg,mean_deg,p95_deg,max_deg,folded\n";
+    stream << "time_s,min_deg,mean_deg,p95_deg,max_deg,folded,stress_degrees_min,stress_degrees_mean,"
+              "stress_degrees_p95,stress_degrees_max\n";
     for (const StressSample& sample : samples) {
       stream << significant(sample.seconds, kStressDigits);
+      std::string degrees;
       for (const double value : {sample.statistics.min, sample.statistics.mean,
                                  sample.statistics.percentile95, sample.statistics.max})
-        stream << ',' << significant(kDegrees * value, kStressDigits);
-      stream << ',' << sample.statistics.folded << '\n';
+        degrees += ',' + significant(kDegrees * value, kStressDigits);
+      stream << degrees << ',' << sample.statistics.folded << degrees << '\n';
     }
   });
 }

@@ -10,7 +10,8 @@ namespace {
 
 constexpr int kMarkDigits = 9;
 constexpr const char* kColumns = "rest_x_mm,rest_y_mm,rest_z_mm,x_mm,y_mm,z_mm,RotationalStress_deg,"
-                                 "VolumeRatio,StretchMax,StretchMin,Folded\n";
+                                 "VolumeRatio,StretchMax,StretchMin,Folded,stress_degrees,volume_ratio,"
+                                 "stretch_max,stretch_min\n";
 
 void writeCells(std::ostream& stream, const StressReading& reading) {
   for (const double value : reading.rest)
@@ -21,6 +22,10 @@ void writeCells(std::ostream& stream, const StressReading& reading) {
     stream << (reading.inTissue ? significant(value, kMarkDigits) : std::string()) << ',';
   if (reading.inTissue)
     stream << (reading.folded ? 1 : 0);
+  // Once more under the names that JSON and Python have.
+  for (const double value :
+       {reading.stressDegrees, reading.volumeRatio, reading.stretchMax, reading.stretchMin})
+    stream << ',' << (reading.inTissue ? significant(value, kMarkDigits) : std::string());
   stream << '\n';
 }
 

@@ -40,19 +40,21 @@ public:
     report_ = {};
   }
 
-  void add(int k, const deformation::RestPoints& rest) {
+  /// `soft` is what the map gave, whose error is measured where nothing stiff has changed it.
+  void add(int k, const deformation::RestPoints& rest, const deformation::RestPoints& soft) {
     const std::size_t slice = rest.states.size();
     for (std::size_t v = 0; v < slice; ++v) {
       if (rest.states[v] == deformation::RestState::still)
         continue;
       ++report_.moved;
       report_.folded += rest.states[v] == deformation::RestState::folded ? 1U : 0U;
-      if (report_.moved % step_ != 0)
+      const auto row = static_cast<Eigen::Index>(v);
+      if (report_.moved % step_ != 0 || rest.points.row(row) != soft.points.row(row))
         continue;
       const int i = static_cast<int>(v % std::size_t(grid_.size[0]));
       const int j = static_cast<int>(v / std::size_t(grid_.size[0]));
       posed_.push_back(grid_.indexToLps * Vec3(i, j, k));
-      rest_.push_back(rest.points.row(static_cast<Eigen::Index>(v)).transpose());
+      rest_.push_back(rest.points.row(row).transpose());
       states_.push_back(rest.states[v]);
     }
   }
@@ -76,14 +78,18 @@ void warpGrid(const Grid& grid, const Warp& warp, WarpReport& report, Progress& 
   Reporter reporter(grid, report);
   const double tolerance = kRefined * kWarpAccuracy * grid.indexToLps.linear().colwise().norm().minCoeff();
   const Eigen::Affine3d lpsToIndex = grid.indexToLps.inverse();
-  deformation::RestPoints rest;
+  deformation::RestPoints rest, soft;
   const std::size_t slice = std::size_t(grid.size[0]) * std::size_t(grid.size[1]);
   for (int k = 0; k < grid.size[2]; ++k) {
     progress.report(static_cast<double>(k) / grid.size[2], "Warping the image");
     progress.throwIfCancelled();
     warp.map.restPlane(grid.slice(k), rest);
     warp.map.refinePlane(warp.system, grid.slice(k), {.toleranceMm = tolerance}, rest, progress);
-    reporter.add(k, rest);
+    if (warp.stiff) {
+      soft = rest;
+      warp.stiff->stiffen(grid.slice(k), rest);
+    }
+    reporter.add(k, rest, warp.stiff ? soft : rest);
     const std::size_t begin = slice * std::size_t(k);
     parallelRanges(grid.size[1], kRows, {}, [&](Eigen::Index first, Eigen::Index last) {
       for (auto v = std::size_t(first) * std::size_t(grid.size[0]);

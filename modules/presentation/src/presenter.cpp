@@ -19,6 +19,7 @@
 #include "untranslated.h"
 #include "valve_picture.h"
 #include "viscera/anatomy/part.h"
+#include "viscera/presentation/slice_presenter.h"
 #include "viscera/presentation/space_parts.h"
 #include "viscera/scene/legend.h"
 
@@ -28,6 +29,7 @@ namespace {
 constexpr double kPercent = 100;
 /// Areas and volumes below are written with two decimals.
 constexpr double kSmall = 10;
+constexpr double kGlassOpacity = 0.15;
 constexpr const char* kSpread = "\u00b1 %1, %2 to %3, %4, %5 voxels";
 
 Vec3 missingColor(const scene::ColorMap& colors) {
@@ -57,6 +59,19 @@ struct LegendText {
            colors.name == other.colors.name;
   }
 };
+
+OrgansSeen organsSeenIn(const Scene& scene) {
+  OrgansSeen seen = scene.view.organsSeen;
+  if (!scene.map || !scene.map->glassAround)
+    return seen;
+  for (const auto& organ : *scene.state.organs)
+    if (scene.map->values.count(organ->id) == 0) {
+      OrganSeen& glass =
+          seen.try_emplace(organ->id, OrganSeen{organ->look.visible, organ->look.opacity}).first->second;
+      glass.opacity = std::min(glass.opacity, kGlassOpacity);
+    }
+  return seen;
+}
 
 } // namespace
 
@@ -230,13 +245,16 @@ void Presenter::Parts::updateMeasurements(const Scene& scene) {
   const auto pointsOf = [&](document::OrganId organ) -> const Points& {
     return *kept.emplace_back(scene.organs.sharedPoints(organ));
   };
+  const document::TissueMotion tissue =
+      scene.warping && scene.view.scan.warped ? scene.warping->posed : document::TissueMotion();
   std::vector<scene::MeasurementGlyphs::Item> items;
   for (const document::Measurement& measurement : *scene.state.measurements) {
     if (document::isRegion(measurement.kind)) { // Seen on slices; items are in the document's order.
       items.emplace_back();
       continue;
     }
-    document::MeasuredValues values = document::measure(measurement, scene.state, pointsOf, &measured);
+    document::MeasuredValues values =
+        document::measure(measurement, scene.state, pointsOf, &measured, tissue);
     const bool chosen = scene.measuring && std::count(scene.measuring->highlighted.begin(),
                                                       scene.measuring->highlighted.end(), measurement.id);
     items.push_back(
@@ -250,7 +268,7 @@ void Presenter::Parts::updateMeasurements(const Scene& scene) {
     const bool single = pending.points.size() == 1;
     if (single)
       pending.points.push_back(pending.points.front());
-    document::MeasuredValues values = document::measure(pending, scene.state, pointsOf);
+    document::MeasuredValues values = document::measure(pending, scene.state, pointsOf, nullptr, tissue);
     scene::MeasurementGlyphs::Item item{std::move(values.places), {}, true};
     if (single)
       item.points.resize(1);
@@ -270,9 +288,9 @@ Presenter::~Presenter() {
 }
 
 void Presenter::update(const Scene& scene) {
-  parts_->update({parts_->seen.of(scene.state, scene.view.organsSeen), scene.organs, scene.view,
-                  scene.systems, scene.stress, scene.map, scene.measuring, scene.transient, scene.parts,
-                  scene.warping, scene.valves, scene.stressRange, scene.stressLegend, scene.pointedOrgan});
+  parts_->update({parts_->seen.of(scene.state, organsSeenIn(scene)), scene.organs, scene.view, scene.systems,
+                  scene.stress, scene.map, scene.measuring, scene.transient, scene.parts, scene.warping,
+                  scene.valves, scene.stressRange, scene.stressLegend, scene.pointedOrgan});
 }
 
 void Presenter::Parts::update(const Scene& scene) {

@@ -167,16 +167,17 @@ void addMeasured(Sheet& sheet, document::MeasuringMemory& memory, const SliceLan
   const auto pointsOf = [&](document::OrganId organ) -> const Points& {
     return *kept.emplace_back(scene.organs.sharedPoints(organ));
   };
+  const document::TissueMotion tissue =
+      scene.warping && scene.view.scan.warped ? scene.warping->posed : document::TissueMotion();
   const double reach = std::max({kMeasureReach, sheet.slab() / 2, stepAlong(scene.state, sheet.axis) / 2});
   const auto show = [&](const document::Measurement& measurement, bool highlighted,
                         std::optional<std::size_t> item) {
     const bool whole = measurement.points.size() == document::pointCount(measurement.kind);
     document::MeasuredValues values;
     if (whole)
-      values = document::measure(measurement, scene.state, pointsOf, &memory);
+      values = document::measure(measurement, scene.state, pointsOf, &memory, tissue);
     else
-      for (const document::MeasuredPoint& point : measurement.points) // Of an organ: at rest, for a moment.
-        values.places.push_back(point.rest);
+      values.places = document::placesNow(measurement, scene.state, pointsOf, tissue);
     const Outline outline = outlineOf(sheet, measurement, values.places, reach);
     if (outline.line.empty())
       return;

@@ -312,7 +312,7 @@ std::optional<Warping> warpingOf(live::LiveWarp& warp) {
   return Warping{[&warp](const deformation::SamplePlane& plane, deformation::RestPoints& rest) {
                    warp.restPlane(plane, rest);
                  },
-                 warp.revision()};
+                 warp.revision(), live::tissueMotionOf(warp)};
 }
 
 double stepAlong(const document::DocumentState& state, int axis) {

@@ -57,6 +57,24 @@ scene::BullsEyeFigure emptyFigure() {
   return figure;
 }
 
+/// Says what hatching means below a figure that has some.
+scene::BullsEyeFigure withNote(scene::BullsEyeFigure figure) {
+  const bool hatched = std::any_of(figure.sectors.begin(), figure.sectors.end(),
+                                   [](const scene::BullsEyeSector& sector) { return sector.hatched; });
+  figure.note = hatched ? "hatched: uncertain" : "";
+  return figure;
+}
+
+/// Whether a difference of two peaks is larger than what both fits leave uncertain together.
+bool differenceKnown(const live::StrainReading& reading, const live::StrainReading& before, int segment,
+                     StrainDirection direction, const std::optional<double>& difference) {
+  if (!reading.reliable(reading.strain.segment(segment)) || !before.reliable(before.strain.segment(segment)))
+    return false;
+  const double both = std::hypot(live::strainDeviation(reading, segment, direction).value_or(0),
+                                 live::strainDeviation(before, segment, direction).value_or(0));
+  return !difference || both == 0 || both <= std::abs(*difference);
+}
+
 scene::PanelCurve panelCurve(const std::string& name, const Vec3& color, const std::vector<double>& seconds,
                              const std::vector<double>& parts) {
   scene::PanelCurve curve{name, color, seconds, {}, 2.2F, false};
@@ -87,6 +105,8 @@ const char* titleOf(StrainDirection direction) {
     return "Circumferential strain";
   case StrainDirection::radial:
     return "Radial strain";
+  case StrainDirection::thickening:
+    return "Thickening";
   }
   return "";
 }
@@ -95,10 +115,10 @@ scene::BullsEyeFigure strainBullsEye(const live::StrainReading& reading, StrainD
                                      StrainMoment moment, std::size_t phase) {
   scene::BullsEyeFigure figure = emptyFigure();
   figure.title = titleOf(direction);
-  const bool radial = direction == StrainDirection::radial;
-  const double end = radial ? kThickening : kShortening;
+  const bool thickens = direction == StrainDirection::radial || direction == StrainDirection::thickening;
+  const double end = thickens ? kThickening : kShortening;
   figure.range = {-end, end};
-  figure.colors = strainColors(!radial);
+  figure.colors = strainColors(!thickens);
   if (moment == StrainMoment::timeToPeak) {
     figure.unit = "ms";
     figure.colors = scene::colorMapByName("cividis");
@@ -107,9 +127,11 @@ scene::BullsEyeFigure strainBullsEye(const live::StrainReading& reading, StrainD
   for (const strain::Segment& segment : strain::segments()) {
     scene::BullsEyeSector& sector = figure.sectors[static_cast<std::size_t>(segment.number - 1)];
     sector.value = live::strainValue(reading, segment.number, direction, moment, phase);
-    sector.hatched = !reading.reliable(reading.strain.segment(segment.number));
+    sector.hatched = moment == StrainMoment::timeToPeak
+                         ? !reading.reliable(reading.strain.segment(segment.number))
+                         : !live::reliablePeak(reading, segment.number, direction);
   }
-  return figure;
+  return withNote(std::move(figure));
 }
 
 scene::BullsEyeFigure strainDifference(const live::StrainReading& reading, const live::StrainReading& before,
@@ -122,9 +144,9 @@ scene::BullsEyeFigure strainDifference(const live::StrainReading& reading, const
     const std::optional<double> other =
         live::strainValue(before, segment.number, direction, StrainMoment::peak);
     sector.value = sector.value && other ? std::optional(*sector.value - *other) : std::nullopt;
-    sector.hatched = sector.hatched || !before.reliable(before.strain.segment(segment.number));
+    sector.hatched = !differenceKnown(reading, before, segment.number, direction, sector.value);
   }
-  return figure;
+  return withNote(std::move(figure));
 }
 
 std::vector<GlobalStrain> globalStrains(const live::StrainReading& reading) {
@@ -185,6 +207,8 @@ void translate(scene::BullsEyeFigure& figure, const std::function<std::string(co
   figure.title = words(figure.title);
   for (std::string& side : figure.sides)
     side = words(side);
+  if (!figure.note.empty())
+    figure.note = words(figure.note);
 }
 
 void translate(scene::CurvePanel& panel, const std::function<std::string(const std::string&)>& words) {

@@ -3,16 +3,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <sstream>
 #include <tuple>
 
 #include <nlohmann/json.hpp>
 
 #include "former_beat.h"
 #include "look_json.h"
+#include "strain_look.h"
 #include "viscera/core/error.h"
 #include "viscera/core/json_reader.h"
-#include "viscera/presentation/stress_values.h"
 
 // The view of a session as JSON: written in format 3, read in formats 1 to 3 (docs/session_format.md).
 namespace viscera::presentation {
@@ -22,20 +21,9 @@ using nlohmann::ordered_json;
 
 /// Since format 2 switches have names of their own; since 3 a heart's beat begins before its atria contract.
 constexpr int kFormat = 3, kNamedSwitches = 2, kBeatBeforeAtria = 3;
-constexpr const char* kView = "the session's view";
-constexpr const char* kViewAdvice = "the organs and the handles are complete; save the session anew";
-constexpr double kShortestNormal = 1e-6;
 constexpr double kFastestRate = 1e6; ///< Of a sequence, a minute: its range has the last word.
 constexpr std::array<const char*, 4> kMirrors = {"off", "sagittal", "coronal", "axial"};
-constexpr std::array<const char*, 3> kGlyphNames = {"none", "ellipsoids", "crosses"};
 constexpr std::array<const char*, 4> kCompared = {"rate", "coordinates", "pose", "sample"};
-constexpr std::array<const char*, 2> kCutStyles = {"smooth", "crinkle"};
-
-/// Of unit length; the first direction again for one without any.
-Vec3 unit(const Vec3& normal) {
-  return normal.allFinite() && normal.norm() > kShortestNormal ? Vec3(normal.normalized())
-                                                               : StressLook().normal;
-}
 
 ordered_json cameraJson(const Camera& camera) {
   return {{"position", jsonOf(camera.position)},
@@ -99,86 +87,6 @@ void visitPlaying(Playing& playing, Visit visit) {
   visit("speed", playing.speed);
   visit("loop", playing.loop);
   visit("shown", playing.shown);
-}
-
-template <class Visit>
-void visitStress(StressLook& look, Visit visit) {
-  visit("onSurface", look.onSurface);
-  visit("pinned", look.pinned);
-  visit("logarithmic", look.logarithmic);
-  visit("amountColors", look.amountColors);
-  visit("ratioColors", look.ratioColors);
-  visit("peak", look.peak);
-  visit("cut", look.cut);
-  visit("offset", look.offset);
-  visit("threshold", look.threshold);
-  visit("limit", look.limit);
-  visit("below", look.below);
-  visit("handles", look.handles);
-  visit("others", look.others);
-  visit("sameRange", look.sameRange);
-  visit("witnesses", look.witnesses);
-  visit("probe", look.probe);
-}
-
-ordered_json stressJson(StressLook look) {
-  look.range = onScale(look.quantity, look.range, look.logarithmic); // As it is when it is read.
-  ordered_json item = {{"quantity", live::describe(look.quantity).id},
-                       {"range", {look.range.low, look.range.high}},
-                       {"cutStyle", kCutStyles[static_cast<std::size_t>(look.style)]},
-                       {"normal", jsonOf(look.normal)},
-                       {"glyphs", kGlyphNames[static_cast<std::size_t>(look.glyphs)]}};
-  visitStress(look, [&](const char* key, const auto& value) { item[key] = value; });
-  return item;
-}
-
-bool isColorMap(const std::string& name) {
-  const auto& all = scene::colorMaps();
-  return std::any_of(all.begin(), all.end(), [&](const scene::ColorMap& map) { return map.name == name; });
-}
-
-void keepWithinBounds(StressLook& look) {
-  // A map that a newer version wrote is not refused: the usual one stands for it.
-  for (std::string StressLook::*colors : {&StressLook::amountColors, &StressLook::ratioColors})
-    if (!isColorMap(look.*colors))
-      look.*colors = StressLook().*colors;
-  look.normal = unit(look.normal);
-  look.offset = std::clamp(std::isfinite(look.offset) ? look.offset : 0.0, -1.0, 1.0);
-  look.witnesses = std::clamp(look.witnesses, live::WitnessOptions::kFewest, live::WitnessOptions::kMost);
-  if (!std::isfinite(look.range.low) || !std::isfinite(look.range.high))
-    look.range = {0, 0};
-  look.range = onScale(look.quantity, look.range, look.logarithmic);
-}
-
-StressLook stressFrom(const JsonReader& json, const ordered_json& item, const std::string& place) {
-  json.requireObject(item, place);
-  StressLook look;
-  visitStress(look, [&](const char* key, auto& value) { json.readIfThere(item, key, place, value); });
-  if (item.contains("quantity"))
-    look.quantity = live::stressQuantityFromId(json.valueOf<std::string>(item, "quantity", place));
-  std::array<double, 2> range = {look.range.low, look.range.high};
-  json.readIfThere(item, "range", place, range);
-  look.range = {range[0], range[1]};
-  json.readIfThere(item, "normal", place, look.normal);
-  look.style = fromName<scene::CutStyle>(kCutStyles, item.value("cutStyle", ordered_json()));
-  look.glyphs = fromName<GlyphChoice>(kGlyphNames, item.value("glyphs", ordered_json()));
-  keepWithinBounds(look);
-  return look;
-}
-
-/// Format 1 kept the user's settings, some of them as text.
-StressLook stressFromSettings(const JsonReader& json, const ordered_json& settings) {
-  json.requireObject(settings, "stress");
-  ordered_json item = ordered_json::object();
-  for (const auto& [key, value] : settings.items())
-    item[key.substr(key.find('/') + 1)] = value;
-  if (item.contains("normal") && item.at("normal").is_string()) {
-    std::istringstream numbers(item.at("normal").get<std::string>());
-    Vec3 normal = Vec3::Zero();
-    numbers >> normal[0] >> normal[1] >> normal[2];
-    item["normal"] = jsonOf(normal);
-  }
-  return stressFrom(json, item, "stress");
 }
 
 /// The items that the modes of format 1 showed.
@@ -413,9 +321,9 @@ ViewState viewFrom(const JsonReader& json, const ordered_json& item,
                 [&](const char* key, const char*, bool& value) { json.readIfThere(item, key, "", value); });
   view.mirror = fromName<Mirror>(kMirrors, item.value("mirror", ordered_json()));
   take("stress", view.stress, stressFrom);
-  take("strain", view.strain, strainFrom);
-  take("heartSigns", view.heartSigns, heartSignsFrom);
+  take("strain", view.strain, strainLookFrom);
   take("scan", view.scan, scanFrom);
+  take("heartSigns", view.heartSigns, heartSignsFrom);
   return view;
 }
 
@@ -440,27 +348,6 @@ bool ViewState::operator==(const ViewState& other) const {
          shownPose == other.shownPose;
 }
 
-std::string toJson(const StressLook& look) {
-  return stressJson(look).dump();
-}
-
-StressLook habitOf(StressLook look) {
-  look.pinned = look.threshold = look.peak = false;
-  look.range = {0, 0};
-  look.probe = -1;
-  look.glyphs = GlyphChoice::none;
-  return look;
-}
-
-StressLook stressLookFromJson(const std::string& text) {
-  const JsonReader json(kView, kViewAdvice);
-  try {
-    return stressFrom(json, json.parse(text), "stress");
-  } catch (const JsonError&) {
-    return {};
-  }
-}
-
 std::string toJson(const ViewState& state) {
   ViewState view = state;
   ordered_json item = {{"format", kFormat}, {"mode", view.mode}};
@@ -469,9 +356,9 @@ std::string toJson(const ViewState& state) {
     item["camera"] = cameraJson(*view.camera);
   visitSwitches(view, [&](const char* key, const char*, bool value) { item[key] = value; });
   item["mirror"] = kMirrors[static_cast<std::size_t>(view.mirror)];
-  item["stress"] = stressJson(view.stress);
-  item["strain"] = strainJson(view.strain);
   item["heartSigns"] = heartSignsJson(view.heartSigns);
+  item["stress"] = stressJson(view.stress);
+  item["strain"] = strainLookJson(view.strain);
   item["scan"] = scanJson(view.scan);
   item["cut"] = cutJson(view.cut);
   if (!view.organsSeen.empty())

@@ -29,10 +29,13 @@ namespace viscera::scene {
 namespace {
 
 constexpr int kTitlePixels = 16, kValuePixels = 13, kSidePixels = 12;
-constexpr double kMargin = 0.08;   ///< Around a figure, as a part of its shorter side.
 constexpr double kScaleWidth = 14; ///< Of the scale of colours, pixels.
 constexpr double kScaleRoom = 62;  ///< With its numbers.
-constexpr double kTextRoom = 44;   ///< Above and below the circle.
+constexpr double kSideRoom = 20;   ///< Of the name of a side, pixels.
+constexpr double kTitleRoom = 24;  ///< Above the side's name, where there is a title.
+constexpr double kNoteRoom = 16;   ///< Below the side's name, where there is a note.
+constexpr int kLeastValuePixels = 8;
+constexpr double kValuePart = 0.62; ///< Of a ring's width that a value's type may take.
 constexpr double kHatchDegrees = 5;
 constexpr int kScaleSteps = 128;
 constexpr double kFull = 360;
@@ -153,7 +156,9 @@ void BullsEyeItem::paintSector(vtkContext2D* painter, const BullsEyeFigure& figu
     return;
   const double middle = (sector.fromDegrees + sector.toDegrees) / 2 * std::numbers::pi / 180;
   const double at = whole ? 0 : (inner + outer) / 2;
-  setText(painter, kValuePixels, isLight(color) ? Vec3(0.05, 0.05, 0.08) : Vec3(1, 1, 1));
+  const int type =
+      std::clamp(static_cast<int>(kValuePart * (outer - inner) / ratio), kLeastValuePixels, kValuePixels);
+  setText(painter, type, isLight(color) ? Vec3(0.05, 0.05, 0.08) : Vec3(1, 1, 1));
   painter->DrawString(static_cast<float>(place.x + at * std::cos(middle)),
                       static_cast<float>(place.y + at * std::sin(middle)),
                       fixed(*sector.value, figure.decimals));
@@ -195,7 +200,8 @@ void BullsEyeItem::paintScale(vtkContext2D* painter, const BullsEyeFigure& figur
 
 void BullsEyeItem::paintWords(vtkContext2D* painter, const BullsEyeFigure& figure, const Place& place) const {
   setText(painter, kTitlePixels, theme.text, true);
-  painter->DrawString(static_cast<float>(place.x), static_cast<float>(place.y + place.radius + 32 * ratio),
+  painter->DrawString(static_cast<float>(place.x),
+                      static_cast<float>(place.y + place.radius + (kSideRoom + 0.45 * kTitleRoom) * ratio),
                       figure.title);
   setText(painter, kSidePixels, theme.text);
   const double gap = 10 * ratio;
@@ -207,6 +213,10 @@ void BullsEyeItem::paintWords(vtkContext2D* painter, const BullsEyeFigure& figur
                         figure.sides[side]);
   }
   painter->GetTextProp()->SetOrientation(0);
+  if (!figure.note.empty())
+    painter->DrawString(static_cast<float>(place.x),
+                        static_cast<float>(place.y - place.radius - (kSideRoom + 0.4 * kNoteRoom) * ratio),
+                        figure.note);
 }
 
 } // namespace
@@ -257,15 +267,18 @@ void BullsEyes::update() {
   p.item->ratio = pixelRatioOf(p.window);
   const std::size_t count = std::max<std::size_t>(1, p.item->figures.size());
   const double width = size[0] / static_cast<double>(count), height = size[1];
-  const double scaleRoom = kScaleRoom * p.item->ratio, textRoom = kTextRoom * p.item->ratio;
+  const double ratio = p.item->ratio, sideRoom = kSideRoom * ratio;
   p.item->places.clear();
   for (std::size_t i = 0; i < p.item->figures.size(); ++i) {
     Place place;
-    const double free = std::min(width - scaleRoom - textRoom, height - 2 * textRoom);
-    place.radius = std::max(10.0, free * (1 - kMargin) / 2);
-    place.x = static_cast<double>(i) * width + (width - scaleRoom) / 2;
-    place.y = height / 2 - textRoom / 4;
-    place.right = place.x + place.radius + textRoom * 0.6;
+    const BullsEyeFigure& figure = p.item->figures[i];
+    const double above = sideRoom + (figure.title.empty() ? 0 : kTitleRoom * ratio);
+    const double below = sideRoom + (figure.note.empty() ? 0 : kNoteRoom * ratio);
+    const double across = width - kScaleRoom * ratio - 2 * sideRoom;
+    place.radius = std::max(10.0, std::min(across, height - above - below) / 2);
+    place.x = static_cast<double>(i) * width + (width - kScaleRoom * ratio) / 2;
+    place.y = (height + below - above) / 2;
+    place.right = place.x + place.radius + sideRoom;
     p.item->places.push_back(place);
   }
   p.actor->GetScene()->SetDirty(true);

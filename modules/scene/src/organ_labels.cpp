@@ -344,7 +344,9 @@ void OrganLabels::Parts::checkOrgans(const ViewGeometry& geometry, bool going, F
       sightings[i] = sightPart(items[i], organ->second, geometry, fronts);
       continue;
     }
-    const auto before = going ? layout->targets[i] : std::nullopt;
+    std::optional<ScreenPlace> before;
+    if (going)
+      before = layout->targets[i];
     sightings[i] = placeWhole(items[i], i, organ->second, fronts, before, seen);
   }
 }

@@ -1,5 +1,6 @@
 #include "cli_test.h"
 
+#include <algorithm>
 #include <cstring>
 
 #include "viscera/core/arrays.h"
@@ -266,6 +267,18 @@ TEST_F(CliConvertOrgans, AnOrganBecomesTetrahedraAroundItsCavities) {
   EXPECT_NE(run({"convert", outer, cavity, path("b.inp")}).exitCode, 0) << "two organs";
   EXPECT_NE(run({"convert", outer, path("b.stl"), "--element-size", "3"}).exitCode, 0);
   EXPECT_NE(run({"convert", outer, path("b.inp"), "--cavity", boxFile("out.off", 70, 30)}).exitCode, 0);
+}
+
+TEST_F(CliConvertOrgans, TetrahedraAreJudgedAsSurfacesAre) {
+  const std::string tiny = boxFile("liver.off", 0, 20);
+  const json surface = runJson({"convert", tiny, path("b.stl")});
+  ASSERT_FALSE(surface["warnings"].empty()) << "a liver of 8 ml";
+  for (const char* ending : {"b.inp", "b.vtu"}) {
+    const json solid = runJson({"convert", tiny, path(ending)});
+    for (const json& warning : surface["warnings"])
+      EXPECT_EQ(std::count(solid["warnings"].begin(), solid["warnings"].end(), warning), 1)
+          << warning << " of " << solid["warnings"];
+  }
 }
 
 TEST_F(CliConvertOrgans, TheSampleHeartIsFilledUpToItsCavities) {

@@ -321,7 +321,7 @@ protected:
     ASSERT_GT(rows.size(), 3u);
     for (const std::vector<double>& row : rows) {
       live.showPose(cycle.poseAt(row[0] / cycle.periodSeconds));
-      ASSERT_EQ(row.size(), document.organs().size() + 1);
+      ASSERT_GE(row.size(), document.organs().size() + 1) << "chambers come again by their keys";
       for (std::size_t i = 0; i < document.organs().size(); ++i)
         EXPECT_NEAR(row[i + 1], live.volume(document.organs()[i]->id).nowMl, 1e-9) << "at " << row[0] << " s";
     }

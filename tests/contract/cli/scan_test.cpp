@@ -143,6 +143,38 @@ TEST_F(CliScan, WarpMovesALabelMap) {
   EXPECT_EQ(info["labels"][0]["voxels"], 9 * 9 * 9);
 }
 
+TEST_F(CliScan, WarpBendsNoBone) {
+  tests::LabelImage labels = tests::emptyLabels({30, 30, 30});
+  labels.indexToLps.linear() *= 2;
+  labels.indexToLps.translation().setConstant(-30);
+  labels.fill({12, 12, 8}, {17, 17, 21}, 4);
+  std::vector<std::array<double, 3>> longer = corners(30);
+  for (auto& corner : longer)
+    corner[2] *= 1.5;
+  const auto file = [&](const std::string& name) {
+    return put(name + ".seg.nrrd",
+               tests::nrrdFile(labels, "left-posterior-superior",
+                               "Segment0_ID:=s\nSegment0_Name:=" + name + "\nSegment0_LabelValue:=4\n"));
+  };
+  const auto heightOf = [&](const std::string& name, const std::vector<std::string>& more = {}) {
+    std::vector<std::string> arguments = {
+        "warp", file(name),          "--handles", rest_, "--pose", put("longer.mrk.json", markups(longer)),
+        "-o",   path("out.seg.nrrd")};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const json warp = runJson(arguments);
+    const json info = runJson({"info", path("out.seg.nrrd")});
+    return std::pair(info["labels"][0]["voxels"].get<double>(), warp["rigid"]);
+  };
+  const double voxels = 6 * 6 * 14;
+  EXPECT_EQ(heightOf("left femur"), std::pair(voxels, json::array({"left femur"})));
+  EXPECT_EQ(heightOf("spleen").second, json::array());
+  EXPECT_GT(heightOf("spleen").first, 1.3 * voxels);
+  EXPECT_GT(heightOf("left femur", {"--bend-bones"}).first, 1.3 * voxels);
+  const auto [kept, rigid] = heightOf("spleen", {"--rigid", file("spleen")});
+  EXPECT_EQ(kept, voxels) << "what is told not to bend";
+  EXPECT_EQ(rigid, json::array({"spleen"}));
+}
+
 /// A CT of a patient with its segmentation, 3 mm fine, and a box of handles around it.
 class CliWarpOfACt : public CliTest {
 protected:

@@ -84,6 +84,16 @@ TEST_F(CliStress, KeepsTheCellsOfAMeshUnlessOtherPointsAreAskedFor) {
   EXPECT_EQ(runJson(anew)["sampling"], "surface");
 }
 
+TEST_F(CliStress, OfABoneSaysThatABoneHasNone) {
+  const json soft = runJson(stress(stretched(3, 2, 1)));
+  EXPECT_EQ(soft["mobility"], "bends");
+  std::vector<std::string> arguments = stress(stretched(3, 2, 1));
+  arguments[1] = put("left_femur.off", cubeOff(10));
+  EXPECT_EQ(runJson(arguments)["mobility"], "rigid");
+  EXPECT_NE(run(arguments).err.find("is a bone, which moves as a rigid body and has no stress"),
+            std::string::npos);
+}
+
 TEST_F(CliStress, CountsFoldedTissue) {
   const json result = runJson(stress(stretched(-1, 1, 1)));
   EXPECT_EQ(result["folded"], result["witnesses"]);
@@ -147,10 +157,11 @@ TEST_F(CliStress, SaysTheValuesAtProbes) {
   EXPECT_NE(said.find("Probe 1 lies 4.0 mm outside"), std::string::npos) << said;
   const std::string table = contents(path("p.csv"));
   EXPECT_EQ(table.find("probe,rest_x_mm,rest_y_mm,rest_z_mm,x_mm,y_mm,z_mm,RotationalStress_deg,VolumeRatio,"
-                       "StretchMax,StretchMin,Folded\n1,5,-1,2,15,-2,2,30,6,3,1,0\n"),
+                       "StretchMax,StretchMin,Folded,stress_degrees,volume_ratio,stretch_max,stretch_min\n"
+                       "1,5,-1,2,15,-2,2,30,6,3,1,0,30,6,3,1\n"),
             0u)
       << table;
-  EXPECT_NE(table.find("\n3,14,0,0,,,,,,,,\n"), std::string::npos) << table;
+  EXPECT_NE(table.find("\n3,14,0,0,,,,,,,,,,,,\n"), std::string::npos) << table;
 }
 
 TEST_F(CliStress, AProbeAtAWitnessSaysWhatItsRowOfTheTableSays) {

@@ -96,6 +96,9 @@ TEST(ChamberNamed, FindsCavitiesAndNeitherWallsNorMuscle) {
   EXPECT_EQ(chamberKey("Heart/la"), "la");
   EXPECT_EQ(chamberKey("patient1_RV_ENDOCARDIAL"), "rv");
   EXPECT_EQ(chamberKey("myocardium"), "");
+  using Keys = std::vector<std::pair<std::string, std::size_t>>;
+  EXPECT_EQ(chamberKeys({"Heart", "LV cavity", "Left ventricle", "RA"}), (Keys{{"lv", 1}, {"ra", 3}}));
+  EXPECT_EQ(chamberKeys({"lv", "LV cavity"}), Keys()) << "there already";
   EXPECT_EQ(chamberNamed("RA"), kRightAtrium);
   for (const char* other :
        {"Heart", "lv_wall", "LV myocardium", "EPICARDIAL", "left kidney", "liver", "lavage", ""})

@@ -464,6 +464,38 @@ TEST(MeasuredRegion, HasTheScansValuesAreaOrVolumeAndANameOfItsKind) {
   EXPECT_EQ(unitOf(s.document.measurements()[0], DocumentState()), "");
 }
 
+TEST(Measured, PlacesOfAWarpedScanGoWithItsTissueAndOrgansAsTheyWere) {
+  ScannedSession s;
+  // Twice as long along x, and 5 mm towards the head.
+  const TissueMotion tissue = [](const Vec3& rest) { return Vec3(2 * rest.x(), rest.y(), rest.z() + 5); };
+  const MeasuredPoint corner = s.vertex(0, 0);
+  s.undo.perform(addMeasurement({fixedAt(-3, 0, 0), fixedAt(3, 0, 8)}));
+  s.undo.perform(addMeasurement({fixedAt(1, 0, 0), fixedAt(0, 0, 0), fixedAt(1, 2, 0)}));
+  s.undo.perform(addMeasurement({corner, fixedAt(4, 1, 1)}));
+  s.undo.perform(
+      addMeasurement(Measurement{{}, {}, {fixedAt(4, 0, 0), fixedAt(4, 9, 12)}, MeasurementKind::sphere}));
+  const auto valuesOf = [&](std::size_t i) {
+    return measure(
+        s.document.measurements()[i], s.document.state(),
+        [&](OrganId organ) -> const Points& { return s.document.organ(organ)->mesh->points; }, nullptr,
+        tissue);
+  };
+  EXPECT_DOUBLE_EQ(valuesOf(0).rest, 10);
+  EXPECT_DOUBLE_EQ(valuesOf(0).now, std::hypot(12, 8));
+  EXPECT_NEAR(valuesOf(1).rest, std::atan2(2, 1) * 180 / M_PI, 1e-12);
+  EXPECT_NEAR(valuesOf(1).now, 45, 1e-12) << "a leg of 2 mm along x now";
+  EXPECT_EQ(valuesOf(2).places[0], corner.rest) << "a point of an organ follows that";
+  EXPECT_EQ(valuesOf(2).places[1], tissue(Vec3(4, 1, 1)));
+  const MeasuredValues sphere = valuesOf(3);
+  EXPECT_EQ(sphere.places[0], tissue(Vec3(4, 0, 0)));
+  EXPECT_DOUBLE_EQ((sphere.places[1] - sphere.places[0]).norm(), 15) << "it keeps its size";
+  EXPECT_EQ(sphere.now, s.valuesOf(s.document.measurements()[3]).now) << "and the scan's values";
+  const auto rows = measurementRows(
+      s.document.state(),
+      [&](OrganId organ) -> const Points& { return s.document.organ(organ)->mesh->points; }, tissue);
+  EXPECT_DOUBLE_EQ(rows.at(0).values.now, std::hypot(12, 8));
+}
+
 TEST(MeasuredRegion, IsReadAgainWhenItOrTheScanIsAnotherAndHasNoValueWithoutScan) {
   ScannedSession s;
   s.undo.perform(

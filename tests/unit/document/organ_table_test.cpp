@@ -19,10 +19,10 @@ TEST(OrganTable, HasOneRowAnOrganWithItsVolumeAtRestAndPosed) {
   writeOrganTable(folder / "t.csv", {{box, grown}, {cup, open.points}});
   EXPECT_EQ(tests::contentsOf(folder / "t.csv"),
             "name,vertices,triangles,closed,rest_ml,volume_ml,change_ml,change_percent,area_cm2,size_x_mm,"
-            "size_y_mm,size_z_mm,largest_displacement_mm\n"
+            "size_y_mm,size_z_mm,largest_displacement_mm,volume_rest_ml,chamber\n"
             "\"Box, \"\"large\"\"\",8,12,yes,1000.000000,1500.000000,500.000000,50.000000,800.000000,"
-            "100.000000,100.000000,150.000000,50.000000\n"
-            "Cup,8,11,no,,,,,19.000000,10.000000,20.000000,30.000000,0.000000\n");
+            "100.000000,100.000000,150.000000,50.000000,1000.000000,\n"
+            "Cup,8,11,no,,,,,19.000000,10.000000,20.000000,30.000000,0.000000,,\n");
 }
 
 } // namespace

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -35,6 +36,16 @@ double widestMm2(const heart::HeartCourse& course, HeartValve valve) {
   for (const ValveInstants& valves : course.valves)
     widest = std::max(widest, of(valves, valve).areaMm2);
   return widest;
+}
+
+/// The parts of a beat from the contraction of the atria; the last one goes on in the first.
+std::vector<sequences::Phase> fromAtria(std::vector<sequences::Phase> phases) {
+  phases.pop_back();
+  std::rotate(phases.begin(),
+              std::find_if(phases.begin(), phases.end(),
+                           [](const sequences::Phase& phase) { return phase.name == "atrial systole"; }),
+              phases.end());
+  return phases;
 }
 
 } // namespace
@@ -88,12 +99,13 @@ TEST(HeartValves, AreOpenWhereThePhasesAndTheNumbersSaySo) {
 /// The textbook's beat and that of a circulation begin alike.
 TEST(HeartValves, OfACirculationMoveInPhasesWithTheNamesOfTheTextbook) {
   const heart::HeartCourse course = courseOf(circulation::scenarioParameters("rest"));
-  const auto textbook = heart::CardiacCycle::phases(72);
-  ASSERT_EQ(course.phases.size(), textbook.size());
+  const auto found = fromAtria(course.phases), textbook = fromAtria(heart::CardiacCycle::phases(72));
+  ASSERT_EQ(found.size(), textbook.size());
   for (std::size_t i = 0; i < textbook.size(); ++i) {
-    EXPECT_EQ(course.phases[i].name.english(), textbook[i].name.english());
-    EXPECT_EQ(course.phases[i].group, textbook[i].group);
-    EXPECT_NEAR(course.phases[i].begin, textbook[i].begin, 0.12) << textbook[i].name.english();
+    EXPECT_EQ(found[i].name.english(), textbook[i].name.english());
+    EXPECT_EQ(found[i].group, textbook[i].group);
+    EXPECT_LT(std::abs(std::remainder(found[i].begin - textbook[i].begin, 1.0)), 0.12)
+        << textbook[i].name.english();
   }
 }
 

@@ -4,7 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include "phantom_scan.h"
 #include "session_fixture.h"
+#include "viscera/document/scan_item.h"
 
 namespace viscera::live {
 namespace {
@@ -98,6 +100,68 @@ TEST(LiveWarp, HasNoMapWhenItsSystemGoesWhileItIsBound) {
   ball.undo.perform(document::setSystem(before));
   ball.wait();
   EXPECT_EQ(ball.warp.problem().english(), "");
+}
+
+TEST(LiveWarp, MovesMeasuredPlacesAsItShowsTheScanAndOnlyWhileItDoes) {
+  BentBall ball;
+  EXPECT_EQ(ball.warp.posedOf(Vec3(3, 2, 5)), Vec3(3, 2, 5)) << "nothing is warped yet";
+  int changes = 0;
+  const Subscription counted = ball.warp.onChange([&] { ++changes; });
+  ball.warp.setWanted(true);
+  ball.undo.perform(document::moveHandles({ball.handle(8)}, tests::row(4, 6, 52)));
+  ball.wait();
+  const Vec3 rest(2, 1, 25), posed = ball.warp.posedOf(rest);
+  EXPECT_GT((posed - rest).norm(), 1);
+  EXPECT_LT((ball.restOf(posed) - rest).norm(), 0.05);
+  EXPECT_LT((ball.warp.restOf(posed) - rest).norm(), 0.05);
+  EXPECT_FALSE(tissueMotionOf(ball.warp)) << "without a scan a place stays where it is";
+  ball.undo.perform(document::openScan(
+      document::scanItem(tests::phantomScan({9, 9, 9}, Vec3(10, 10, 10), Vec3(-40, -40, -40),
+                                            tests::ballValue(Vec3::Zero(), 30)),
+                         {})));
+  ASSERT_TRUE(tissueMotionOf(ball.warp));
+  EXPECT_EQ(tissueMotionOf(ball.warp)(rest), posed);
+  document::MeasuredPoint point;
+  point.rest = rest;
+  document::Measurement distance;
+  distance.points = {point, point};
+  const document::TissueMotion kept = measuredTissueOf(ball.warp, {distance});
+  EXPECT_EQ(kept(rest), posed);
+  const int before = changes;
+  ball.warp.setWanted(false);
+  EXPECT_EQ(changes, before + 1) << "who measures has to know";
+  EXPECT_FALSE(tissueMotionOf(ball.warp));
+  EXPECT_EQ(kept(rest), posed) << "another thread has it for itself";
+}
+
+TEST(LiveWarp, BendsNoOrganInTheScanThatDoesNotBend) {
+  BentBall ball;
+  const document::OrganId soft = ball.organ();
+  ball.undo.perform(document::addOrgans({tests::ball("Left femur", 8, 3, Vec3(0, 0, 20))}));
+  const document::OrganId bone = ball.organ(1);
+  ASSERT_EQ(ball.document.organ(bone)->mobility, document::Mobility::rigid);
+  ball.warp.setWanted(true);
+  ball.undo.perform(document::moveHandles({ball.handle(8)}, tests::row(10, 0, 62)));
+  ball.wait();
+  const auto farthest = [&](document::OrganId organ) {
+    double most = 0;
+    const Points& rest = ball.document.organ(organ)->mesh->points;
+    for (Eigen::Index i = 0; i < rest.rows(); i += 5) {
+      const Vec3 place = ball.live.points(organ).row(i).transpose();
+      most = std::max(most, (ball.warp.restOf(place) - rest.row(i).transpose()).norm());
+    }
+    return most;
+  };
+  EXPECT_LT(farthest(bone), 1e-6) << "its image goes with its surface";
+  const std::uint64_t before = ball.warp.revision();
+  ball.undo.perform(document::moveHandles({ball.handle(8)}, tests::row(-8, 4, 58)));
+  EXPECT_LT(farthest(bone), 1e-6) << "in the next pose, too";
+  EXPECT_NE(ball.warp.revision(), before);
+  ball.undo.perform(document::setMobility({bone}, document::Mobility::bends));
+  ball.wait();
+  EXPECT_GT(farthest(bone) + farthest(soft), 0);
+  const Vec3 place = ball.live.points(bone).row(0).transpose();
+  EXPECT_LT((ball.warp.restOf(place) - ball.restOf(place)).norm(), 1e-9) << "as soft tissue now";
 }
 
 TEST(LiveWarp, CountsWhatThePoseFolds) {

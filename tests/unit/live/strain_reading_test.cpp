@@ -1,7 +1,9 @@
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <fstream>
 #include <set>
+#include <sstream>
 
 #include <gtest/gtest.h>
 
@@ -164,6 +166,19 @@ TEST(StrainReading, WritesWhatIsMeasured) {
   std::string head;
   std::getline(table, head);
   EXPECT_EQ(head.substr(0, 30), "time_s,gls_percent,gcs_percent");
+  std::istringstream cells(head);
+  std::set<std::string> columns;
+  for (std::string cell; std::getline(cells, cell, ',');)
+    EXPECT_TRUE(columns.insert(cell).second) << cell << " is there twice";
+  for (const std::string& column : columns) {
+    std::string plain;
+    for (const char letter : column) {
+      if (std::isupper(static_cast<unsigned char>(letter)) && !plain.empty() && plain.back() != '_')
+        plain += '_';
+      plain += static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
+    }
+    EXPECT_EQ(columns.count(plain), 1U) << column << " has no name in small letters beside it";
+  }
 }
 
 /// Vertices are counted as in the file, whatever has become of repeated ones.
@@ -245,6 +260,16 @@ TEST(StrainReading, VerticesOfTheLeftVentriclesWallKnowTheirSegments) {
   }
   EXPECT_GT(left, 0);
   EXPECT_GT(right, 0);
+  geometry::TriangleMesh stub = *organs.organs[0].mesh; // A vessel that leaves the surface there.
+  Eigen::Index tip = -1;
+  for (Eigen::Index row = 0; row < outer.rows() && tip < 0; ++row)
+    if (around[static_cast<std::size_t>(row)] > 0 && outer(row, 0) > 30)
+      tip = row;
+  ASSERT_GE(tip, 0);
+  stub.points.row(tip).head<2>() *= 4;
+  organs.organs[0].mesh = std::make_shared<const geometry::TriangleMesh>(stub);
+  const StrainGauge withStub(organs, fewWitnesses(), progress);
+  EXPECT_EQ(withStub.segmentsOn(0)[static_cast<std::size_t>(tip)], 0);
   std::set<int> inside(gauge.segmentsOn(1).begin(), gauge.segmentsOn(1).end());
   inside.erase(0);
   EXPECT_GE(inside.size(), 16U) << "the cap may lie beyond the tip of the cavity";

@@ -92,6 +92,21 @@ TEST_F(DicomScan, ReadsThePhantomInAllOrientations) {
   }
 }
 
+TEST_F(DicomScan, SaysWhoseItIsAndOfWhenWhereTheFilesDo) {
+  write(smallPhantom());
+  EXPECT_EQ(read().patientName + read().studyDate, "");
+  for (const auto& [written, name] : {std::pair("PNDoe^Jane^Mary^Dr", "Doe, Jane Mary Dr"),
+                                      std::pair("PNDoe", "Doe"), std::pair("PNDoe^^^Dr=x^y", "Doe, Dr")}) {
+    write(smallPhantom(), {}, [&who = written](DicomElements& elements, int) {
+      elements[0x00100010] = who;
+      elements[0x00080020] = "DA20240301";
+    });
+    const Scan scan = read();
+    EXPECT_EQ(scan.patientName, name);
+    EXPECT_EQ(scan.studyDate, "20240301");
+  }
+}
+
 TEST_F(DicomScan, SaysWhatTheHeadersSay) {
   write(smallPhantom());
   const Scan scan = read();

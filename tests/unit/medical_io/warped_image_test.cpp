@@ -4,6 +4,7 @@
 
 #include "bernstein_system.h"
 #include "label_files.h"
+#include "shapes.h"
 #include "starved_zlib.h"
 #include "temporary_folder.h"
 #include "viscera/coordinates/celestial/s_celestial.h"
@@ -157,6 +158,31 @@ TEST_F(WarpedImage, IsWithinATwentiethOfAVoxelOfTheInverseOfASmoothDeformation) 
       largestVoxelError(
           rulers, [](const Vec3& p) { return Vec3(tests::analyticInverse(p.x(), kBend), p.y(), p.z()); }),
       kWarpAccuracy);
+}
+
+TEST_F(WarpedImage, DoesNotBendWhatDoesNotBend) {
+  const tests::BernsteinSystem system;
+  const auto handles = tests::BernsteinSystem::lattice();
+  const deformation::InverseMap map(system, handles, tests::bentPose(handles, 25), {},
+                                    warpOptions(Vec3(3, 3, 3)), progress_);
+  const Vec3 middle(35, 50, 50);
+  const auto bone = std::make_shared<const geometry::TriangleMesh>(tests::sphere(3, 15, middle));
+  deformation::StiffBodies bodies({bone}, {}, progress_);
+  const Points posed = bone->points.rowwise() + Eigen::RowVector3d(11, 0, 2);
+  bodies.setPose({&posed}, map);
+  const Scan warped = warpedScan(rulerScan(0, -3, Vec3(3, 3, 3)), {map, system, &bodies}, report_, progress_);
+  int inside = 0;
+  for (int k = 0; k < warped.size[2]; ++k)
+    for (int j = 0; j < warped.size[1]; ++j)
+      for (int i = 0; i < warped.size[0]; ++i) {
+        const Vec3 place = warped.indexToLps * Vec3(i, j, k);
+        if ((place - Vec3(11, 0, 2) - middle).norm() > 14.5)
+          continue;
+        ++inside;
+        ASSERT_NEAR(warped.value(i, j, k), place.x() - 11, 1e-3) << place.transpose();
+      }
+  EXPECT_GT(inside, 300);
+  EXPECT_LT(report_.largestErrorMm, 3 * kWarpAccuracy) << "of the tissue, not of the bone";
 }
 
 TEST_F(WarpedImage, StaysWhereNothingMoves) {

@@ -275,6 +275,29 @@ TEST(SlicePresenter, DrawsWhatIsMeasuredOnTheSlicesThatItLiesIn) {
   EXPECT_TRUE(ball.slices.picture(0).texts.empty());
 }
 
+TEST(SlicePresenter, DrawsMeasuredPlacesWhereTheWarpedScanHasThem) {
+  ScannedBall ball;
+  document::MeasuredPoint from, to;
+  from.rest = Vec3(-10, 0, 5);
+  to.rest = Vec3(10, 0, 5);
+  ball.undo.perform(document::addMeasurement({from, to}));
+  const auto stretched = [](const Vec3& rest) { return Vec3(1.5 * rest.x(), rest.y(), rest.z()); };
+  Warping warping = shifted(Vec3::Zero(), 1);
+  warping.posed = stretched;
+  const SliceScene scene{ball.document.state(), ball.live, ball.view, &warping};
+  const auto words = [&] {
+    ball.slices.update(scene, {{0, 200, 160}});
+    return ball.slices.picture(0).texts.at(0).words;
+  };
+  EXPECT_EQ(words(), "Distance 1: 20.0 mm") << "the scan is as it was recorded";
+  ball.view.scan.warped = true;
+  EXPECT_EQ(words(), "Distance 1: 30.0 mm");
+  const medical_io::SliceFrame& frame = ball.slices.frame(0);
+  EXPECT_EQ(ball.slices.measuredAt(0, frame.pixelOf(stretched(to.rest)), 2),
+            (scene::MeasurementGlyphs::Mark{0, 1}));
+  EXPECT_FALSE(ball.slices.measuredAt(0, frame.pixelOf(to.rest), 2));
+}
+
 TEST(SlicePresenter, BreaksTheLineBehindValuesAlsoWhereSemicolonsDivideThem) {
   ScannedBall ball;
   document::MeasuredPoint from, to;

@@ -82,5 +82,34 @@ TEST(StrainFigure, OfTwoReadingsShowsTheDifferenceOfTheirPeaks) {
   EXPECT_DOUBLE_EQ(eye.range.low, -eye.range.high) << "white at zero";
 }
 
+/// Hatched is what the fit leaves less certain than its distance from the range, and a note says so.
+TEST(StrainFigure, HatchesPeaksThatAreUncertainAndDifferencesThatAreSmaller) {
+  live::StrainReading fitted = reading();
+  EXPECT_TRUE(
+      strainBullsEye(fitted, StrainDirection::longitudinal, StrainMoment::peak).sectors[kNone - 1].hatched);
+  fitted.deviations.emplace();
+  fitted.deviations->longitudinal.fill(0.015);
+  const auto eye = strainBullsEye(fitted, StrainDirection::longitudinal, StrainMoment::peak);
+  EXPECT_TRUE(eye.sectors[12].hatched) << "13 % is 0.4 from the range";
+  EXPECT_FALSE(eye.sectors[5].hatched) << "6 % is far from it";
+  EXPECT_FALSE(eye.note.empty());
+  live::StrainReading after = fitted;
+  for (strain::SegmentStrain& segment : after.strain.segments)
+    segment.longitudinal[1] -= segment.number < 9 ? 0.02 : 0.03;
+  const auto difference = strainDifference(after, fitted, StrainDirection::longitudinal);
+  EXPECT_TRUE(difference.sectors[5].hatched) << "2 points, of two fits that may be off by 1.5 each";
+  EXPECT_FALSE(difference.sectors[9].hatched);
+}
+
+TEST(StrainFigure, ThickeningIsDrawnLikeStrainAcrossTheWall) {
+  live::StrainReading made = reading();
+  for (strain::SegmentStrain& segment : made.strain.segments)
+    segment.thickening = {0, 0.4, 0.1};
+  const auto eye = strainBullsEye(made, StrainDirection::thickening, StrainMoment::peak);
+  EXPECT_NEAR(eye.sectors[3].value.value(), 40, 1e-9);
+  EXPECT_GT(eye.range.high, 40);
+  EXPECT_FALSE(strainBullsEye(reading(), StrainDirection::thickening, StrainMoment::peak).sectors[3].value);
+}
+
 } // namespace
 } // namespace viscera::presentation

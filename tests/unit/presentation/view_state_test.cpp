@@ -94,6 +94,13 @@ TEST(ViewStateJson, TheLookOfStrainComesBackAndOneThatIsNoneIsTheUsual) {
   ViewState view;
   view.strain = {true, true, live::StrainDirection::radial, live::StrainMoment::timeToPeak, 9};
   EXPECT_EQ(viewFromJson(toJson(view)).strain, view.strain);
+  view.strain.direction = live::StrainDirection::thickening;
+  view.strain.reference = 4;
+  view.strain.axesOf = {12};
+  view.strain.apex = Vec3(1, 2, 3.5);
+  EXPECT_EQ(viewFromJson(toJson(view)).strain, view.strain);
+  view.strain.base = view.strain.insertion = Vec3(-7, 0, 80);
+  EXPECT_EQ(viewFromJson(toJson(view)).strain, view.strain);
   EXPECT_FALSE(viewFromJson(toJson(view)) == ViewState());
   EXPECT_EQ(viewFromJson(R"({"format": 2})").strain, StrainLook());
   EXPECT_EQ(

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 #include "dicom/dicom_kinds.h"
 #include "dicom/dicom_load.h"
@@ -80,6 +81,23 @@ private:
   DcmItem& dataset_;
 };
 
+/// "Doe^Jane^Mary^Dr" as "Doe, Jane Mary Dr": of a name's writings the alphabetic one (PS3.5, 6.2.1).
+std::string readableName(std::string name) {
+  name.resize(std::min(name.find('='), name.size()));
+  std::string readable;
+  std::size_t parts = 0;
+  std::istringstream stream(name);
+  for (std::string part; std::getline(stream, part, '^');) {
+    while (!part.empty() && part.back() == ' ')
+      part.pop_back();
+    if (part.empty())
+      continue;
+    readable += (parts == 0 ? "" : parts == 1 ? ", " : " ") + part;
+    ++parts;
+  }
+  return readable;
+}
+
 class ElementReader {
 public:
   ElementReader(const std::filesystem::path& file, DcmFileFormat& format) : file_{file, {}}, format_(format) {
@@ -94,6 +112,8 @@ public:
     header_.frameOfReference = codeAt(dataset, DCM_FrameOfReferenceUID);
     header_.modality = codeAt(dataset, DCM_Modality);
     header_.description = textAt(dataset, dataset, DCM_SeriesDescription);
+    header_.patientName = readableName(textAt(dataset, dataset, DCM_PatientName));
+    header_.studyDate = codeAt(dataset, DCM_StudyDate);
     header_.rescaleType = codeAt(dataset, DCM_RescaleType);
     isSegmentation_ = isSegmentationClass(header_.classUid);
     header_.temporalResolutionMs = numberAt(dataset, DCM_TemporalResolution);

@@ -50,7 +50,8 @@ struct DicomHeader {
   std::filesystem::path file;
   std::string classUid, instanceUid, frameOfReference;
   std::string seriesUid, description, modality, transferSyntax;
-  bool packed = false; ///< Pixels are compressed.
+  std::string patientName, studyDate; ///< As `Scan` has them.
+  bool packed = false;                ///< Pixels are compressed.
   std::string rescaleType;
   int columns = 0, rows = 0;
   DicomPixelFormat format;

@@ -302,6 +302,8 @@ void describe(Scan& scan, const Folder& folder, const SliceGroup& group) {
   const DicomHeader& file = folder.list.files[folder.list.frames[group.frames[0]].file];
   scan.modality = file.modality;
   scan.description = file.description;
+  scan.patientName = file.patientName;
+  scan.studyDate = file.studyDate;
   scan.transferSyntax = file.transferSyntax;
   scan.window = file.window;
   scan.space = "LPS";

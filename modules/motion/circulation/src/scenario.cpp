@@ -65,7 +65,8 @@ const std::vector<Scenario>& scenarios() {
        1.3},
       {"aortic-stenosis",
        "Aortic stenosis",
-       "The aortic valve opens to 0.8 cm2: the pressure of the hypertrophied ventricle towers above that of "
+       "The aortic valve opens to 0.8 cm2: the pressure of the hypertrophied ventricle is far higher than "
+       "that of "
        "the aorta.",
        {{"aorticArea", 0.8}, {"lvEes", 2.8}, {"lvB", 0.0195}, {"lvTau", 0.05}, {"stressedVolume", 1060}},
        1.45},

@@ -26,14 +26,14 @@ std::vector<Crossing> crossingsOf(const Beat& beat, const std::vector<double>& o
   return crossings;
 }
 
-double wrapped(double seconds, double period) {
+double withinBeat(double seconds, double period) {
   return seconds - period * std::floor(seconds / period);
 }
 
 } // namespace
 
 double openSeconds(const ValveTimes& times, double period) {
-  return wrapped(times.shuts - times.opens, period);
+  return withinBeat(times.shuts - times.opens, period);
 }
 
 std::vector<ValveTimes> openTimes(const Beat& beat, Valve valve) {
@@ -46,7 +46,7 @@ std::vector<ValveTimes> openTimes(const Beat& beat, Valve valve) {
 }
 
 double bothShutSeconds(const ValveTimes& first, const ValveTimes& second, double period) {
-  const double after = wrapped(second.opens - first.shuts, period);
+  const double after = withinBeat(second.opens - first.shuts, period);
   return after > period / 2 ? 0 : after; // Else the second opens before the first shuts.
 }
 

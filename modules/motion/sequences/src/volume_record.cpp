@@ -40,15 +40,23 @@ std::vector<double> VolumeRecord::column(std::size_t column, double sinceSeconds
   return out;
 }
 
-void writeVolumeTable(const std::filesystem::path& file, const VolumeRecord& volumes) {
+void writeVolumeTable(const std::filesystem::path& file, const VolumeRecord& volumes,
+                      const std::vector<std::pair<std::string, std::size_t>>& wantedKeys) {
+  // With one surface the table is a volume curve, which has two columns.
+  const auto keys =
+      volumes.names().size() > 1 ? wantedKeys : std::vector<std::pair<std::string, std::size_t>>();
   writeAtomically(file, [&](std::ostream& stream) {
     stream << "time_s";
     for (const std::string& name : volumes.names())
       stream << ',' << csvField(name + "_ml");
+    for (const auto& [key, column] : keys)
+      stream << ',' << csvField(key + "_ml");
     stream << '\n' << std::setprecision(12);
     for (std::size_t row = 0; row < volumes.rows(); ++row) {
       stream << volumes.seconds(row);
       for (std::size_t column = 0; column < volumes.names().size(); ++column)
+        stream << ',' << volumes.milliliters(row, column);
+      for (const auto& [key, column] : keys)
         stream << ',' << volumes.milliliters(row, column);
       stream << '\n';
     }

@@ -4,13 +4,13 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-
-#include <Eigen/LU>
+#include <utility>
 
 #include "viscera/core/error.h"
 #include "viscera/core/phrase.h"
 #include "viscera/strain/surface_strain.h"
 #include "viscera/strain/valve_caps.h"
+#include "viscera/strain/wall_means.h"
 #include "viscera/strain/wall_measures.h"
 
 namespace viscera::strain {
@@ -119,9 +119,11 @@ public:
             around.push_back({&heart_.rightCavity->phases[phase], &heart_.rightCavity->triangles, nullptr});
           found[phase] = gauge.at(left.phases[phase], around);
         });
-    for (SegmentStrain& segment : result_.segments)
+    for (SegmentStrain& segment : result_.segments) {
       for (const auto& phase : found)
         segment.thicknessMm.push_back(phase[static_cast<std::size_t>(segment.number)]);
+      segment.thickening = changeFrom(segment.thicknessMm, heart_.reference);
+    }
   }
 
   void endocardium(bool asSegments, Threads threads) {
@@ -159,23 +161,17 @@ public:
 
   void material(const MovingWall& wall, Threads threads, Progress& progress) {
     const WallPoints& points = *wall.points;
-    std::vector<Eigen::Matrix3d> reference;
-    wall.gradientsAt(heart_.reference, reference);
-    std::vector<LocalAxes> axes(points.axes.size());
-    std::vector<bool> usable(points.axes.size());
-    for (std::size_t i = 0; i < axes.size(); ++i) {
-      axes[i] = carriedAxes(points.axes[i], reference[i]);
-      usable[i] = reference[i].determinant() > 0;
-      reference[i] = usable[i] ? Eigen::Matrix3d(reference[i].inverse()) : Eigen::Matrix3d::Identity();
-    }
-    std::vector<PhaseMeans> means(heart_.seconds.size());
+    std::vector<Eigen::Matrix3d> rest;
+    wall.gradientsAt(heart_.reference, rest);
+    const WallReference reference(points, std::move(rest));
+    std::vector<WallMeans> means(heart_.seconds.size());
     parallelRanges(static_cast<Eigen::Index>(means.size()), 1, threads,
                    [&](Eigen::Index begin, Eigen::Index) {
                      progress.throwIfCancelled();
                      const auto phase = static_cast<std::size_t>(begin);
                      std::vector<Eigen::Matrix3d> gradients;
                      wall.gradientsAt(phase, gradients);
-                     means[phase] = meansOf(points, axes, usable, reference, gradients);
+                     means[phase] = reference.meansAt(gradients);
                    });
     addMaterial(points, means);
   }
@@ -194,54 +190,27 @@ public:
   }
 
 private:
-  struct PhaseMeans {
-    std::array<double, kSegments + 1> longitudinal{}, circumferential{}, radial{}, volume{};
-  };
-
-  static PhaseMeans meansOf(const WallPoints& points, const std::vector<LocalAxes>& axes,
-                            const std::vector<bool>& usable, const std::vector<Eigen::Matrix3d>& reference,
-                            const std::vector<Eigen::Matrix3d>& gradients) {
-    PhaseMeans means;
-    for (std::size_t i = 0; i < axes.size(); ++i) {
-      if (!usable[i])
-        continue;
-      const WallStrain strain = strainAlong(gradients[i] * reference[i], axes[i]);
-      const double volume = points.volumes[static_cast<Eigen::Index>(i)];
-      for (const int place : {points.segments[i], 0}) {
-        const auto k = static_cast<std::size_t>(place);
-        means.volume[k] += volume;
-        means.longitudinal[k] += volume * engineering(strain.longitudinal);
-        means.circumferential[k] += volume * engineering(strain.circumferential);
-        means.radial[k] += volume * engineering(strain.radial);
-      }
-    }
-    for (std::size_t k = 0; k < means.volume.size(); ++k)
-      for (auto* values : {&means.longitudinal, &means.circumferential, &means.radial})
-        (*values)[k] = means.volume[k] > 0 ? (*values)[k] / means.volume[k] : kUnknown;
-    return means;
-  }
-
-  void addMaterial(const WallPoints& points, const std::vector<PhaseMeans>& means) {
+  void addMaterial(const WallPoints& points, const std::vector<WallMeans>& means) {
     for (SegmentStrain& segment : result_.segments) {
       const auto k = static_cast<std::size_t>(segment.number);
       segment.witnesses =
           static_cast<int>(std::count(points.segments.begin(), points.segments.end(), segment.number));
-      for (const PhaseMeans& phase : means) {
+      for (const WallMeans& phase : means) {
         segment.longitudinal.push_back(phase.longitudinal[k]);
         segment.circumferential.push_back(phase.circumferential[k]);
         segment.radial.push_back(phase.radial[k]);
       }
     }
-    const auto overall = [&means](const std::array<double, kSegments + 1> PhaseMeans::*values) {
+    const auto overall = [&means](const std::array<double, kSegments + 1> WallMeans::*values) {
       std::vector<double> curve;
-      for (const PhaseMeans& phase : means)
+      for (const WallMeans& phase : means)
         curve.push_back((phase.*values)[0]);
       return curve;
     };
-    result_.materialLongitudinal = asCurve("materialLongitudinal", overall(&PhaseMeans::longitudinal), false);
+    result_.materialLongitudinal = asCurve("materialLongitudinal", overall(&WallMeans::longitudinal), false);
     result_.materialCircumferential =
-        asCurve("materialCircumferential", overall(&PhaseMeans::circumferential), false);
-    result_.grs = asCurve("grs", overall(&PhaseMeans::radial), true);
+        asCurve("materialCircumferential", overall(&WallMeans::circumferential), false);
+    result_.grs = asCurve("grs", overall(&WallMeans::radial), true);
   }
 
   ContourStrain asCurve(const std::string& name, std::vector<double> curve, bool longest) const {

@@ -20,7 +20,7 @@ using geometry::TriangleMesh;
 constexpr Eigen::Index kFewestTriangles = 4;
 /// A fan around a hole of fewer edges might be any vertex of a mesh.
 constexpr int kFewestRimEdges = 7;
-/// How far the middle of a fan lies from the mean of its rim, as a part of the fan's radius.
+/// How far the middle of a fan lies from a mean of its rim, as a part of the fan's radius.
 constexpr double kFanTolerance = 1e-4;
 /// Smaller fans close no valve: a part of the surface's area.
 constexpr double kSmallestCap = 0.007;
@@ -57,6 +57,24 @@ std::set<std::int32_t> rimAround(const TriangleMesh& mesh, const geometry::Verte
   return rim;
 }
 
+/// The mean of a fan's rim, weighted by the lengths of its edges, as `geometry::closeHoles` takes it.
+Vec3 meanByEdges(const TriangleMesh& mesh, const geometry::VertexTriangles& around, std::size_t vertex) {
+  Vec3 sum = Vec3::Zero();
+  double length = 0;
+  for (std::int32_t i = around.first[vertex]; i < around.first[vertex + 1]; ++i) {
+    const auto triangle = mesh.triangles.row(around.items[static_cast<std::size_t>(i)]);
+    for (int k = 0; k < 3; ++k) {
+      const std::int32_t from = triangle[k], to = triangle[(k + 1) % 3];
+      if (static_cast<std::size_t>(from) == vertex || static_cast<std::size_t>(to) == vertex)
+        continue;
+      const double edge = (mesh.points.row(to) - mesh.points.row(from)).norm();
+      sum += edge * (mesh.points.row(from) + mesh.points.row(to)).transpose() / 2;
+      length += edge;
+    }
+  }
+  return length > 0 ? Vec3(sum / length) : sum;
+}
+
 ValveCaps fanCaps(const TriangleMesh& mesh, const Facets& facets) {
   ValveCaps caps;
   caps.triangles.assign(static_cast<std::size_t>(mesh.triangles.rows()), false);
@@ -77,7 +95,8 @@ ValveCaps fanCaps(const TriangleMesh& mesh, const Facets& facets) {
     double radius = 0;
     for (const std::int32_t point : rim)
       radius = std::max(radius, (mesh.points.row(point).transpose() - mean).norm());
-    if ((middle - mean).norm() > kFanTolerance * radius)
+    if (std::min((middle - mean).norm(), (middle - meanByEdges(mesh, around, vertex)).norm()) >
+        kFanTolerance * radius)
       continue;
     Vec3 area = Vec3::Zero();
     for (std::int32_t i = around.first[vertex]; i < around.first[vertex + 1]; ++i)

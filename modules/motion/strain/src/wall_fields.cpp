@@ -16,6 +16,7 @@
 #include "viscera/core/phrase.h"
 #include "viscera/strain/aha_segments.h"
 #include "viscera/strain/valve_caps.h"
+#include "viscera/strain/wall_measures.h"
 
 namespace viscera::strain {
 namespace {
@@ -32,6 +33,9 @@ constexpr double kTipHeight = 0.95, kTipRadius = 0.06;
 constexpr double kEndLayer = 0.03;
 /// Deeper points lie in the right ventricle's free wall, where both sides have depth 1.
 constexpr double kDeepest = 0.985;
+/// Tissue that is farther from the cavity than this times the thickness which this part of a segment's wall
+/// does not exceed belongs to something else: fat of a groove, the root of a vessel, an auricle.
+constexpr double kThickest = 1.1, kThickPart = 0.75;
 /// Keeps a piece without boundary values solvable, as a part of the mean stiffness.
 constexpr double kRegular = 1e-12;
 constexpr Eigen::Index kGrain = 256;
@@ -211,6 +215,62 @@ Values boundaryAlong(const WitnessMesh& mesh, const Values& heights, const Heart
 
 } // namespace
 
+std::array<double, kSegments + 1> reachOfSegments(const WallSurfaces& surfaces, const HeartAxes& axes,
+                                                  const std::vector<bool>& cap, Threads threads) {
+  const OpenSurface outer(surfaces.outer->points, surfaces.outer->triangles,
+                          valveCaps(*surfaces.outer, -axes.down()).triangles);
+  std::optional<OpenSurface> right;
+  if (surfaces.rightCavity)
+    right.emplace(surfaces.rightCavity->points, surfaces.rightCavity->triangles);
+  const Points& endocardium = surfaces.leftCavity->points;
+  const std::vector<bool> onWall = verticesOf(endocardium.rows(), surfaces.leftCavity->triangles, cap);
+  Values thickness(endocardium.rows());
+  parallelRanges(endocardium.rows(), kGrain, threads, [&](Eigen::Index begin, Eigen::Index end) {
+    for (Eigen::Index row = begin; row < end; ++row) {
+      const Vec3 place = endocardium.row(row).transpose();
+      thickness[row] = outer.distanceTo(place);
+      if (right)
+        thickness[row] = std::min(thickness[row], right->distanceTo(place));
+    }
+  });
+  std::array<std::vector<double>, kSegments + 1> found;
+  for (Eigen::Index row = 0; row < thickness.size(); ++row)
+    if (onWall[static_cast<std::size_t>(row)])
+      found[static_cast<std::size_t>(segmentOf(axes, endocardium.row(row).transpose()))].push_back(
+          thickness[row]);
+  std::array<double, kSegments + 1> reach;
+  reach.fill(std::numeric_limits<double>::infinity());
+  for (std::size_t segment = 1; segment < found.size(); ++segment)
+    if (!found[segment].empty()) {
+      const auto thick = found[segment].begin() +
+                         static_cast<std::ptrdiff_t>(kThickPart * static_cast<double>(found[segment].size()));
+      std::nth_element(found[segment].begin(), thick, found[segment].end());
+      reach[segment] = kThickest * *thick;
+    }
+  return reach;
+}
+
+namespace {
+
+/// The segment of each node within the reach of its wall, 0 elsewhere.
+std::vector<int> segmentsOfWall(const WitnessMesh& mesh, const WallSurfaces& surfaces, const HeartAxes& axes,
+                                const std::vector<bool>& cap, Threads threads) {
+  const OpenSurface inner(surfaces.leftCavity->points, surfaces.leftCavity->triangles, cap);
+  const std::array<double, kSegments + 1> reach = reachOfSegments(surfaces, axes, cap, threads);
+  std::vector<int> segments(static_cast<std::size_t>(mesh.points.rows()), 0);
+  parallelRanges(mesh.points.rows(), kGrain, threads, [&](Eigen::Index begin, Eigen::Index end) {
+    for (Eigen::Index node = begin; node < end; ++node) {
+      const Vec3 place = mesh.points.row(node).transpose();
+      const int segment = segmentOf(axes, place);
+      if (segment != 0 && inner.distanceTo(place) <= reach[static_cast<std::size_t>(segment)])
+        segments[static_cast<std::size_t>(node)] = segment;
+    }
+  });
+  return segments;
+}
+
+} // namespace
+
 WallPoints wallPoints(const WitnessMesh& mesh, const WallSurfaces& surfaces, const HeartAxes& axes,
                       const std::vector<bool>& cap, Progress& progress, Threads threads) {
   Values heights(mesh.points.rows());
@@ -233,12 +293,13 @@ WallPoints wallPoints(const WitnessMesh& mesh, const WallSurfaces& surfaces, con
   for (const Element& element : elements)
     for (const Eigen::Index node : element.corners)
       volumes[node] += element.volume / 4;
+  const std::vector<int> segments = segmentsOfWall(mesh, surfaces, axes, cap, threads);
   WallPoints wall;
   std::vector<double> depths, shares;
   for (Eigen::Index node = 0; node < mesh.witnesses; ++node) {
     const bool inWall =
         given.size() > node && std::isnan(given[node]) && depth[node] > 0 && depth[node] < kDeepest;
-    const int segment = inWall ? segmentOf(axes, mesh.points.row(node).transpose()) : 0;
+    const int segment = inWall ? segments[static_cast<std::size_t>(node)] : 0;
     const Vec3 across = radial.row(node).transpose();
     if (segment == 0 || !(across.norm() > 0))
       continue;

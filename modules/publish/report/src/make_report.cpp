@@ -12,6 +12,7 @@
 #include "viscera/core/error.h"
 #include "viscera/core/text.h"
 #include "viscera/document/axes_commands.h"
+#include "viscera/document/scan_item.h"
 #include "viscera/document/tables.h"
 #include "viscera/geometry/volume.h"
 #include "viscera/presentation/presenter.h"
@@ -73,6 +74,23 @@ std::string systemOf(const ReportSource& source) {
   return text;
 }
 
+/// A date of DICOM as people of the language write it.
+std::string readableDate(const std::string& date) {
+  const QDate known = QDate::fromString(QString::fromStdString(date), QStringLiteral("yyyyMMdd"));
+  return known.isValid() ? QLocale().toString(known, QLocale::LongFormat).toStdString() : date;
+}
+
+/// Whose scan it is, and of when, where its file says that.
+void addPatient(const ReportSource& source, Table& table) {
+  if (!source.state.scan)
+    return;
+  const medical_io::Scan& scan = *source.state.scan->scan;
+  if (!scan.patientName.empty())
+    table.rows.push_back({said("Patient"), scan.patientName});
+  if (!scan.studyDate.empty())
+    table.rows.push_back({said("Study date"), readableDate(scan.studyDate)});
+}
+
 Table summary(const ReportSource& source) {
   const auto& organs = *source.state.organs;
   const auto shown =
@@ -82,6 +100,7 @@ Table summary(const ReportSource& source) {
     count += ", " + said("%1 of them shown", std::to_string(shown));
   Table table;
   table.numbers = {false, false};
+  addPatient(source, table);
   if (!source.file.empty())
     table.rows.push_back({said("File"), std::filesystem::path(source.file).filename().string()});
   table.rows.push_back({said("Organs"), count});
@@ -158,9 +177,10 @@ std::string rowTitle(const document::MeasurementRow& row) {
 
 Section measurements(const ReportSource& source) {
   Section section{said("Measurements"), {}};
-  const auto rows = document::measurementRows(source.state, [&](document::OrganId organ) -> const Points& {
-    return *source.organs->sharedPoints(organ);
-  });
+  const auto rows = document::measurementRows(
+      source.state,
+      [&](document::OrganId organ) -> const Points& { return *source.organs->sharedPoints(organ); },
+      source.tissue);
   Table table;
   table.head = {said("Name"),       said("Kind"), said("Measured on"),
                 said("Rest shape"), said("Now"),  said("Change")};

@@ -4,6 +4,7 @@
 
 #include "viscera/heart/beating_heart.h"
 #include "viscera/presentation/presenter.h"
+#include "viscera/presentation/slice_presenter.h"
 #include "viscera/presentation/stage.h"
 #include "viscera/scene/picture.h"
 #include "viscera/scene/surfaceless_window.h"
@@ -58,6 +59,9 @@ PictureGrid pictureAsSeen(const ReportSource& source, Threads threads) {
   const presentation::ViewState view = plainView(source.view);
   presentation::Stage stage = stageOf(kWide, threads);
   presentation::Scene scene{source.state, *source.organs, view, *source.systems};
+  const presentation::Warping measuredOnly{{}, 0, source.tissue};
+  if (source.tissue && !view.scan.standing) // Slices stand in the picture as the scan was recorded.
+    scene.warping = &measuredOnly;
   const auto& playing = source.view.playing;
   if (source.sequence && playing && playing->shown && playing->ratePerMinute > 0)
     scene.valves = heart::valvesAt(*source.sequence, playing->fraction * 60 / playing->ratePerMinute,

@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <numbers>
+#include <vector>
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
@@ -8,6 +10,7 @@
 #include "shapes.h"
 #include "thick_cylinder.h"
 #include "viscera/core/error.h"
+#include "viscera/geometry/close_holes.h"
 #include "viscera/strain/aha_segments.h"
 #include "viscera/strain/heart_axes.h"
 #include "viscera/strain/valve_caps.h"
@@ -99,6 +102,31 @@ TEST(ValveCaps, AreAllFansAndTheLargestIsTheMitralOne) {
   const ValveCaps caps = valveCaps(tests::closedTube(20, 0, 90, 32, 20));
   EXPECT_EQ(caps.caps, 2);
   EXPECT_EQ(std::count(caps.triangles.begin(), caps.triangles.end(), true), 64);
+}
+
+/// A reader puts the middle of a cap at the mean of the rim's edges, so that an uneven rim does not pull it.
+TEST(ValveCaps, AreThoseThatAReaderHasClosed) {
+  TriangleMesh open = tests::ventricle(20, 80);
+  for (Eigen::Index row = 0; row < open.points.rows(); ++row) {
+    const double x = open.points(row, 0), y = open.points(row, 1);
+    const double turn = 0.6 * std::sin(std::atan2(y, x)); // Vertices crowd on one side.
+    open.points.row(row) << x * std::cos(turn) - y * std::sin(turn), x * std::sin(turn) + y * std::cos(turn),
+        open.points(row, 2);
+  }
+  constexpr std::int32_t kMiddle = 48 * 40;
+  std::vector<Eigen::RowVector3i> wall;
+  for (Eigen::Index t = 0; t < open.triangles.rows(); ++t)
+    if ((open.triangles.row(t).array() != kMiddle).all())
+      wall.emplace_back(open.triangles.row(t));
+  open.triangles.resize(static_cast<Eigen::Index>(wall.size()), 3);
+  for (std::size_t t = 0; t < wall.size(); ++t)
+    open.triangles.row(static_cast<Eigen::Index>(t)) = wall[t];
+  const TriangleMesh closed = geometry::closeHoles(open).mesh;
+  const ValveCaps caps = valveCaps(closed);
+  EXPECT_EQ(caps.caps, 1);
+  EXPECT_EQ(std::count(caps.triangles.begin(), caps.triangles.end(), true), 48);
+  const FoundAxes found = findAxes(closed, nullptr);
+  EXPECT_LT((found.axes.apex() - Vec3(0, 0, 80)).norm(), 1e-9);
 }
 
 TEST(ValveCaps, OfASphereIsSomethingSmall) {

@@ -134,6 +134,19 @@ TEST(HeartStrain, MeasuresTheThicknessBetweenBothSurfaces) {
     EXPECT_NEAR(strain.segment(number).thicknessMm[0], 9.8, 0.5) << number;
 }
 
+/// A wall that narrows as a whole becomes thinner as much as it narrows: against any phase as reference.
+TEST(HeartStrain, ThickeningIsTheChangeOfTheThicknessAgainstTheReference) {
+  BeatingHeart beating({.narrowing = 0.3, .shortening = 0.3, .twist = 0});
+  const HeartStrain strain = beating.measured(Vec3(-10, -20, 40));
+  beating.heart.reference = 4;
+  const HeartStrain fromTheMiddle = beating.measured(Vec3(-10, -20, 40));
+  for (int number = 7; number <= 12; ++number) {
+    EXPECT_NEAR(strain.segment(number).thickening[4], -0.3, 1e-9) << number;
+    EXPECT_NEAR(fromTheMiddle.segment(number).thickening[0], 1 / 0.7 - 1, 1e-9) << number;
+    EXPECT_NEAR(fromTheMiddle.segment(number).thickening[4], 0, 1e-12) << number;
+  }
+}
+
 TEST(HeartStrain, TakesListsOfVerticesInThePlaceOfContoursThatAreFound) {
   const BeatingHeart beating({.narrowing = 0.25, .shortening = 0, .twist = 0});
   ListedContour ring{"base", "LV", {}, true};

@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 #include <gtest/gtest.h>
 
@@ -67,6 +69,37 @@ TEST(WallFields, DoNotDependOnTheNumberOfThreads) {
   ASSERT_EQ(one.rows, four.rows);
   EXPECT_EQ(one.depth, four.depth);
   EXPECT_EQ(one.segments, four.segments);
+}
+
+/// As fat in a groove or the root of a vessel widens a heart's surface somewhere.
+TEST(WallFields, ReachAsFarAsMostOfASegmentsWall) {
+  FoundWall wall;
+  const double thickness = wall.tube.outer - wall.tube.inner;
+  const auto reach = [&wall] { return reachOfSegments({&wall.inner, &wall.outer, nullptr}, wall.axes, {}); };
+  const auto even = reach();
+  for (int segment = 1; segment <= 6; ++segment)
+    EXPECT_NEAR(even[static_cast<std::size_t>(segment)], 1.1 * thickness, 0.03 * thickness) << segment;
+  for (Eigen::Index row = 0; row < wall.outer.points.rows(); ++row) {
+    auto place = wall.outer.points.row(row);
+    if (std::abs(std::atan2(place.y(), place.x())) < 0.14)
+      place.head<2>() *= 2;
+  }
+  const auto uneven = reach();
+  for (int segment = 1; segment <= 6; ++segment)
+    EXPECT_NEAR(uneven[static_cast<std::size_t>(segment)], 1.1 * thickness, 0.05 * thickness) << segment;
+}
+
+TEST(WallFields, LeaveOutTissueBeyondTheOuterSurface) {
+  const FoundWall wall;
+  const double middle = (wall.tube.inner + wall.tube.outer) / 2;
+  const geometry::TriangleMesh thin = tests::closedTube(middle, 0, wall.tube.length, 48, 30);
+  Progress progress;
+  const WallPoints points = wallPoints(wall.mesh, {&wall.inner, &thin, nullptr}, wall.axes, {}, progress);
+  ASSERT_GT(points.count(), 1000);
+  double farthest = 0;
+  for (const std::int32_t row : points.rows)
+    farthest = std::max(farthest, wall.mesh.points.row(row).head<2>().norm());
+  EXPECT_LT(farthest, wall.tube.inner + 1.15 * (middle - wall.tube.inner));
 }
 
 TEST(WallFields, RefuseTissueThatIsNotBetweenTheSurfaces) {

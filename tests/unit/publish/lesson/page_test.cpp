@@ -205,7 +205,7 @@ TEST(Page, IsShortEnoughToRead) {
         ++lines;
     }
   EXPECT_GT(lines, 300u);
-  EXPECT_LE(lines, 760u);
+  EXPECT_LE(lines, 790u); // The bull's eye of strain has 30.
 }
 
 TEST(Page, IsWrittenWholeOrNotAtAll) {

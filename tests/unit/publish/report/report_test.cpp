@@ -4,9 +4,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "phantom_scan.h"
 #include "report_scene.h"
 #include "viscera/core/error.h"
 #include "viscera/core/text.h"
+#include "viscera/document/scan_item.h"
 #include "viscera/document/stress_mark_commands.h"
 #include "viscera/live/cycle_curves.h"
 #include "viscera/live/strain_reading.h"
@@ -41,6 +43,37 @@ TEST(Report, TellsVolumesAtRestNowChangeAndLockAndWhatIsMeasured) {
   ASSERT_NE(measured, nullptr);
   EXPECT_THAT(tablesOf(*measured).at(0).rows.at(0),
               ElementsAre("Long axis", "distance", "-", "50.0 mm", "50.0 mm", "0.0"));
+}
+
+TEST(Report, NamesThePatientAndTheDateOfTheStudyWhereTheScanDoes) {
+  ReportedSession session;
+  const auto rowsOf = [&](const std::string& name, const std::string& date) {
+    medical_io::Scan scan = tests::phantomScan({9, 9, 9}, Vec3(10, 10, 10), Vec3(-40, -40, -40),
+                                               tests::ballValue(Vec3::Zero(), 30));
+    scan.patientName = name;
+    scan.studyDate = date;
+    session.undo.perform(document::openScan(document::scanItem(std::move(scan), {})));
+    const report::Report report = session.report(session.source());
+    return std::get<report::Table>(report.sections.front().blocks.front()).rows;
+  };
+  const auto known = rowsOf("Doe, Jane", "20240301");
+  EXPECT_THAT(known.at(0), ElementsAre("Patient", "Doe, Jane"));
+  EXPECT_EQ(known.at(1).at(0), "Study date");
+  EXPECT_NE(known.at(1).at(1).find("2024"), std::string::npos) << known.at(1).at(1);
+  EXPECT_EQ(rowsOf("", "spring").at(0), (std::vector<std::string>{"Study date", "spring"}));
+  EXPECT_EQ(rowsOf("", "").at(0).at(0), "Organs");
+}
+
+TEST(Report, TakesTheMotionOfTheWarpedScanForWhatIsMeasuredOnIt) {
+  ReportedSession session;
+  document::MeasuredPoint from, to;
+  to.rest = {30, 40, 0};
+  session.undo.perform(document::addMeasurement({from, to}, "Long axis"));
+  report::ReportSource source = session.source();
+  source.tissue = [](const Vec3& rest) { return Vec3(2 * rest); };
+  const report::Report report = session.report(source);
+  EXPECT_THAT(tablesOf(*sectionOf(report, "Measurements")).at(0).rows.at(0),
+              ElementsAre("Long axis", "distance", "-", "50.0 mm", "100.0 mm", "+50.0"));
 }
 
 TEST(Report, DrawsSixSidesAndTheViewAndLeavesOutWhatThereIsNot) {

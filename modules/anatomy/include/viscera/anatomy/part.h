@@ -1,9 +1,12 @@
 #pragma once
 
 #include <compare>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "viscera/anatomy/norms.h"
 #include "viscera/core/arrays.h"
@@ -58,6 +61,10 @@ std::optional<Part> chamberNamed(std::string_view name);
 /// The key of that chamber in JSON and in Python, one for all names of it: "lv", "rv", "la" or "ra"; empty
 /// for all else.
 std::string chamberKey(std::string_view name);
+
+/// The chambers among surfaces' names by their keys, each with the place of the first name that means it;
+/// without those whose key is itself one of the names.
+std::vector<std::pair<std::string, std::size_t>> chamberKeys(const std::vector<std::string>& names);
 
 /// The colour of the part that a name means, red, green and blue from 0 to 1. Of several organs, the first
 /// one's; of "tumour" without an organ, that of a lesion. None for other names.

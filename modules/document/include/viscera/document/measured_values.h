@@ -20,7 +20,7 @@ struct DocumentState;
 struct MeasuredValues {
   double rest = 0; ///< mm or degrees, at rest; of a region the mean, NaN where the scan has no values. Of a
                    ///< gap 0 where the surfaces touch or cross.
-  double now = 0;  ///< With the organs' points as they are given; of a region as at rest.
+  double now = 0;  ///< With organs and tissue where they are given; of a region as at rest.
   std::vector<Vec3> places; ///< Where its points are now, mm, LPS.
   /// For a region, if there is a scan: the statistics of its recorded values, without deformation by the
   /// pose.
@@ -30,8 +30,19 @@ struct MeasuredValues {
 /// Returns an organ's present points, `n x 3` mm; called for organs of the document only.
 using PointsOf = std::function<const Points&(OrganId)>;
 
-/// Where a point is now, mm, LPS; at rest where its organ is not in the document. O(1).
-Vec3 placeNow(const MeasuredPoint& point, const DocumentState& state, const PointsOf& pointsOf);
+/// Where the tissue of the scan that is at a place at rest is shown now, mm, LPS. Empty where the scan is
+/// shown as it was recorded.
+using TissueMotion = std::function<Vec3(const Vec3& rest)>;
+
+/// Where a point is now, mm, LPS. A point on no organ stays, or goes with the tissue of a scan that is shown
+/// warped; one whose organ is not in the document is at rest. O(1).
+Vec3 placeNow(const MeasuredPoint& point, const DocumentState& state, const PointsOf& pointsOf,
+              const TissueMotion& tissue = {});
+
+/// Where the points of a measurement are now, as many as it has so far. A region keeps its size and shape, by
+/// which the scan is measured, and goes with the tissue at its first point.
+std::vector<Vec3> placesNow(const Measurement& measurement, const DocumentState& state,
+                            const PointsOf& pointsOf, const TissueMotion& tissue = {});
 
 /// A cache for what takes longer to measure than a frame may: the statistics of regions of a scan, and the
 /// arranged surfaces of organs whose gap is measured. For one thread.
@@ -80,7 +91,7 @@ double measuredValue(const std::vector<Vec3>& places);
 /// have stays at its place at rest. O(organs), of a region that `memory` does not have O(its voxels), of a
 /// gap O(points of both organs), and once O(m log m).
 MeasuredValues measure(const Measurement& measurement, const DocumentState& state, const PointsOf& pointsOf,
-                       MeasuringMemory* memory = nullptr);
+                       MeasuringMemory* memory = nullptr, const TissueMotion& tissue = {});
 
 /// The region of a rectangle or a sphere; none for the other kinds.
 std::optional<medical_io::Region> regionOf(const Measurement& measurement);

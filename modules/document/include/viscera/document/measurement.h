@@ -16,7 +16,7 @@ struct Organ;
 /// it.
 struct MeasuredPoint {
   Vec3 rest = Vec3::Zero();    ///< At rest, mm, LPS.
-  OrganId organ;               ///< The organ on whose surface it lies; none for a fixed place.
+  OrganId organ;               ///< The organ on whose surface it lies; none for a place of the scan.
   int triangle = -1;           ///< Row of that organ's triangles.
   Vec3 weights = Vec3::Zero(); ///< Barycentric, of the triangle's corners; their sum is 1.
 
@@ -27,8 +27,8 @@ enum class MeasurementKind { distance, angle, rectangle, sphere, gap };
 
 /// A measurement of the document: the distance of two points; the angle at the middle one of three; the
 /// values of the scan in a rectangle between two corners of a slice, or in a sphere around the first point
-/// through the second. The points of these two are on no organ: the scan stays where it is. A gap is the
-/// shortest way between the surfaces of the two organs that its points are on, wherever they are nearest.
+/// through the second. The points of these two are on no organ. A gap is the shortest way between the
+/// surfaces of the two organs that its points are on, wherever they are nearest.
 struct Measurement {
   MeasurementId id;
   std::string name;

@@ -20,8 +20,9 @@ struct PosedOrgan {
 /// Writes volumes and sizes of organs as comma-separated values, one row each: `name`, `vertices`,
 /// `triangles`, `closed` (yes or no), `rest_ml`, `volume_ml`, `change_ml`, `change_percent` (empty for an
 /// open surface), `area_cm2`, `size_x_mm`, `size_y_mm`, `size_z_mm`, `largest_displacement_mm`; all but
-/// `rest_ml` in the pose. Six decimals, always with a point. A reader sees the old file or the whole new one.
-/// Throws `CannotCreateError`.
+/// `rest_ml` in the pose; `volume_rest_ml`, the same as `rest_ml` under the name that JSON and Python have,
+/// and `chamber` ("lv", "rv", "la", "ra", or empty). Six decimals, always with a point. A reader sees the old
+/// file or the whole new one. Throws `CannotCreateError`.
 void writeOrganTable(const std::filesystem::path& file, const std::vector<PosedOrgan>& organs);
 
 /// A measurement with its value, for one row of a table.
@@ -32,8 +33,9 @@ struct MeasurementRow {
   std::vector<std::string> organs; ///< The names of its points' organs; empty for a place that stays.
 };
 
-/// The rows of all measurements of a document, in their order.
-std::vector<MeasurementRow> measurementRows(const DocumentState& state, const PointsOf& pointsOf);
+/// The rows of all measurements of a document, in their order; `tissue` as for `measure`.
+std::vector<MeasurementRow> measurementRows(const DocumentState& state, const PointsOf& pointsOf,
+                                            const TissueMotion& tissue = {});
 
 /// Writes measurements as comma-separated values, one row each: `name`, `kind` (distance, angle, rectangle or
 /// sphere), `value_at_rest`, `value_now` (of a rectangle or a sphere the mean), `unit` (mm, deg, or the

@@ -16,6 +16,7 @@
 #include "viscera/live/patient_motion.h"
 #include "viscera/live/sequence_file.h"
 #include "viscera/strain/heart_strain.h"
+#include "viscera/strain/wall_means.h"
 
 /// Reads the strain of a heart from its motion.
 namespace viscera::live {
@@ -74,6 +75,9 @@ struct StrainReading {
   std::string left, right, outer, atrium; ///< Names of surfaces; empty: there is none.
   int witnesses = 0;                      ///< In the left ventricle's wall.
   std::optional<bool> corresponding;      ///< As in `MovedOrgans`.
+  /// The standard deviations of the segments' strain at the peak of GLS that follow from the errors of the
+  /// motion's fit; none where the motion was not fitted to points that are known.
+  std::optional<strain::WallMeans> deviations;
   std::vector<Text> warnings;
 
   /// Whether a segment's numbers may be read: enough witness points, and material points that are known.
@@ -97,8 +101,9 @@ public:
               Threads threads = {});
 
   /// Measures the poses of `moved`, which has the same organs and handles, or its measured surfaces; against
-  /// the phase `reference` where it is given, else as the options say. A phase takes milliseconds. Throws
-  /// what `strain::heartStrain` throws.
+  /// the phase `reference` where it is given, else as the options say. A phase takes milliseconds; a motion
+  /// that was fitted to known points a second more, for the deviations of its segments. Throws what
+  /// `strain::heartStrain` throws.
   StrainReading read(const MovedOrgans& moved, Progress& progress, Threads threads = {},
                      std::optional<std::size_t> reference = std::nullopt) const;
 
@@ -115,19 +120,38 @@ private:
 StrainReading readStrain(const MovedOrgans& organs, const StrainOptions& options, Progress& progress,
                          Threads threads = {});
 
-/// The direction of the strain of a segment.
-enum class StrainDirection { longitudinal, circumferential, radial };
+/// The direction of the strain of a segment; thickening is that of the wall between both its surfaces.
+enum class StrainDirection { longitudinal, circumferential, radial, thickening };
 
 /// What is taken from a segment's curve.
 enum class StrainMoment { peak, instant, timeToPeak };
 
-/// The curve of a segment, a part for each phase; empty across the wall where no wall is known.
+/// The curve of a segment, a part for each phase; empty across the wall where no wall is known, and of the
+/// thickness where no outer surface is.
 const std::vector<double>& strainCurve(const strain::SegmentStrain& segment, StrainDirection direction);
 
 /// The value of a segment, 1 to 17: per cent, or ms of a time to peak; `phase` counts for an instant only.
-/// None for a segment with too few points, and across the wall where no wall is known.
+/// None for a segment with too few points, and where `strainCurve` is empty or was not measured.
 std::optional<double> strainValue(const StrainReading& reading, int segment, StrainDirection direction,
                                   StrainMoment moment, std::size_t phase = 0);
+
+/// How far a segment's peak may be off by the errors of the motion's fit: a standard deviation, in points of
+/// per cent. None where it is not known.
+std::optional<double> strainDeviation(const StrainReading& reading, int segment, StrainDirection direction);
+
+/// Whether a segment's peak may be read against the range of healthy adults: `StrainReading::reliable`, and
+/// where its deviation is known that is not larger than the distance from the nearer end of the range.
+bool reliablePeak(const StrainReading& reading, int segment, StrainDirection direction);
+
+/// Thickness (mm, in the reference phase) and thickening (per cent, the most) of a segment's wall.
+struct WallThickness {
+  double millimeters = 0, thickeningPercent = 0;
+};
+/// None where no outer surface is known, and for segments that were not measured.
+std::optional<WallThickness> wallThickness(const StrainReading& reading, int segment);
+
+/// The largest of degrees over the phases, by its size, with its sign: the twist, the torsion. None for none.
+std::optional<double> largestTurn(const std::vector<double>& degrees);
 
 /// Everything as one JSON object: the keys of `viscera strain --json` (docs/strain.md).
 std::string strainJson(const StrainReading& reading);

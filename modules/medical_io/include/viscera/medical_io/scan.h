@@ -63,6 +63,8 @@ struct Scan {
   std::string modality;              ///< "CT", "MR", "PT", ...; empty when the file does not say.
   std::string unit;                  ///< "HU" for a CT; else empty.
   std::string description;           ///< Of the series; empty when the file does not say.
+  std::string patientName;           ///< DICOM: "Doe, Jane"; else empty. Written to reports only.
+  std::string studyDate;             ///< DICOM: "20240301", year, month and day; else empty. The same.
   std::string space;                 ///< "RAS" or "LPS" (or another): what the file was written in.
   std::string transferSyntax;        ///< DICOM: how the pixels were packed, in words; else empty.
   std::vector<double> phaseTimesMs;  ///< Times of all phases of the series; empty for one.

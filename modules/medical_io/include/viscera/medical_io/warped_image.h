@@ -1,6 +1,7 @@
 #pragma once
 
 #include "viscera/deformation/inverse_map.h"
+#include "viscera/deformation/stiff_bodies.h"
 #include "viscera/medical_io/label_map.h"
 #include "viscera/medical_io/scan.h"
 
@@ -13,10 +14,11 @@ inline constexpr double kWarpAccuracy = 0.05;
 /// The options of an `InverseMap` that reaches `kWarpAccuracy` in an image with that spacing, mm.
 deformation::InverseMapOptions warpOptions(const Vec3& spacing);
 
-/// The inverse of a deformation, on a grid and exactly by coordinates.
+/// The inverse of a deformation, on a grid and exactly by coordinates, with the organs that do not bend.
 struct Warp {
   const deformation::InverseMap& map; ///< Made with `warpOptions`.
   const coordinates::CoordinateSystem& system;
+  const deformation::StiffBodies* stiff = nullptr; ///< What does not bend, in the same pose; null: nothing.
 };
 
 /// Numbers of the moved and the folded voxels of a deformed image, and its largest error.

@@ -40,6 +40,7 @@ struct SurfaceMap {
   std::string title; ///< Of the legend.
   std::string unit;  ///< Or empty.
   std::string mark;  ///< Label of the map's `missing` colour ("folded"); empty: that colour is not used.
+  bool glassAround = false; ///< Organs without values are drawn as glass: they would hide those with.
 };
 
 /// A measurement that the user has begun and that is not part of the document yet.
@@ -70,7 +71,8 @@ struct Scene {
   const std::vector<TransientSurface>* transient = nullptr; ///< Shown beside the organs; null: none.
   /// The parts whose names are shown instead of those chosen in `view`; null: those of `view`.
   const std::vector<Part>* parts = nullptr;
-  const Warping* warping = nullptr; ///< For slices in the 3D view that follow the pose; null: they cannot.
+  const Warping* warping = nullptr; ///< For slices and measured places of the scan that follow the pose, if
+                                    ///< the view warps the scan; null: they cannot.
   /// The valves of the beating heart at this instant; empty: none are known.
   std::optional<heart::ValveInstants> valves = std::nullopt;
   /// Range of the stress map's colours, shared with another picture; empty: a range of its own.

@@ -11,6 +11,7 @@
 #include "viscera/core/parallel.h"
 #include "viscera/deformation/inverse_map.h"
 #include "viscera/document/document.h"
+#include "viscera/document/measured_values.h"
 #include "viscera/document/scan_item.h"
 #include "viscera/live/live_warp.h"
 #include "viscera/live/posed_organs.h"
@@ -26,6 +27,8 @@ struct Warping {
   /// Finds the places at rest, mm LPS, of the samples of a plane in the pose; NaN where there is no answer.
   std::function<void(const deformation::SamplePlane& plane, deformation::RestPoints& rest)> rest;
   std::uint64_t revision = 0; ///< A number that changes whenever `rest` returns other places.
+  /// The reverse of `rest` for one place: where the tissue that is there at rest is drawn.
+  document::TissueMotion posed = {};
 };
 
 /// The inverse deformation of the open document in the displayed pose; none at rest and while it is being

@@ -16,12 +16,14 @@
 namespace viscera::presentation {
 
 /// A bull's eye of the segments: values in per cent (white at zero), or times in ms. Segments with too few
-/// points are grey, those that are not to be relied on hatched. `phase` counts for an instant only. Without
-/// any value where the motion has no wall and the direction is radial. All words are English.
+/// points are grey; those whose peak is not to be read against the range of healthy adults are hatched, and a
+/// note says so. `phase` counts for an instant only. Without any value where the motion has no wall and the
+/// direction is radial. All words are English.
 scene::BullsEyeFigure strainBullsEye(const live::StrainReading& reading, live::StrainDirection direction,
                                      live::StrainMoment moment, std::size_t phase = 0);
 
-/// The difference of two readings' peaks, `reading` less `before`.
+/// The difference of two readings' peaks, `reading` less `before`; hatched where it is smaller than what both
+/// fits leave uncertain.
 scene::BullsEyeFigure strainDifference(const live::StrainReading& reading, const live::StrainReading& before,
                                        live::StrainDirection direction);
 

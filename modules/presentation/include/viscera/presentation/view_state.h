@@ -157,6 +157,13 @@ struct StrainLook {
   live::StrainDirection direction = live::StrainDirection::longitudinal;
   live::StrainMoment moment = live::StrainMoment::peak;
   int segment = 0; ///< The chosen one, 1 to 17; 0: none.
+  /// The phase that strain is measured from, counted from 1; 0: the end of diastole is found. A cycle with
+  /// less phases is measured from the one that is found.
+  int reference = 0;
+  /// The left ventricle whose axes have been clicked, and the points, mm at rest; those that are missing are
+  /// found.
+  document::OrganId axesOf = {};
+  std::optional<Vec3> base = std::nullopt, apex = std::nullopt, insertion = std::nullopt;
 
   bool operator==(const StrainLook&) const = default;
 };

@@ -31,6 +31,7 @@ struct BullsEyeFigure {
   int decimals = 0;
   /// Words outside the circle: to the right, above, to the left, below.
   std::vector<std::string> sides;
+  std::string note;  ///< Below the circle; or empty.
   int selected = -1; ///< Index of a sector that gets the accent's rim; -1: none.
 };
 

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace viscera::sequences {
@@ -35,9 +36,12 @@ private:
   std::vector<double> values_;
 };
 
-/// Writes a record as comma-separated values: `time_s`, then one column `<name>_ml` for each surface, numbers
-/// with twelve digits, one row for each instant. Names that hold commas or quotes are quoted. A reader sees
-/// the old file or the whole new one. Throws `CannotCreateError`.
-void writeVolumeTable(const std::filesystem::path& file, const VolumeRecord& volumes);
+/// Writes a record as comma-separated values: `time_s`, then one column `<name>_ml` for each surface, and
+/// once more those that `keys` names, each key with the place of its surface (`anatomy::chamberKeys`): unless
+/// there is one surface only, whose table is a volume curve. Numbers have twelve digits, and each instant one
+/// row. Names that hold commas or quotes are quoted. A reader sees the old file or the whole new one. Throws
+/// `CannotCreateError`.
+void writeVolumeTable(const std::filesystem::path& file, const VolumeRecord& volumes,
+                      const std::vector<std::pair<std::string, std::size_t>>& keys = {});
 
 } // namespace viscera::sequences

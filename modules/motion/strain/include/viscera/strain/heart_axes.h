@@ -45,6 +45,8 @@ struct AxisLandmarks {
   std::optional<Vec3> base;      ///< Middle of the mitral annulus.
   std::optional<Vec3> apex;      ///< Tip of the left ventricle's cavity.
   std::optional<Vec3> insertion; ///< Where the right ventricle meets the left one in front.
+
+  bool operator==(const AxisLandmarks&) const = default;
 };
 
 /// Axes that were found, with what they were found from.

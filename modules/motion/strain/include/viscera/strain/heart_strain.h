@@ -64,6 +64,7 @@ struct SegmentStrain {
   std::vector<double> radial;      ///< Empty where no wall is known.
   std::vector<double> area;        ///< Change of the endocardium's area.
   std::vector<double> thicknessMm; ///< Empty where no outer surface is known; NaN where it is not measured.
+  std::vector<double> thickening;  ///< Its change against the reference, a part; as `thicknessMm`.
 };
 
 inline constexpr int kFewestWitnesses = 20;

@@ -11,6 +11,7 @@
 #include "viscera/core/phrase.h"
 #include "viscera/core/progress.h"
 #include "viscera/document/document.h"
+#include "viscera/document/measured_values.h"
 #include "viscera/live/live_stress.h"
 #include "viscera/live/motion_runner.h"
 #include "viscera/live/posed_organs.h"
@@ -30,6 +31,9 @@ struct ReportSource {
 
   live::StressCopy* stress = nullptr; ///< The stress map to report; null: there is none. Lives longer.
   live::StressStatus stressStatus = {};
+
+  /// How measured places of the scan move where the view shows it warped; empty: they do not.
+  document::TissueMotion tissue = {};
 
   std::shared_ptr<const sequences::Sequence> sequence = {}; ///< Null: the organs are still.
   double ratePerMinute = 0;                                 ///< 0: the sequence's own.
