@@ -200,6 +200,7 @@ LessonCommand::Material LessonCommand::ofSession(CommandContext& context) const 
   material.source.prescribed = prescribedOf(opened.contents.state, view);
   material.source.camera = view.camera;
   material.source.slides = view.slides;
+  material.source.person = view.person;
   return material;
 }
 

@@ -32,6 +32,7 @@ lesson::LessonSource LessonExport::source() const {
   source.state = window_.workspace.state();
   source.camera = presentation::cameraOf(window_.picture.view());
   source.slides = window_.view.state().slides;
+  source.person = window_.view.state().person;
   const live::Player& player = window_.playback.player();
   if (!player.movable())
     return source;

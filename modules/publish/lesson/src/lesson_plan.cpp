@@ -258,7 +258,7 @@ LessonPlan planLesson(const LessonSource& source, const LessonSpec& spec) {
   for (const auto& organ : *state.organs)
     if (organ->look.visible) {
       plan.surfaces.push_back(plannedSurface(*organ, state, spec, words));
-      addRanges(plan, *organ, source.view.person, words, sources);
+      addRanges(plan, *organ, source.person, words, sources);
     }
   if (plan.surfaces.empty())
     throw UsageError("No organ is shown", "the lesson", "show those that the lesson is about");

@@ -23,11 +23,12 @@ inline constexpr std::size_t kMostOwnHandles = 40;
 /// The document, motion and view that a lesson is made from.
 struct LessonSource {
   document::DocumentState state = {};
-  std::shared_ptr<const sequences::Sequence> sequence = {}; ///< Null: the organs are still.
-  double ratePerMinute = 0;                                 ///< To begin with; 0: the sequence's own.
-  std::optional<live::PrescribedVolume> prescribed = {};    ///< As the window plays it.
-  std::optional<presentation::Camera> camera = {};          ///< The camera at the beginning.
-  std::vector<presentation::Slide> slides = {};             ///< Views that the session keeps, in order.
+  std::shared_ptr<const sequences::Sequence> sequence = {};  ///< Null: the organs are still.
+  double ratePerMinute = 0;                                  ///< To begin with; 0: the sequence's own.
+  std::optional<live::PrescribedVolume> prescribed = {};     ///< As the window plays it.
+  std::optional<presentation::Camera> camera = {};           ///< The camera at the beginning.
+  std::vector<presentation::Slide> slides = {};              ///< Views that the session keeps, in order.
+  anatomy::Person person = presentation::ViewState().person; ///< Whose normal ranges are shown.
 };
 
 /// A label of a lesson: a name at a place of a surface.
