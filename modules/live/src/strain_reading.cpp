@@ -376,8 +376,11 @@ StrainGauge::StrainGauge(const MovedOrgans& organs, const StrainOptions& options
   for (const auto& [place, target] : {std::pair(right, &parts->right), std::pair(outer, &parts->outer),
                                       std::pair(atrium, &parts->atrium)}) {
     progress.throwIfCancelled();
-    if (place)
-      target->emplace(organs, *place, quiet, threads);
+    if (!place)
+      continue;
+    target->emplace(organs, *place, quiet, threads);
+    const Vec3& down = parts->axes.axes.down();
+    (*target)->rest.caps = strain::capsOf((*target)->rest, target == &parts->atrium ? down : Vec3(-down));
   }
   parts->reference = options.reference;
   parts->contours = presentContours(organs, options, *left);

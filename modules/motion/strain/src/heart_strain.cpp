@@ -304,11 +304,6 @@ private:
           contourStrain(level.name, lines.front(), left.phases, heart_.seconds, heart_.reference));
   }
 
-  /// The caps of a surface with fans; of one without, the flat part at its end.
-  static std::vector<bool> capsOf(const MovingSurface& surface, const Vec3& towardsBase) {
-    return valveCaps({surface.rest, surface.triangles, {}}, towardsBase).triangles;
-  }
-
   /// The contour runs from the tricuspid annulus to the right ventricle's apex, on the side away from the
   /// left one.
   std::optional<ContourStrain> rightFreeWall() const {
@@ -378,6 +373,11 @@ void requirePhases(const MovingHeart& heart) {
 }
 
 } // namespace
+
+std::vector<bool> capsOf(const MovingSurface& surface, const Vec3& towardsBase) {
+  return surface.caps.empty() ? valveCaps({surface.rest, surface.triangles, {}}, towardsBase).triangles
+                              : surface.caps;
+}
 
 ContourStrain contourStrain(const std::string& name, const MaterialContour& contour,
                             const std::vector<Points>& phases, const std::vector<double>& seconds,

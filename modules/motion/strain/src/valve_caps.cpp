@@ -95,8 +95,8 @@ ValveCaps fanCaps(const TriangleMesh& mesh, const Facets& facets) {
     double radius = 0;
     for (const std::int32_t point : rim)
       radius = std::max(radius, (mesh.points.row(point).transpose() - mean).norm());
-    if (std::min((middle - mean).norm(), (middle - meanByEdges(mesh, around, vertex)).norm()) >
-        kFanTolerance * radius)
+    if ((middle - mean).norm() > kFanTolerance * radius &&
+        (middle - meanByEdges(mesh, around, vertex)).norm() > kFanTolerance * radius)
       continue;
     Vec3 area = Vec3::Zero();
     for (std::int32_t i = around.first[vertex]; i < around.first[vertex + 1]; ++i)

@@ -147,6 +147,20 @@ TEST(HeartStrain, ThickeningIsTheChangeOfTheThicknessAgainstTheReference) {
   }
 }
 
+/// Caps that were found once, as a gauge does, are those that each reading finds.
+TEST(HeartStrain, IsTheSameWithCapsThatAreKnown) {
+  BeatingHeart beating({.narrowing = 0.2, .shortening = 0.1, .twist = 0.1});
+  const HeartStrain found = beating.measured(Vec3(-10, -20, 40));
+  beating.outer.caps = capsOf(beating.outer, -found.axes.down());
+  ASSERT_FALSE(beating.outer.caps.empty());
+  const HeartStrain known = beating.measured(Vec3(-10, -20, 40));
+  EXPECT_EQ(known.areas.back().curve, found.areas.back().curve);
+  EXPECT_EQ(known.segment(8).thicknessMm, found.segment(8).thicknessMm);
+  beating.outer.caps.assign(beating.outer.caps.size(), false);
+  EXPECT_GT(beating.measured(Vec3(-10, -20, 40)).areas.back().referenceMm, found.areas.back().referenceMm)
+      << "the fan at its base counts as wall";
+}
+
 TEST(HeartStrain, TakesListsOfVerticesInThePlaceOfContoursThatAreFound) {
   const BeatingHeart beating({.narrowing = 0.25, .shortening = 0, .twist = 0});
   ListedContour ring{"base", "LV", {}, true};

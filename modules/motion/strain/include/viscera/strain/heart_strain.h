@@ -26,7 +26,13 @@ struct MovingSurface {
   Triangles triangles;        ///< `m x 3`, outward, closed.
   Points rest;                ///< `n x 3` mm, at which axes and segments are found.
   std::vector<Points> phases; ///< `n x 3` mm.
+  /// For each triangle whether it closes a valve, as `capsOf` finds it; empty: it is found for each reading.
+  std::vector<bool> caps = {};
 };
+
+/// The caps of a surface other than the left ventricle's cavity: of one without fans, the flat part at its
+/// end `towardsBase`. O(n + m).
+std::vector<bool> capsOf(const MovingSurface& surface, const Vec3& towardsBase);
 
 /// The surfaces of a heart in motion; null for those that are not known.
 struct MovingHeart {

@@ -20,7 +20,8 @@ struct ValveCaps {
 /// its middle is the mean of its rim, of the points or, as `geometry::closeHoles` makes it, of the edges.
 /// Where a surface has no such fan, the cap is the flat part at its end `towardsBase`: connected triangles
 /// that look there, to within 40 degrees. Without `towardsBase` the ends are those of the longest principal
-/// axis, and the base is the flatter one. There is always one cap at least. Throws `DataError` for less than four triangles or without area. O(n + m).
+/// axis, and the base is the flatter one. There is always one cap at least. Throws `DataError` for less than
+/// four triangles or without area. O(n + m).
 ValveCaps valveCaps(const geometry::TriangleMesh& cavity, const std::optional<Vec3>& towardsBase = {});
 
 } // namespace viscera::strain
