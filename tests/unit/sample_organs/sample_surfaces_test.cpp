@@ -36,13 +36,13 @@ const std::map<std::string, std::map<std::string, Expected>>& expectedOrgans() {
         {"la", {59.9, 0.03, {{kLow, 800}, {kMedium, 4000}, {kHigh, 20000}}}},
         {"ra", {56.6, 0.03, {{kLow, 800}, {kMedium, 4000}, {kHigh, 20000}}}}}},
       {"stomach", {{"outer", {860, 0.015, {{kLow, 3000}, {kMedium, 30000}, {kHigh, 150000}}}}}},
-      {"liver", {{"outer", {1622, 0.015, {{kLow, 3000}, {kMedium, 30000}, {kHigh, 130000}}}}}},
+      {"liver", {{"outer", {1613, 0.015, {{kLow, 3000}, {kMedium, 30000}, {kHigh, 130000}}}}}},
       {"kidney_left", {{"outer", {148.4, 0.03, {{kLow, 3000}, {kMedium, 30000}, {kHigh, 150000}}}}}},
       {"kidney_right", {{"outer", {142.6, 0.03, {{kLow, 3000}, {kMedium, 30000}, {kHigh, 150000}}}}}},
       {"stomach_and_bowel", {{"outer", {3089, 0.03, {{kLow, 10000}, {kMedium, 60000}, {kHigh, 350000}}}}}},
       {"digestive_system",
        {{"outer", {3089, 0.03, {{kLow, 10000}, {kMedium, 60000}, {kHigh, 350000}}}},
-        {"liver", {1558, 0.015, {{kLow, 3000}, {kMedium, 30000}, {kHigh, 130000}}}},
+        {"liver", {1548, 0.015, {{kLow, 3000}, {kMedium, 30000}, {kHigh, 130000}}}},
         {"pancreas", {66.5, 0.03, {{kLow, 2000}, {kMedium, 12000}, {kHigh, 60000}}}}}}};
   return organs;
 }
@@ -178,6 +178,51 @@ TEST(SampleOrgans, UretersAreFourMillimetresWide) {
       }
     EXPECT_NEAR(high - low, 4, 0.8) << name;
   }
+}
+
+/// The lowest height, mm, that a surface reaches below the anterior margin of the liver's right lobe.
+double lowestAtTheMargin(const sample_organs::ImplicitSurface& surface) {
+  for (double z = -90; z < 0; z += 0.5)
+    for (double x = -42; x <= -18; x += 2)
+      for (double y = -72; y <= -40; y += 2)
+        if (surface({x, y, z}) < 0)
+          return z;
+  return 0;
+}
+
+/// A fundus that hangs far below the margin is a hydrops.
+TEST(SampleOrgans, TheGallbladderJustProjectsBelowTheMarginOfTheLiver) {
+  const auto surfaceOf = [](const char* node) {
+    return sample_organs::implicitSurface(projectLibrary(), "liver", node);
+  };
+  const double projects =
+      lowestAtTheMargin(surfaceOf("parenchyma")) - lowestAtTheMargin(surfaceOf("gallbladder"));
+  EXPECT_GT(projects, 4);
+  EXPECT_LT(projects, 16);
+}
+
+/// The falciform ligament is thin, in front of the liver, and has the round one in its edge.
+TEST(SampleOrgans, TheLiverHasItsLigamentsInFrontOfIt) {
+  const auto surfaceOf = [](const char* node) {
+    return sample_organs::implicitSurface(projectLibrary(), "liver", node);
+  };
+  const sample_organs::ImplicitSurface ligaments = surfaceOf("ligaments"), liver = surfaceOf("parenchyma");
+  int inFront = 0;
+  double thickest = 0;
+  for (double z = -40; z <= 40; z += 4)
+    for (double y = -80; y <= -55; y += 1) {
+      double thickness = 0;
+      for (double x = 0; x <= 30; x += 0.5)
+        if (ligaments({x, y, z}) < 0 && liver({x, y, z}) > 0)
+          thickness += 0.5;
+      inFront += thickness > 0;
+      if (z > -25) // The round ligament, a cord, leaves the liver below.
+        thickest = std::max(thickest, thickness);
+    }
+  EXPECT_GT(inFront, 60);
+  EXPECT_GT(thickest, 1);
+  EXPECT_LT(thickest, 8);
+  EXPECT_LT(ligaments({18, -74, -60}), 0) << "the cord goes on towards the navel";
 }
 
 TEST(SampleOrgans, ReportProgressUpToTheEnd) {
