@@ -20,7 +20,7 @@ AxisPicker::AxisPicker(StrainModel& model, ViewModel& view, const Picture& pictu
   setObjectName(QStringLiteral("strainAxes"));
   setToolTip(tr("Axes of the heart, from which segments count: set by clicks"));
   setAccessibleName(toolTip());
-  setIcon(icon("place"));
+  setIcon(app::icon("place"));
   setPopupMode(QToolButton::InstantPopup);
   setMenu(new QMenu(this));
   points_.reserve(3); // `picking_` points into it.
