@@ -110,7 +110,7 @@ TEST_F(Recordings, AnOggMovieOfOneBeatHasAllItsFramesAndATableBesideIt) {
   EXPECT_EQ(oggPackets(contents(file)), 3 + 8);
   const QList<QByteArray> rows = contents(path(QStringLiteral("beat.csv"))).trimmed().split('\n');
   ASSERT_EQ(rows.size(), 1 + 8);
-  EXPECT_EQ(rows[0], "time_s,Heart_ml,LV_ml,RV_ml,LA_ml,RA_ml");
+  EXPECT_TRUE(rows[0].startsWith("time_s,Heart_ml,LV_ml,RV_ml,LA_ml,RA_ml")) << rows[0].toStdString();
   EXPECT_NEAR(rows[3].split(',')[0].toDouble(), 0.2, 1e-9);
   EXPECT_TRUE(message().contains(QStringLiteral("beat.ogv"))) << message().toStdString();
 }

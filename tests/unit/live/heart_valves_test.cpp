@@ -40,6 +40,7 @@ double widestMm2(const heart::HeartCourse& course, HeartValve valve) {
 
 /// The parts of a beat from the contraction of the atria; the last one goes on in the first.
 std::vector<sequences::Phase> fromAtria(std::vector<sequences::Phase> phases) {
+  phases.front().begin = phases.back().begin;
   phases.pop_back();
   std::rotate(phases.begin(),
               std::find_if(phases.begin(), phases.end(),
