@@ -6877,16 +6877,8 @@
         <translation>Deformac&amp;ió de la paret</translation>
     </message>
     <message>
-        <source>Below the view, show curves and bull's eye of the heart's strain instead of the volumes</source>
-        <translation>Mostra sota la vista les corbes i l’ull de bou de la deformació del cor en lloc dels volums</translation>
-    </message>
-    <message>
         <source>Se&amp;gments on the organ</source>
         <translation>Seg&amp;ments a l’òrgan</translation>
-    </message>
-    <message>
-        <source>Colour the heart's wall by the strain of its segments; a click chooses one</source>
-        <translation>Acoloreix la paret del cor segons la deformació dels seus segments; un clic en tria un</translation>
     </message>
     <message>
         <source>Expo&amp;rt strain...</source>
@@ -6897,16 +6889,8 @@
         <translation>La deformació necessita la cavitat d’un ventricle esquerre, pel seu nom, que segueixi els tiradors.</translation>
     </message>
     <message>
-        <source>Choose a motion, or drag a handle: strain is the change of the heart's wall.</source>
-        <translation>Trieu un moviment o arrossegueu un tirador: la deformació és el canvi de la paret del cor.</translation>
-    </message>
-    <message>
         <source>The strain is drawn here as soon as it is measured.</source>
         <translation>La deformació es dibuixa aquí tan bon punt es mesura.</translation>
-    </message>
-    <message>
-        <source>The bull's eye shows the present pose against rest.</source>
-        <translation>L’ull de bou mostra la posa actual respecte al repòs.</translation>
     </message>
     <message>
         <source>GLS and GCS are the change of the length of contours of the endocardium, as ultrasound and feature tracking report it. GRS and the segments are the strain of the material at witness points of the wall. Shortening is negative. All are against the end of diastole. Values of single segments are poorly repeated between programs: hatched ones are not to be relied on.</source>

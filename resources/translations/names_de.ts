@@ -6877,16 +6877,8 @@
         <translation>Ver&amp;formung der Wand</translation>
     </message>
     <message>
-        <source>Below the view, show curves and bull's eye of the heart's strain instead of the volumes</source>
-        <translation>Unter der Ansicht Kurven und Bull’s Eye der Verformung des Herzens statt der Volumen zeigen</translation>
-    </message>
-    <message>
         <source>Se&amp;gments on the organ</source>
         <translation>Se&amp;gmente auf dem Organ</translation>
-    </message>
-    <message>
-        <source>Colour the heart's wall by the strain of its segments; a click chooses one</source>
-        <translation>Die Herzwand nach der Verformung ihrer Segmente färben; ein Klick wählt eines</translation>
     </message>
     <message>
         <source>Expo&amp;rt strain...</source>
@@ -6897,16 +6889,8 @@
         <translation>Verformung braucht den Hohlraum einer linken Herzkammer, dem Namen nach, der den Griffen folgt.</translation>
     </message>
     <message>
-        <source>Choose a motion, or drag a handle: strain is the change of the heart's wall.</source>
-        <translation>Wählen Sie eine Bewegung oder ziehen Sie einen Griff: Verformung ist die Änderung der Herzwand.</translation>
-    </message>
-    <message>
         <source>The strain is drawn here as soon as it is measured.</source>
         <translation>Die Verformung wird hier gezeichnet, sobald sie gemessen ist.</translation>
-    </message>
-    <message>
-        <source>The bull's eye shows the present pose against rest.</source>
-        <translation>Das Bull’s Eye zeigt die jetzige Pose gegenüber der Ruhe.</translation>
     </message>
     <message>
         <source>GLS and GCS are the change of the length of contours of the endocardium, as ultrasound and feature tracking report it. GRS and the segments are the strain of the material at witness points of the wall. Shortening is negative. All are against the end of diastole. Values of single segments are poorly repeated between programs: hatched ones are not to be relied on.</source>

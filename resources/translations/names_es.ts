@@ -6877,16 +6877,8 @@
         <translation>Defor&amp;mación de la pared</translation>
     </message>
     <message>
-        <source>Below the view, show curves and bull's eye of the heart's strain instead of the volumes</source>
-        <translation>Mostrar bajo la vista las curvas y el ojo de buey de la deformación del corazón en lugar de los volúmenes</translation>
-    </message>
-    <message>
         <source>Se&amp;gments on the organ</source>
         <translation>&amp;Segmentos en el órgano</translation>
-    </message>
-    <message>
-        <source>Colour the heart's wall by the strain of its segments; a click chooses one</source>
-        <translation>Colorear la pared del corazón según la deformación de sus segmentos; un clic elige uno</translation>
     </message>
     <message>
         <source>Expo&amp;rt strain...</source>
@@ -6897,16 +6889,8 @@
         <translation>La deformación necesita la cavidad de un ventrículo izquierdo, por su nombre, que siga a los tiradores.</translation>
     </message>
     <message>
-        <source>Choose a motion, or drag a handle: strain is the change of the heart's wall.</source>
-        <translation>Elija un movimiento o arrastre un tirador: la deformación es el cambio de la pared del corazón.</translation>
-    </message>
-    <message>
         <source>The strain is drawn here as soon as it is measured.</source>
         <translation>La deformación se dibuja aquí en cuanto se mide.</translation>
-    </message>
-    <message>
-        <source>The bull's eye shows the present pose against rest.</source>
-        <translation>El ojo de buey muestra la pose actual frente al reposo.</translation>
     </message>
     <message>
         <source>GLS and GCS are the change of the length of contours of the endocardium, as ultrasound and feature tracking report it. GRS and the segments are the strain of the material at witness points of the wall. Shortening is negative. All are against the end of diastole. Values of single segments are poorly repeated between programs: hatched ones are not to be relied on.</source>

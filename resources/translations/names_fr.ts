@@ -6877,16 +6877,8 @@
         <translation>Défor&amp;mation de la paroi</translation>
     </message>
     <message>
-        <source>Below the view, show curves and bull's eye of the heart's strain instead of the volumes</source>
-        <translation>Afficher sous la vue les courbes et le bull’s eye de la déformation du cœur au lieu des volumes</translation>
-    </message>
-    <message>
         <source>Se&amp;gments on the organ</source>
         <translation>Segments sur l’&amp;organe</translation>
-    </message>
-    <message>
-        <source>Colour the heart's wall by the strain of its segments; a click chooses one</source>
-        <translation>Colorer la paroi du cœur selon la déformation de ses segments ; un clic en choisit un</translation>
     </message>
     <message>
         <source>Expo&amp;rt strain...</source>
@@ -6897,16 +6889,8 @@
         <translation>La déformation exige la cavité d’un ventricule gauche, reconnue à son nom, qui suit les poignées.</translation>
     </message>
     <message>
-        <source>Choose a motion, or drag a handle: strain is the change of the heart's wall.</source>
-        <translation>Choisissez un mouvement ou tirez une poignée : la déformation est le changement de la paroi du cœur.</translation>
-    </message>
-    <message>
         <source>The strain is drawn here as soon as it is measured.</source>
         <translation>La déformation est dessinée ici dès qu’elle est mesurée.</translation>
-    </message>
-    <message>
-        <source>The bull's eye shows the present pose against rest.</source>
-        <translation>Le bull’s eye montre la pose actuelle par rapport au repos.</translation>
     </message>
     <message>
         <source>GLS and GCS are the change of the length of contours of the endocardium, as ultrasound and feature tracking report it. GRS and the segments are the strain of the material at witness points of the wall. Shortening is negative. All are against the end of diastole. Values of single segments are poorly repeated between programs: hatched ones are not to be relied on.</source>

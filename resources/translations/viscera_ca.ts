@@ -415,6 +415,17 @@ N: noms, H: tiradors, X: paret, R: restableix, T: clar o fosc, Inici: principi</
     </message>
 </context>
 <context>
+    <name>viscera::app::AxisPicker</name>
+    <message>
+        <source>Axes of the heart, from which segments count: set by clicks</source>
+        <translation>Eixos del cor, des dels quals es compten els segments: es fixen amb clics</translation>
+    </message>
+    <message>
+        <source>Anterior insertion of the right ventricle</source>
+        <translation>Inserció anterior del ventricle dret</translation>
+    </message>
+</context>
+<context>
     <name>viscera::app::BeatStrip</name>
     <message>
         <source>Electrocardiogram, heart sounds and valves</source>
@@ -431,14 +442,6 @@ N: noms, H: tiradors, X: paret, R: restableix, T: clar o fosc, Inici: principi</
     <message>
         <source>S2</source>
         <translation>S2</translation>
-    </message>
-    <message>
-        <source>Tricuspid valve</source>
-        <translation>Vàlvula tricúspide</translation>
-    </message>
-    <message>
-        <source>Pulmonary valve</source>
-        <translation>Vàlvula pulmonar</translation>
     </message>
 </context>
 <context>
@@ -3330,6 +3333,14 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
         <source>The movie does not show distance colours, measured surfaces or warped slices.</source>
         <translation>La pel·lícula no mostra els colors de les distàncies, ni superfícies mesurades ni talls deformats.</translation>
     </message>
+    <message>
+        <source>Below the view, show curves and bull&apos;s eye of the heart&apos;s strain instead of the volumes</source>
+        <translation>Mostra sota la vista les corbes i l’ull de bou de la deformació del cor en lloc dels volums</translation>
+    </message>
+    <message>
+        <source>Colour the heart&apos;s wall by the strain of its segments; a click chooses one</source>
+        <translation>Acoloreix la paret del cor segons la deformació dels seus segments; un clic en tria un</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::PlayPage</name>
@@ -4421,6 +4432,32 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
     </message>
 </context>
 <context>
+    <name>viscera::app::StrainModel</name>
+    <message>
+        <source>Choose a motion, or drag a handle: strain is the change of the heart&apos;s wall.</source>
+        <translation>Trieu un moviment o arrossegueu un tirador: la deformació és el canvi de la paret del cor.</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::StrainPanel</name>
+    <message>
+        <source>From the fullest phase</source>
+        <translation>Des de la fase més plena</translation>
+    </message>
+    <message>
+        <source>From phase %1</source>
+        <translation>Des de la fase %1</translation>
+    </message>
+    <message>
+        <source>Times to the peak differ by %1 ms along and %2 ms around</source>
+        <translation>Els temps fins al pic difereixen en %1 ms al llarg i %2 ms al voltant</translation>
+    </message>
+    <message>
+        <source>The bull&apos;s eye shows the present pose against rest.</source>
+        <translation>L’ull de bou mostra la posa actual respecte al repòs.</translation>
+    </message>
+</context>
+<context>
     <name>viscera::app::StressChart</name>
     <message>
         <source>maximum</source>
@@ -5433,32 +5470,6 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
     <message>
         <source>Open folder</source>
         <translation>Obre la carpeta</translation>
-    </message>
-</context>
-<context>
-    <name>viscera::app::StrainPanel</name>
-    <message>
-        <source>From the fullest phase</source>
-        <translation>Des de la fase més plena</translation>
-    </message>
-    <message>
-        <source>From phase %1</source>
-        <translation>Des de la fase %1</translation>
-    </message>
-    <message>
-        <source>Times to the peak differ by %1 ms along and %2 ms around</source>
-        <translation>Els temps fins al pic difereixen en %1 ms al llarg i %2 ms al voltant</translation>
-    </message>
-</context>
-<context>
-    <name>viscera::app::AxisPicker</name>
-    <message>
-        <source>Axes of the heart, from which segments count: set by clicks</source>
-        <translation>Eixos del cor, des dels quals es compten els segments: es fixen amb clics</translation>
-    </message>
-    <message>
-        <source>Anterior insertion of the right ventricle</source>
-        <translation>Inserció anterior del ventricle dret</translation>
     </message>
 </context>
 </TS>

@@ -415,6 +415,17 @@ N: Namen, H: Griffe, X: Wand, R: zurück, T: hell oder dunkel, Pos1: Anfang</tra
     </message>
 </context>
 <context>
+    <name>viscera::app::AxisPicker</name>
+    <message>
+        <source>Axes of the heart, from which segments count: set by clicks</source>
+        <translation>Achsen des Herzens, von denen an Segmente zählen: durch Klicks setzen</translation>
+    </message>
+    <message>
+        <source>Anterior insertion of the right ventricle</source>
+        <translation>Vordere Insertion des rechten Ventrikels</translation>
+    </message>
+</context>
+<context>
     <name>viscera::app::BeatStrip</name>
     <message>
         <source>Electrocardiogram, heart sounds and valves</source>
@@ -431,14 +442,6 @@ N: Namen, H: Griffe, X: Wand, R: zurück, T: hell oder dunkel, Pos1: Anfang</tra
     <message>
         <source>S2</source>
         <translation>S2</translation>
-    </message>
-    <message>
-        <source>Tricuspid valve</source>
-        <translation>Trikuspidalklappe</translation>
-    </message>
-    <message>
-        <source>Pulmonary valve</source>
-        <translation>Pulmonalklappe</translation>
     </message>
 </context>
 <context>
@@ -3330,6 +3333,14 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
         <source>The movie does not show distance colours, measured surfaces or warped slices.</source>
         <translation>Der Film zeigt keine Abstandsfarben, keine gemessenen Oberflächen und keine verformten Schichten.</translation>
     </message>
+    <message>
+        <source>Below the view, show curves and bull&apos;s eye of the heart&apos;s strain instead of the volumes</source>
+        <translation>Unter der Ansicht Kurven und Bull’s Eye der Verformung des Herzens statt der Volumen zeigen</translation>
+    </message>
+    <message>
+        <source>Colour the heart&apos;s wall by the strain of its segments; a click chooses one</source>
+        <translation>Die Herzwand nach der Verformung ihrer Segmente färben; ein Klick wählt eines</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::PlayPage</name>
@@ -4421,6 +4432,32 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
     </message>
 </context>
 <context>
+    <name>viscera::app::StrainModel</name>
+    <message>
+        <source>Choose a motion, or drag a handle: strain is the change of the heart&apos;s wall.</source>
+        <translation>Wählen Sie eine Bewegung oder ziehen Sie einen Griff: Verformung ist die Änderung der Herzwand.</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::StrainPanel</name>
+    <message>
+        <source>From the fullest phase</source>
+        <translation>Ab der vollsten Phase</translation>
+    </message>
+    <message>
+        <source>From phase %1</source>
+        <translation>Ab Phase %1</translation>
+    </message>
+    <message>
+        <source>Times to the peak differ by %1 ms along and %2 ms around</source>
+        <translation>Die Zeiten bis zum Spitzenwert streuen um %1 ms längs und %2 ms rundum</translation>
+    </message>
+    <message>
+        <source>The bull&apos;s eye shows the present pose against rest.</source>
+        <translation>Das Bull’s Eye zeigt die jetzige Pose gegenüber der Ruhe.</translation>
+    </message>
+</context>
+<context>
     <name>viscera::app::StressChart</name>
     <message>
         <source>maximum</source>
@@ -5433,32 +5470,6 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
     <message>
         <source>Open folder</source>
         <translation>Ordner öffnen</translation>
-    </message>
-</context>
-<context>
-    <name>viscera::app::StrainPanel</name>
-    <message>
-        <source>From the fullest phase</source>
-        <translation>Ab der vollsten Phase</translation>
-    </message>
-    <message>
-        <source>From phase %1</source>
-        <translation>Ab Phase %1</translation>
-    </message>
-    <message>
-        <source>Times to the peak differ by %1 ms along and %2 ms around</source>
-        <translation>Die Zeiten bis zum Spitzenwert streuen um %1 ms längs und %2 ms rundum</translation>
-    </message>
-</context>
-<context>
-    <name>viscera::app::AxisPicker</name>
-    <message>
-        <source>Axes of the heart, from which segments count: set by clicks</source>
-        <translation>Achsen des Herzens, von denen an Segmente zählen: durch Klicks setzen</translation>
-    </message>
-    <message>
-        <source>Anterior insertion of the right ventricle</source>
-        <translation>Vordere Insertion des rechten Ventrikels</translation>
     </message>
 </context>
 </TS>

@@ -415,6 +415,17 @@ N: nombres, H: tiradores, X: pared, R: restablecer, T: claro u oscuro, Inicio: p
     </message>
 </context>
 <context>
+    <name>viscera::app::AxisPicker</name>
+    <message>
+        <source>Axes of the heart, from which segments count: set by clicks</source>
+        <translation>Ejes del corazón, desde los que se cuentan los segmentos: se fijan con clics</translation>
+    </message>
+    <message>
+        <source>Anterior insertion of the right ventricle</source>
+        <translation>Inserción anterior del ventrículo derecho</translation>
+    </message>
+</context>
+<context>
     <name>viscera::app::BeatStrip</name>
     <message>
         <source>Electrocardiogram, heart sounds and valves</source>
@@ -431,14 +442,6 @@ N: nombres, H: tiradores, X: pared, R: restablecer, T: claro u oscuro, Inicio: p
     <message>
         <source>S2</source>
         <translation>S2</translation>
-    </message>
-    <message>
-        <source>Tricuspid valve</source>
-        <translation>Válvula tricúspide</translation>
-    </message>
-    <message>
-        <source>Pulmonary valve</source>
-        <translation>Válvula pulmonar</translation>
     </message>
 </context>
 <context>
@@ -3330,6 +3333,14 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
         <source>The movie does not show distance colours, measured surfaces or warped slices.</source>
         <translation>La película no muestra los colores de las distancias, las superficies medidas ni los cortes deformados.</translation>
     </message>
+    <message>
+        <source>Below the view, show curves and bull&apos;s eye of the heart&apos;s strain instead of the volumes</source>
+        <translation>Mostrar bajo la vista las curvas y el ojo de buey de la deformación del corazón en lugar de los volúmenes</translation>
+    </message>
+    <message>
+        <source>Colour the heart&apos;s wall by the strain of its segments; a click chooses one</source>
+        <translation>Colorear la pared del corazón según la deformación de sus segmentos; un clic elige uno</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::PlayPage</name>
@@ -4421,6 +4432,32 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
     </message>
 </context>
 <context>
+    <name>viscera::app::StrainModel</name>
+    <message>
+        <source>Choose a motion, or drag a handle: strain is the change of the heart&apos;s wall.</source>
+        <translation>Elija un movimiento o arrastre un tirador: la deformación es el cambio de la pared del corazón.</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::StrainPanel</name>
+    <message>
+        <source>From the fullest phase</source>
+        <translation>Desde la fase más llena</translation>
+    </message>
+    <message>
+        <source>From phase %1</source>
+        <translation>Desde la fase %1</translation>
+    </message>
+    <message>
+        <source>Times to the peak differ by %1 ms along and %2 ms around</source>
+        <translation>Los tiempos hasta el pico difieren en %1 ms a lo largo y %2 ms alrededor</translation>
+    </message>
+    <message>
+        <source>The bull&apos;s eye shows the present pose against rest.</source>
+        <translation>El ojo de buey muestra la pose actual frente al reposo.</translation>
+    </message>
+</context>
+<context>
     <name>viscera::app::StressChart</name>
     <message>
         <source>maximum</source>
@@ -5433,32 +5470,6 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
     <message>
         <source>Open folder</source>
         <translation>Abrir carpeta</translation>
-    </message>
-</context>
-<context>
-    <name>viscera::app::StrainPanel</name>
-    <message>
-        <source>From the fullest phase</source>
-        <translation>Desde la fase más llena</translation>
-    </message>
-    <message>
-        <source>From phase %1</source>
-        <translation>Desde la fase %1</translation>
-    </message>
-    <message>
-        <source>Times to the peak differ by %1 ms along and %2 ms around</source>
-        <translation>Los tiempos hasta el pico difieren en %1 ms a lo largo y %2 ms alrededor</translation>
-    </message>
-</context>
-<context>
-    <name>viscera::app::AxisPicker</name>
-    <message>
-        <source>Axes of the heart, from which segments count: set by clicks</source>
-        <translation>Ejes del corazón, desde los que se cuentan los segmentos: se fijan con clics</translation>
-    </message>
-    <message>
-        <source>Anterior insertion of the right ventricle</source>
-        <translation>Inserción anterior del ventrículo derecho</translation>
     </message>
 </context>
 </TS>

@@ -415,6 +415,17 @@ N&#xa0;: noms, H&#xa0;: poignées, X&#xa0;: paroi, R&#xa0;: rétablir, T&#xa0;: 
     </message>
 </context>
 <context>
+    <name>viscera::app::AxisPicker</name>
+    <message>
+        <source>Axes of the heart, from which segments count: set by clicks</source>
+        <translation>Axes du cœur, à partir desquels comptent les segments : à définir par des clics</translation>
+    </message>
+    <message>
+        <source>Anterior insertion of the right ventricle</source>
+        <translation>Insertion antérieure du ventricule droit</translation>
+    </message>
+</context>
+<context>
     <name>viscera::app::BeatStrip</name>
     <message>
         <source>Electrocardiogram, heart sounds and valves</source>
@@ -431,14 +442,6 @@ N&#xa0;: noms, H&#xa0;: poignées, X&#xa0;: paroi, R&#xa0;: rétablir, T&#xa0;: 
     <message>
         <source>S2</source>
         <translation>B2</translation>
-    </message>
-    <message>
-        <source>Tricuspid valve</source>
-        <translation>Valve tricuspide</translation>
-    </message>
-    <message>
-        <source>Pulmonary valve</source>
-        <translation>Valve pulmonaire</translation>
     </message>
 </context>
 <context>
@@ -3330,6 +3333,14 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
         <source>The movie does not show distance colours, measured surfaces or warped slices.</source>
         <translation>Le film ne montre ni les couleurs des distances, ni les surfaces mesurées, ni les coupes déformées.</translation>
     </message>
+    <message>
+        <source>Below the view, show curves and bull&apos;s eye of the heart&apos;s strain instead of the volumes</source>
+        <translation>Afficher sous la vue les courbes et le bull’s eye de la déformation du cœur au lieu des volumes</translation>
+    </message>
+    <message>
+        <source>Colour the heart&apos;s wall by the strain of its segments; a click chooses one</source>
+        <translation>Colorer la paroi du cœur selon la déformation de ses segments ; un clic en choisit un</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::PlayPage</name>
@@ -4421,6 +4432,32 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     </message>
 </context>
 <context>
+    <name>viscera::app::StrainModel</name>
+    <message>
+        <source>Choose a motion, or drag a handle: strain is the change of the heart&apos;s wall.</source>
+        <translation>Choisissez un mouvement ou tirez une poignée : la déformation est le changement de la paroi du cœur.</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::StrainPanel</name>
+    <message>
+        <source>From the fullest phase</source>
+        <translation>Depuis la phase la plus remplie</translation>
+    </message>
+    <message>
+        <source>From phase %1</source>
+        <translation>Depuis la phase %1</translation>
+    </message>
+    <message>
+        <source>Times to the peak differ by %1 ms along and %2 ms around</source>
+        <translation>Les temps jusqu’au pic diffèrent de %1 ms dans la longueur et de %2 ms sur le pourtour</translation>
+    </message>
+    <message>
+        <source>The bull&apos;s eye shows the present pose against rest.</source>
+        <translation>Le bull’s eye montre la pose actuelle par rapport au repos.</translation>
+    </message>
+</context>
+<context>
     <name>viscera::app::StressChart</name>
     <message>
         <source>maximum</source>
@@ -5433,32 +5470,6 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     <message>
         <source>Open folder</source>
         <translation>Ouvrir un dossier</translation>
-    </message>
-</context>
-<context>
-    <name>viscera::app::StrainPanel</name>
-    <message>
-        <source>From the fullest phase</source>
-        <translation>Depuis la phase la plus remplie</translation>
-    </message>
-    <message>
-        <source>From phase %1</source>
-        <translation>Depuis la phase %1</translation>
-    </message>
-    <message>
-        <source>Times to the peak differ by %1 ms along and %2 ms around</source>
-        <translation>Les temps jusqu’au pic diffèrent de %1 ms dans la longueur et de %2 ms sur le pourtour</translation>
-    </message>
-</context>
-<context>
-    <name>viscera::app::AxisPicker</name>
-    <message>
-        <source>Axes of the heart, from which segments count: set by clicks</source>
-        <translation>Axes du cœur, à partir desquels comptent les segments : à définir par des clics</translation>
-    </message>
-    <message>
-        <source>Anterior insertion of the right ventricle</source>
-        <translation>Insertion antérieure du ventricule droit</translation>
     </message>
 </context>
 </TS>
