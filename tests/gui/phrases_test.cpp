@@ -141,9 +141,10 @@ std::set<QString> textsIn(const QString& source) {
       R"(|^mmHg s/ml$|^(Noto|DejaVu|Liberation) Sans$|doi 10\.|^form: |^0 in health$|^fitted to the values)"
       // What is looked for in a file, and formats' names in tables.
       R"(|^visualization toolkit$|^Viscera (session|sequence)$|^3D Slicer (markups|fiducials)$|^Philips PAR/REC$|^Zeiss CZI$)"
-      // What the command line alone says of strain.
+      // What the command line alone says of strain and of diseases.
       R"(|^(basal|mid|apical) [a-z]+$|^(Longitudinal|Circumferential|Radial) strain$|^, time to peak$)"
       R"(|^change of the length of a material contour |^engineering strain )"
+      R"(|^(moderate|severe) (stenosis|regurgitation)$|pulmonary hypertension$|^heart failure with reduced ejection)"
       // What names a place in a file.
       R"(|^NIfTI data type $|^system parameter $|^, handle "$)"));
   // And DICOM's terms for its kinds of objects.
