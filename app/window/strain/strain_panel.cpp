@@ -24,6 +24,7 @@
 #include "window/language.h"
 #include "window/strain/axis_picker.h"
 #include "window/view/view_model.h"
+#include "window/widgets/flow_layout.h"
 #include "window/widgets/ready_made.h"
 
 namespace viscera::app {
@@ -123,7 +124,7 @@ StrainPanel::~StrainPanel() {
 
 QWidget* StrainPanel::makeChoices(const Actions& actions) {
   auto* choices = new QWidget(this);
-  auto* row = makeLayout<QHBoxLayout>(choices, 8);
+  auto* row = new FlowLayout(choices, 8); // Long words must not widen the window.
   for (const StrainDirection direction :
        {StrainDirection::longitudinal, StrainDirection::circumferential, StrainDirection::radial,
         StrainDirection::thickening}) // As the enumeration.
@@ -150,7 +151,6 @@ QWidget* StrainPanel::makeChoices(const Actions& actions) {
   connect(reference_, QOverload<int>::of(&QComboBox::activated), this, [this](int index) {
     view_.change([index](presentation::ViewState& state) { state.strain.reference = index; });
   });
-  row->addStretch(1);
   for (const char* id : {"play.strainOnOrgan", "play.exportStrain"})
     row->addWidget(makeActionButton(actions[id], choices));
   return choices;
@@ -277,6 +277,7 @@ void StrainPanel::rebuild() {
   numbers_->setText(numbersText());
   segment_->setText(segmentText());
   remarks_->setText(remarksText());
+  remarks_->setVisible(!remarks_->text().isEmpty());
   eyesWidget_->setVisible(!figures_.empty());
   chart_->setVisible(model_.cycle() != nullptr);
   draw();
