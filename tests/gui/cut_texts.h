@@ -243,11 +243,27 @@ inline void collectOverlaps(const QWidget& window, const std::string& where, Cut
   }
 }
 
+/// The visible widget without children of its own that asks for most width.
+inline QString widestOf(const QWidget& page) {
+  QString widest;
+  int most = 0;
+  for (const auto* widget : page.findChildren<QWidget*>())
+    if (const int wanted = widget->minimumSizeHint().width();
+        widget->isVisible() && !widget->layout() && wanted > most) {
+      most = wanted;
+      widest =
+          QStringLiteral("%1 %2").arg(QLatin1String(widget->metaObject()->className()), widget->objectName());
+    }
+  return widest;
+}
+
 /// Pages that scroll downwards only and are wider than what shows them: the right edge of each line is cut.
 inline void collectPages(const QWidget& window, const std::string& where, CutTexts& found) {
   for (const auto* area : window.findChildren<QScrollArea*>())
     if (area->isVisible() && area->widget() && area->horizontalScrollBarPolicy() == Qt::ScrollBarAlwaysOff)
-      noteCut(where, QStringLiteral("page ") + area->widget()->metaObject()->className(),
+      noteCut(where,
+              QStringLiteral("page %1, the widest part of which is %2")
+                  .arg(QLatin1String(area->widget()->metaObject()->className()), widestOf(*area->widget())),
               area->widget()->width() - area->viewport()->width(), found);
 }
 
