@@ -7,6 +7,7 @@
 #include <QComboBox>
 #include <QHeaderView>
 #include <QLabel>
+#include <QLayout>
 #include <QLineEdit>
 #include <QListView>
 #include <QRadioButton>
@@ -243,28 +244,36 @@ inline void collectOverlaps(const QWidget& window, const std::string& where, Cut
   }
 }
 
-/// The visible widget without children of its own that asks for most width.
-inline QString widestOf(const QWidget& page) {
-  QString widest;
+/// The words in the row of a page that asks for most width.
+inline QString widestRowOf(const QWidget& page) {
+  QStringList widest;
   int most = 0;
-  for (const auto* widget : page.findChildren<QWidget*>())
-    if (const int wanted = widget->minimumSizeHint().width();
-        widget->isVisible() && !widget->layout() && wanted > most) {
+  for (const auto* layout : page.findChildren<QLayout*>()) {
+    QStringList words;
+    for (int i = 0; i < layout->count(); ++i)
+      if (const QWidget* widget = layout->itemAt(i)->widget(); widget && widget->isVisible()) {
+        const auto* label = qobject_cast<const QLabel*>(widget);
+        const auto* button = qobject_cast<const QAbstractButton*>(widget);
+        words += label ? textOf(*label) : button ? textOf(*button) : widget->objectName();
+      }
+    const int wanted = layout->minimumSize().width();
+    if (!words.isEmpty() && wanted >= most) { // Of a row within a row, the inner one.
       most = wanted;
-      widest =
-          QStringLiteral("%1 %2").arg(QLatin1String(widget->metaObject()->className()), widget->objectName());
+      widest = words;
     }
-  return widest;
+  }
+  return widest.join(QStringLiteral(" | "));
 }
 
 /// Pages that scroll downwards only and are wider than what shows them: the right edge of each line is cut.
 inline void collectPages(const QWidget& window, const std::string& where, CutTexts& found) {
   for (const auto* area : window.findChildren<QScrollArea*>())
     if (area->isVisible() && area->widget() && area->horizontalScrollBarPolicy() == Qt::ScrollBarAlwaysOff)
-      noteCut(where,
-              QStringLiteral("page %1, the widest part of which is %2")
-                  .arg(QLatin1String(area->widget()->metaObject()->className()), widestOf(*area->widget())),
-              area->widget()->width() - area->viewport()->width(), found);
+      noteCut(
+          where,
+          QStringLiteral("page %1, the widest row of which is %2")
+              .arg(QLatin1String(area->widget()->metaObject()->className()), widestRowOf(*area->widget())),
+          area->widget()->width() - area->viewport()->width(), found);
 }
 
 /// All of the above.
