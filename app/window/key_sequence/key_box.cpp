@@ -80,8 +80,9 @@ void KeyBox::makeTop() {
   add->setToolTip(tr("Store the present pose as a key (Ctrl+K)"));
   row->addWidget(seconds_, 1);
   row->addWidget(easing_, 1);
-  row->addWidget(add);
-  static_cast<QVBoxLayout*>(layout())->addLayout(row);
+  auto* column = static_cast<QVBoxLayout*>(layout());
+  column->addLayout(row);
+  column->addWidget(add); // Beside them it would widen the panel in most languages.
   connect(add, &QPushButton::clicked, this, &KeyBox::addKey);
 }
 
