@@ -5,6 +5,7 @@
 #include <QAbstractSpinBox>
 #include <QCheckBox>
 #include <QComboBox>
+#include <QDockWidget>
 #include <QHeaderView>
 #include <QLabel>
 #include <QLayout>
@@ -276,8 +277,23 @@ inline void collectPages(const QWidget& window, const std::string& where, CutTex
           area->widget()->width() - area->viewport()->width(), found);
 }
 
+/// Panels that lie over each other: what is below asks for more width than the window has.
+inline void collectOverlappingPanels(const QWidget& window, const std::string& where, CutTexts& found) {
+  std::vector<const QDockWidget*> shown;
+  for (const auto* panel : window.findChildren<QDockWidget*>()) {
+    if (!panel->isVisible() || panel->isFloating() || !window.rect().intersects(panel->geometry()))
+      continue; // Qt keeps a panel below another one's tab outside the window.
+    for (const QDockWidget* other : shown)
+      if (other->geometry().intersects(panel->geometry()))
+        found.insert(where + ": panel " + panel->objectName().toStdString() + " lies over " +
+                     other->objectName().toStdString());
+    shown.push_back(panel);
+  }
+}
+
 /// All of the above.
 inline void collectAll(const QWidget& window, const std::string& where, CutTexts& found) {
+  collectOverlappingPanels(window, where, found);
   collectCut<QLabel>(window, where, found);
   collectCut<QAbstractButton>(window, where, found);
   collectCut<QComboBox>(window, where, found);
