@@ -61,9 +61,8 @@ TEST_F(GermanReport, HasNoEnglishNamesOfSystemsParametersPhasesQuantitiesAndRang
   settle();
   const QString page = QString::fromUtf8(bytesOf(file));
   ASSERT_FALSE(page.isEmpty()) << message().toStdString();
-  for (const char* german :
-       {"<h2>Bewegung</h2>", "Herzschlag", "Lokalität", "Rotationsstress", "800 Gesunde von 45 bis 74 Jahren",
-        "Ejektionsfraktion: Frauen", "Organe"})
+  for (const char* german : {"<h2>Bewegung</h2>", "Herzschlag", "Lokalität", "Rotationsstress",
+                             "800 Gesunde von 45 bis 74 Jahren", "Ejektionsfraktion: Frauen", "Organe"})
     EXPECT_TRUE(page.contains(QString::fromUtf8(german))) << german;
   for (const char* english : {"Heartbeat", "locality", "softness", "Rotational stress", "Volume ratio",
                               "olumic", "jection", "healthy people", "standard deviations", "stroke volume",
