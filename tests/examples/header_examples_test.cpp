@@ -32,6 +32,7 @@
 #include "viscera/core/error.h"
 #include "viscera/core/phrase.h"
 #include "viscera/deformation/deformer.h"
+#include "viscera/deformation/stiff_bodies.h"
 #include "viscera/geometry/coarse_triangles.h"
 #include "viscera/geometry/median_tree.h"
 #include "viscera/geometry/surface_gap.h"
@@ -41,6 +42,7 @@
 #include "viscera/live/cycle_curves.h"
 #include "viscera/live/motion_copy.h"
 #include "viscera/live/player.h"
+#include "viscera/live/strain_reading.h"
 #include "viscera/localised_scc/region_layout.h"
 #include "viscera/medical_io/contour.h"
 #include "viscera/medical_io/scan.h"
@@ -100,6 +102,25 @@ Points cubeCorners() {
   const HeartStrain strain = heartStrain(heart, axes, nullptr, {}, progress);
   const double gls = strain.gls->peak.value; // -0.17: shorter by 17 %.
   return gls;
+}
+
+[[maybe_unused]] live::StrainReading strainOfABeat(const live::MovedOrgans& organs,
+                                                   const live::StrainOptions& options, Progress& progress) {
+  using namespace live;                               // As above.
+  const StrainGauge gauge(organs, options, progress); // Seconds.
+  const StrainReading beat = gauge.read(organs, progress);
+  return beat;
+}
+
+[[maybe_unused]] void sliceWithABone(const std::shared_ptr<const document::Organ>& femur,
+                                     const Points& posedFemur, const deformation::InverseMap& map,
+                                     const deformation::SamplePlane& plane, deformation::RestPoints& rest,
+                                     Progress& progress) {
+  using namespace deformation; // Its own tests have bones that move.
+  StiffBodies bones({femur->mesh}, {}, progress);
+  bones.setPose({&posedFemur}, map);
+  map.restPlane(plane, rest);
+  bones.stiffen(plane, rest);
 }
 
 [[maybe_unused]] double gapAfterADrag(const geometry::TriangleMesh& a, const geometry::TriangleMesh& b,
