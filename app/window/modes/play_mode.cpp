@@ -306,7 +306,7 @@ void PlayMode::syncStrain() {
   syncSegments();
 }
 
-/// Of a surface that was exchanged they are not known until they are found anew.
+/// A surface that was exchanged has no segments until they are found anew.
 SegmentsOfOrgans PlayMode::segments() const {
   SegmentsOfOrgans found;
   for (const auto& organ : parts_.workspace.document().organs())
@@ -316,7 +316,7 @@ SegmentsOfOrgans PlayMode::segments() const {
   return found;
 }
 
-/// In the modes that move the heart: no other one has the switch.
+/// Only the modes that move the heart have the switch, and so the colours.
 bool PlayMode::segmentsShown() const {
   const presentation::ViewState& view = parts_.view.state();
   const bool moves = view.mode == "play" || view.mode == "deform";

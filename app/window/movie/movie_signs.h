@@ -34,9 +34,9 @@ public:
   /// Null where the motion has none of what is chosen. `movie` is the size of the whole picture.
   static std::unique_ptr<MovieSigns> of(const Source& source, const QSize& movie);
 
-  /// Of the picture below the view's, pixels; an even number.
+  /// The height of the picture below the view's, pixels; an even number.
   int height() const { return size_.height(); }
-  /// At a fraction of the cycle in [0, 1]. Throws `Error` when nothing can be drawn.
+  /// Draws the signs at a fraction of the cycle in [0, 1]. Throws `Error` when nothing can be drawn.
   vtkSmartPointer<vtkImageData> picture(double fraction);
 
 private:

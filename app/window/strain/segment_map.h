@@ -30,7 +30,7 @@ public:
   SegmentMovie(std::shared_ptr<const live::StrainReading> reading, const presentation::StrainLook& look,
                SegmentsOfOrgans segments, double periodSeconds);
 
-  /// As the window shows them at `seconds` of the sequence.
+  /// Returns the colours that the window shows at `seconds` of the sequence.
   presentation::SurfaceMap at(double seconds) const;
 
 private:

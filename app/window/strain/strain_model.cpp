@@ -13,7 +13,7 @@
 namespace viscera::app {
 namespace {
 
-/// Of the cycle of a motion without keys, as `viscera strain` takes them.
+/// A motion without keys is read at as many instants of its cycle as `viscera strain` takes.
 constexpr int kInstants = 50;
 /// mm up to which a key is the pose that was tracked.
 constexpr double kSameKeyMm = 1e-6;

@@ -52,9 +52,9 @@ public:
   bool possible() const { return static_cast<bool>(leftVentricle()); }
   /// The first of these; none without any.
   document::OrganId leftVentricle() const;
-  /// Over the cycle; null while there is no motion, and until it is measured.
+  /// The strain over the cycle; null while there is no motion, and until it is measured.
   const Reading& cycle() const { return cycle_; }
-  /// Of the document's pose, at rest in phase 0 and as it is in phase 1; null while the sequence's pose or
+  /// The strain of the document's pose: phase 0 is rest, phase 1 the pose. Null while the sequence's pose or
   /// that at rest is shown.
   Reading pose() const { return posed() ? pose_ : nullptr; }
   /// The phase of `cycle` nearest to the instant that is shown; the reference while none is.
@@ -99,7 +99,7 @@ private:
   std::optional<Series> series(const Basis& basis) const;
   void readPose(const Basis& basis);
   void readCycle(const Basis& basis, const live::MotionCause& cause);
-  /// Against the phase `reference`; none, or a phase that there is not: the end of diastole.
+  /// Measures against the phase `reference`; none, or a phase that there is not: the end of diastole.
   void submit(const Basis& basis, std::function<live::MovedOrgans(Progress&)> motion,
               std::optional<std::size_t> reference, std::function<void(const Reading&)> take);
   void forget(const Basis& now);

@@ -230,7 +230,7 @@ void StrainPanel::rebuildSoon() {
     soon_.start();
 }
 
-/// Of a pose that is shown, its strain against rest; else that of the cycle as chosen.
+/// Draws the strain of a shown pose against rest, else that of the cycle as chosen.
 std::optional<scene::BullsEyeFigure> StrainPanel::figureOf(const StrainModel& model) const {
   const presentation::StrainLook& look = view_.state().strain;
   const StrainModel::Reading pose = model.pose();
@@ -351,7 +351,7 @@ QString StrainPanel::numbersText() const {
   return parts.join(QStringLiteral("&nbsp;&nbsp; "));
 }
 
-/// In rich text, as all numbers here. Those without a range: of the right ventricle and the atrium, of twist
+/// Writes, as rich text, the numbers without a range: of the right ventricle and the atrium, of twist
 /// and of the segments' times.
 QStringList StrainPanel::furtherNumbers() const {
   const strain::HeartStrain& strain = model_.cycle()->strain;

@@ -38,7 +38,7 @@ public:
   /// The names of the valves that are open at `fraction` of the cycle in [0, 1].
   QStringList openValves(double fraction) const;
 
-  /// Of what is drawn of a beat, logical pixels; 0 where nothing is.
+  /// The height of what is drawn of a beat, logical pixels; 0 where nothing is drawn.
   double height(double scale) const;
   /// Draws in the upper part of `area`, over its whole width.
   void paint(QPainter& painter, const QRectF& area, double fraction, const Look& look) const;

@@ -177,7 +177,7 @@ void Picture::bringUpToDate() const {
     update();
 }
 
-/// Of a surface that was exchanged they are those of the one before, until they are found anew.
+/// A surface that was exchanged has the segments of the one before, until they are found anew.
 bool Picture::segmentsFit() const {
   return segments_ &&
          std::all_of(segments_->values.begin(), segments_->values.end(), [this](const auto& part) {

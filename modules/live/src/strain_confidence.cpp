@@ -17,7 +17,7 @@ using strain::SegmentStrain;
 constexpr double kPartPercent = 100, kPartMs = 1000;
 /// A deviation over so many draws is known to a seventh of itself.
 constexpr int kDraws = 24;
-/// Of the vertices for which the nearest handle is looked for together.
+/// The nearest handle is looked for together for so many vertices.
 constexpr Eigen::Index kVertices = 512;
 
 /// Numbers of a normal distribution, the same on every machine (Box and Muller 1958, doi

@@ -19,7 +19,7 @@ namespace {
 
 using live::StrainDirection;
 
-/// Of the cycle of a motion without keys, as `viscera strain` takes them.
+/// A motion without keys is read at as many instants of its cycle as `viscera strain` takes.
 constexpr int kStrainInstants = 50;
 
 bool hasLeftVentricle(const document::DocumentState& state) {
