@@ -1,6 +1,8 @@
 #include <cmath>
 #include <cstddef>
+#include <memory>
 #include <numbers>
+#include <optional>
 #include <vector>
 
 #include <benchmark/benchmark.h>
@@ -9,7 +11,7 @@
 #include "viscera/coordinates/built_in_systems.h"
 #include "viscera/deformation/place_handles.h"
 #include "viscera/deformation/witness_gradients.h"
-#include "viscera/strain/heart_strain.h"
+#include "viscera/strain/heart_gauge.h"
 
 namespace viscera {
 namespace {
@@ -23,39 +25,37 @@ struct BeatingCylinder {
   geometry::TriangleMesh inner = tests::closedTube(tube.inner, 0, tube.length, 64, 31);
   geometry::TriangleMesh outer = tests::closedTube(tube.outer, 0, tube.length, 64, 31);
   strain::FoundAxes axes;
-  strain::WallPoints points;
+  std::shared_ptr<const strain::WallPoints> points;
   std::shared_ptr<const deformation::WitnessGradients> gradients;
   std::vector<Points> poses;
-  strain::MovingSurface left, epicardium;
-  strain::MovingHeart heart;
-  strain::MovingWall wall;
+  std::optional<strain::HeartGauge> gauge;
+  strain::HeartPhases phases;
 
   BeatingCylinder() : axes(foundAxes(inner, tube)) {
     Progress progress;
-    points = strain::wallPoints(mesh, {&inner, &outer, nullptr}, axes.axes, axes.cap, progress);
+    points = std::make_shared<const strain::WallPoints>(
+        strain::wallPoints(mesh, {&inner, &outer, nullptr}, axes.axes, axes.cap, progress));
     coordinates::HandleSet handles;
     handles.positions = deformation::placeHandles(outer, {.count = 120});
-    Points places(points.count(), 3);
+    Points places(points->count(), 3);
     for (Eigen::Index i = 0; i < places.rows(); ++i)
-      places.row(i) = mesh.points.row(points.rows[static_cast<std::size_t>(i)]);
+      places.row(i) = mesh.points.row(points->rows[static_cast<std::size_t>(i)]);
     for (const auto& system : coordinates::builtInSystems())
       if (system->id() == "s-celestial")
         gradients = deformation::bindWitnesses(*system, handles, places, {}, progress);
-    left = {"LV", inner.triangles, inner.points, {}};
-    epicardium = {"EPI", outer.triangles, outer.points, {}};
+    gauge.emplace(strain::HeartSurfaces{.left = strain::HeartSurface{"LV", inner.triangles, inner.points},
+                                        .outer = strain::HeartSurface{"EPI", outer.triangles, outer.points}},
+                  axes, points, std::vector<strain::ListedContour>());
     for (int phase = 0; phase < kPhases; ++phase) {
       const double part = std::sin(std::numbers::pi * phase / kPhases);
       const tests::CylinderMotion motion{tube, 20 - 6 * part, 1 - 0.15 * part, 0.003 * part};
       poses.push_back(motion(handles.positions));
-      left.phases.push_back(motion(inner.points));
-      epicardium.phases.push_back(motion(outer.points));
-      heart.seconds.push_back(0.033 * phase);
+      phases.left.push_back(motion(inner.points));
+      phases.outer.push_back(motion(outer.points));
+      phases.seconds.push_back(0.033 * phase);
     }
-    heart.leftCavity = &left;
-    heart.outer = &epicardium;
-    wall.points = &points;
-    wall.gradientsAt = [this](std::size_t phase, std::vector<Eigen::Matrix3d>& result) {
-      gradients->deformationGradients(poses[phase], result, Threads{1});
+    phases.gradientsAt = [this](std::size_t phase, std::vector<Eigen::Matrix3d>& result, Threads threads) {
+      gradients->deformationGradients(poses[phase], result, threads);
     };
   }
   BeatingCylinder(const BeatingCylinder&) = delete;
@@ -76,8 +76,8 @@ void strainOfABeat(benchmark::State& state) {
   const BeatingCylinder beating;
   Progress progress;
   for ([[maybe_unused]] auto _ : state)
-    benchmark::DoNotOptimize(strain::heartStrain(beating.heart, beating.axes, &beating.wall, {}, progress));
-  state.counters["witnesses"] = static_cast<double>(beating.points.count());
+    benchmark::DoNotOptimize(beating.gauge->read(beating.phases, progress));
+  state.counters["witnesses"] = static_cast<double>(beating.points->count());
   state.counters["phases"] = BeatingCylinder::kPhases;
 }
 BENCHMARK(strainOfABeat)->Unit(benchmark::kMillisecond);
@@ -86,13 +86,16 @@ BENCHMARK(strainOfABeat)->Unit(benchmark::kMillisecond);
 void strainOfAPose(benchmark::State& state) {
   BeatingCylinder beating;
   const std::vector<std::size_t> kept = {0, BeatingCylinder::kPhases / 2};
-  for (auto* surface : {&beating.left, &beating.epicardium})
-    surface->phases = {surface->phases[kept[0]], surface->phases[kept[1]]};
+  strain::HeartPhases& phases = beating.phases;
+  for (auto* surface : {&phases.left, &phases.outer})
+    *surface = {(*surface)[kept[0]], (*surface)[kept[1]]};
+  phases.left[0] = beating.gauge->surfaces().left->rest;
+  phases.outer[0] = beating.gauge->surfaces().outer->rest;
   beating.poses = {beating.poses[kept[0]], beating.poses[kept[1]]};
-  beating.heart.seconds = {0, 1};
+  phases.seconds = {0, 1};
   Progress progress;
   for ([[maybe_unused]] auto _ : state)
-    benchmark::DoNotOptimize(strain::heartStrain(beating.heart, beating.axes, &beating.wall, {}, progress));
+    benchmark::DoNotOptimize(beating.gauge->read(beating.phases, progress));
 }
 BENCHMARK(strainOfAPose)->Unit(benchmark::kMillisecond);
 

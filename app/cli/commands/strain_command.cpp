@@ -60,7 +60,7 @@ private:
   std::string base_, apex_, insertion_, contours_;
   std::vector<std::size_t> leftOut_;
   double periodMs_ = 0, rate_ = 0;
-  int trackedHandles_ = 0, instants_ = 50, witnesses_ = live::StrainOptions().witnesses;
+  int trackedHandles_ = 0, instants_ = live::kStrainInstants, witnesses_ = live::StrainOptions().witnesses;
   std::optional<std::size_t> reference_;
   bool once_ = false;
   std::string csv_, png_, size_ = "1600x1200", theme_ = "light";
@@ -235,6 +235,7 @@ live::MovedOrgans StrainCommand::played(CommandContext& context, std::vector<Tex
     for (std::size_t i = 0; i < std::min(state.organs->size(), played.surfaces.size()); ++i)
       if ((*state.organs)[i]->mesh == surface.mesh)
         surface.name = played.surfaces[i].name;
+  live::addOwnWall(state, context.progress, moved);
   return moved;
 }
 

@@ -13,8 +13,6 @@
 namespace viscera::app {
 namespace {
 
-/// A motion without keys is read at as many instants of its cycle as `viscera strain` takes.
-constexpr int kInstants = 50;
 /// mm up to which a key is the pose that was tracked.
 constexpr double kSameKeyMm = 1e-6;
 constexpr const char* kStrainSlot = "strain";
@@ -192,7 +190,7 @@ void StrainModel::readCycle(const Basis& basis, const live::MotionCause& cause) 
   submit(
       basis,
       [copy, systems = workspace_.registry(), series = series(basis)](Progress& progress) {
-        live::MovedOrgans moved = live::movedOrgans(copy->runner(), systems, kInstants, progress);
+        live::MovedOrgans moved = live::movedOrgans(copy->runner(), systems, live::kStrainInstants, progress);
         if (!series || !samePoses(moved.poses, *series->motion))
           return moved;
         moved.corresponding = series->motion->corresponding;
@@ -217,12 +215,13 @@ void StrainModel::submit(const Basis& basis, std::function<live::MovedOrgans(Pro
   auto made = std::make_shared<std::shared_ptr<const live::StrainGauge>>(gauge_);
   live::StrainOptions options;
   options.landmarks = basis.axes;
-  auto work = [made, rest = atRest(basis), motion = std::move(motion), reference,
-               options](Progress& progress) {
+  auto work = [made, rest = atRest(basis), state = workspace_.state(), motion = std::move(motion), reference,
+               options](Progress& progress) mutable {
     Reading reading;
     inBackground([&] {
       if (!*made)
         runPart(progress, 0, 0.7, [&](Progress& part) {
+          live::addOwnWall(state, part, rest);
           *made = std::make_shared<const live::StrainGauge>(rest, options, part);
         });
       runPart(progress, 0.7, 1, [&](Progress& part) {

@@ -10,7 +10,6 @@
 #include "viscera/deformation/tetrahedralise.h"
 #include "viscera/deformation/witness_gradients.h"
 #include "viscera/deformation/witness_mesh.h"
-#include "viscera/document/rig.h"
 #include "viscera/geometry/signed_distance.h"
 #include "viscera/geometry/volume.h"
 #include "viscera/geometry/winding_number.h"
@@ -23,7 +22,7 @@ namespace viscera::live {
 namespace {
 
 using geometry::TriangleMesh;
-using strain::MovingSurface;
+using strain::HeartSurface;
 
 /// The part of a cavity's vertices that has to lie in the surface around it.
 constexpr double kMostlyInside = 0.95;
@@ -32,7 +31,6 @@ constexpr Eigen::Index kTried = 400;
 constexpr double kFuller = 0.03;
 /// The outer surface may lie this many times farther from the cavity than its wall: fat is upon it.
 constexpr double kBeyondWall = 1.5;
-constexpr double kSecondsOfMinute = 60;
 
 std::size_t organNamed(const MovedOrgans& organs, const std::string& name) {
   for (std::size_t i = 0; i < organs.organs.size(); ++i)
@@ -85,52 +83,27 @@ std::optional<std::size_t> outerOf(const MovedOrgans& organs, const std::string&
   return best;
 }
 
-/// A surface of the heart at rest, with triangles that face outward, and how handles move it.
-struct GaugedSurface {
-  std::size_t organ = 0;
-  MovingSurface rest;
-  std::shared_ptr<const coordinates::Binding> binding; ///< Never null.
-
-  GaugedSurface(const MovedOrgans& organs, std::size_t place, Progress& progress, Threads threads)
-      : organ(place), rest{organs.organs[place].name,
-                           organs.organs[place].mesh->triangles,
-                           organs.organs[place].mesh->points,
-                           {}} {
-    if (geometry::volume(rest.rest, rest.triangles) < 0)
-      rest.triangles.col(1).swap(rest.triangles.col(2));
-    binding = deformation::bindOrgan(*organs.system, organs.handles, rest.rest, {organs.parameters, threads},
-                                     progress);
-  }
-
-  MovingSurface in(const MovedOrgans& moved, Threads threads) const {
-    MovingSurface surface = rest;
-    if (!moved.measured.empty()) {
-      surface.phases = moved.measured[organ];
-      return surface;
-    }
-    surface.phases.resize(moved.poses.size());
-    for (std::size_t phase = 0; phase < moved.poses.size(); ++phase)
-      binding->deform(moved.poses[phase], surface.phases[phase], threads);
-    return surface;
-  }
-};
-
-/// A pose of a motion that was fitted to measured surfaces, with what it has left at the handles.
-FittedPose fittedPose(const MovedOrgans& moved, const std::vector<const GaugedSurface*>& surfaces,
-                      std::size_t phase, Threads threads) {
-  std::vector<Points> fitted(surfaces.size());
-  std::vector<SurfaceResidual> left;
-  for (std::size_t i = 0; i < surfaces.size(); ++i) {
-    surfaces[i]->binding->deform(moved.poses[phase], fitted[i], threads);
-    left.push_back({&surfaces[i]->rest.rest, &fitted[i], &moved.measured[surfaces[i]->organ][phase]});
-  }
-  return {&moved.poses[phase], handleResiduals(moved.handles.positions, left, threads)};
+/// A surface of the heart at rest, with triangles that face outward.
+HeartSurface surfaceOf(const SequenceOrgan& organ) {
+  HeartSurface surface{organ.name, organ.mesh->triangles, organ.mesh->points, {}};
+  if (geometry::volume(surface.rest, surface.triangles) < 0)
+    surface.triangles.col(1).swap(surface.triangles.col(2));
+  return surface;
 }
+
+/// A surface of the heart and how handles move it.
+struct BoundSurface {
+  std::optional<HeartSurface> strain::HeartSurfaces::*rest;
+  std::vector<Points> strain::HeartPhases::*phases;
+  std::optional<std::size_t> organ; ///< None: it is no organ, but the sample heart's own wall.
+  std::shared_ptr<const coordinates::Binding> binding = nullptr; ///< Never null once it is bound.
+};
 
 /// The wall of the left ventricle with the gradients at its points.
 struct BoundWall {
-  strain::WallPoints points;
+  std::shared_ptr<const strain::WallPoints> points;
   std::shared_ptr<const deformation::WitnessGradients> gradients;
+  std::vector<Eigen::Matrix3d> atRest; ///< The gradients in the pose of rest.
 };
 
 BoundWall boundWall(const MovedOrgans& organs, const strain::WallSurfaces& surfaces,
@@ -150,15 +123,17 @@ BoundWall boundWall(const MovedOrgans& organs, const strain::WallSurfaces& surfa
   const deformation::WitnessMesh tissue = deformation::withoutCavities(*sample.mesh, cavities, threads);
   BoundWall wall;
   runPart(progress, 0.3, 0.6, [&](Progress& part) {
-    wall.points = strain::wallPoints(tissue, surfaces, axes.axes, axes.cap, part, threads);
+    wall.points = std::make_shared<const strain::WallPoints>(
+        strain::wallPoints(tissue, surfaces, axes.axes, axes.cap, part, threads));
   });
-  Points places(wall.points.count(), 3);
+  Points places(wall.points->count(), 3);
   for (Eigen::Index i = 0; i < places.rows(); ++i)
-    places.row(i) = tissue.points.row(wall.points.rows[static_cast<std::size_t>(i)]);
+    places.row(i) = tissue.points.row(wall.points->rows[static_cast<std::size_t>(i)]);
   runPart(progress, 0.6, 1, [&](Progress& part) {
     wall.gradients = deformation::bindWitnesses(*organs.system, organs.handles, places,
                                                 {organs.parameters, threads}, part);
   });
+  wall.gradients->deformationGradients(organs.handles.positions, wall.atRest, threads);
   return wall;
 }
 
@@ -197,18 +172,19 @@ std::vector<strain::ListedContour> presentContours(const MovedOrgans& organs, co
 }
 
 /// The phase in which the left ventricle is clearly fuller than in this one.
-std::optional<std::size_t> fullerPhase(const MovingSurface& left, std::size_t reference) {
+std::optional<std::size_t> fullerPhase(const Triangles& triangles, const std::vector<Points>& phases,
+                                       std::size_t reference) {
   std::vector<double> volumes;
-  for (const Points& phase : left.phases)
-    volumes.push_back(geometry::volume(phase, left.triangles));
+  for (const Points& phase : phases)
+    volumes.push_back(geometry::volume(phase, triangles));
   const auto fullest = std::max_element(volumes.begin(), volumes.end());
   if (reference >= volumes.size() || *fullest <= (1 + kFuller) * volumes[reference])
     return std::nullopt;
   return static_cast<std::size_t>(fullest - volumes.begin());
 }
 
-void warn(const strain::MovingSurface& left, const strain::FoundAxes& axes, StrainReading& reading) {
-  if (!axes.oriented)
+void warn(std::optional<std::size_t> fuller, StrainReading& reading) {
+  if (!reading.strain.oriented)
     reading.warnings.push_back(phrase(
         "Without the right ventricle the numbers of segments mean nothing: give its surface, or a point "
         "where it meets the left one in front"));
@@ -216,7 +192,7 @@ void warn(const strain::MovingSurface& left, const strain::FoundAxes& axes, Stra
     reading.warnings.push_back(
         phrase("Material points are not known in this motion: lengths of contours can be "
                "read, segments cannot"));
-  if (const auto fuller = fullerPhase(left, reading.strain.reference))
+  if (fuller)
     reading.warnings.push_back(
         phrase("The left ventricle is fullest in phase %1, and strain is measured from "
                "phase %2",
@@ -240,117 +216,104 @@ void warn(const strain::MovingSurface& left, const strain::FoundAxes& axes, Stra
     reading.warnings.push_back(phrase("%n {segment has|segments have} too few points to be read", few));
 }
 
-coordinates::HandleSet handlesOf(const SequenceFile& file) {
-  coordinates::HandleSet handles;
-  handles.positions = file.track.restHandles;
-  for (const sequences::HandleGroup& group : file.track.groups)
-    handles.groups.push_back({group.name, group.handles});
-  return handles;
-}
-
 } // namespace
 
-MovedOrgans movedOrgans(const SequenceFile& file, const coordinates::Registry& systems) {
-  if (file.organs.empty())
-    throw UsageError("It holds no organ", file.track.name.empty() ? "sequence" : file.track.name,
-                     "name one with --organ");
-  MovedOrgans moved;
-  moved.organs = file.organs;
-  moved.handles = handlesOf(file);
-  const document::SystemChoice choice = file.system.value_or(document::SystemChoice());
-  moved.system = systems.find(choice.id);
-  moved.parameters = choice.parameters;
-  for (const auto& key : file.track.keys) {
-    moved.seconds.push_back(key.seconds);
-    moved.poses.push_back(key.pose);
-  }
-  return moved;
-}
-
-MovedOrgans movedOrgans(const MotionSeries& series, const PatientMotion& found,
-                        const coordinates::Registry& systems) {
-  MovedOrgans moved = movedOrgans(found.sequence, systems);
-  moved.corresponding = found.corresponding;
-  for (const tracking::SurfaceSeries& surface : series.corresponding) {
-    moved.measured.push_back(surface.phases);
-    moved.rowOfGiven.push_back(surface.rowOfGiven);
-  }
-  return moved;
-}
-
-MovedOrgans movedOrgans(MotionRunner& runner, const coordinates::Registry& systems, int instants,
-                        Progress& progress) {
-  runner.requireMovable();
-  const document::DocumentState& state = runner.state();
-  MovedOrgans moved;
-  for (const auto& organ : *state.organs)
-    if (runner.organs().bound(organ->id))
-      moved.organs.push_back({organ->name, organ->mesh});
-  moved.handles = document::handleSet(*state.rig);
-  moved.system = systems.find(state.system->id);
-  moved.parameters = state.system->parameters;
-  const double rate = runner.ratePerMinute();
-  for (const double key : runner.sequence()->keys())
-    moved.seconds.push_back(key * runner.sequence()->standardRatePerMinute() / rate);
-  if (moved.seconds.empty()) {
-    moved.corresponding = true; // A motion that is computed moves material points.
-    for (int i = 0; i < instants; ++i)
-      moved.seconds.push_back(i * kSecondsOfMinute / rate / instants);
-  }
-  for (const double seconds : moved.seconds) {
-    progress.throwIfCancelled();
-    const std::optional<Points> pose = runner.poseAt(seconds);
-    if (!pose)
-      throw DataError(runner.obstacle(), runner.sequence()->id());
-    moved.poses.push_back(*pose);
-  }
-  return moved;
-}
-
 struct StrainGauge::Parts {
-  explicit Parts(strain::FoundAxes found) : axes(std::move(found)) {}
-
-  std::optional<GaugedSurface> left, right, outer, atrium;
-  strain::FoundAxes axes;
-  std::optional<std::size_t> reference;
-  std::vector<strain::ListedContour> contours;
+  strain::HeartGauge heart;
+  std::vector<BoundSurface> surfaces;
   std::optional<BoundWall> wall;
+  Points rest; ///< Of the handles.
+  std::optional<std::size_t> reference;
   std::vector<std::vector<int>> segments; ///< Of the vertices of each organ.
   std::vector<Text> warnings;
 
-  std::vector<int> segmentsOfCavity() const;
-  std::vector<int> segmentsAround() const;
+  std::vector<Points> phasesOf(const BoundSurface& surface, const MovedOrgans& moved, Threads threads) const;
+  strain::HeartPhases phasesOf(const MovedOrgans& moved, Progress& progress, Threads threads) const;
+  FittedPose fittedPose(const MovedOrgans& moved, std::size_t phase, Threads threads) const;
 };
 
-std::vector<int> StrainGauge::Parts::segmentsOfCavity() const {
-  const MovingSurface& surface = left->rest;
-  const std::vector<bool> onWall = strain::verticesOf(surface.rest.rows(), surface.triangles, axes.cap);
+/// Where it was measured, else where the handles move it; at rest where they are.
+std::vector<Points> StrainGauge::Parts::phasesOf(const BoundSurface& surface, const MovedOrgans& moved,
+                                                 Threads threads) const {
+  if (surface.organ && !moved.measured.empty())
+    return moved.measured[*surface.organ];
+  std::vector<Points> phases(moved.poses.size());
+  for (std::size_t phase = 0; phase < phases.size(); ++phase)
+    if (moved.poses[phase] == rest)
+      phases[phase] = (heart.surfaces().*surface.rest)->rest;
+    else
+      surface.binding->deform(moved.poses[phase], phases[phase], threads);
+  return phases;
+}
+
+strain::HeartPhases StrainGauge::Parts::phasesOf(const MovedOrgans& moved, Progress& progress,
+                                                 Threads threads) const {
+  strain::HeartPhases phases;
+  phases.seconds = moved.seconds;
+  for (const BoundSurface& surface : surfaces) {
+    progress.throwIfCancelled();
+    phases.*surface.phases = phasesOf(surface, moved, threads);
+  }
+  if (wall)
+    phases.gradientsAt = [this, &moved](std::size_t phase, std::vector<Eigen::Matrix3d>& gradients,
+                                        Threads inner) {
+      if (moved.poses[phase] == rest)
+        gradients = wall->atRest;
+      else
+        wall->gradients->deformationGradients(moved.poses[phase], gradients, inner);
+    };
+  return phases;
+}
+
+/// A pose of a motion that was fitted to measured surfaces, with what it has left at the handles.
+FittedPose StrainGauge::Parts::fittedPose(const MovedOrgans& moved, std::size_t phase,
+                                          Threads threads) const {
+  std::vector<Points> fitted(surfaces.size());
+  std::vector<SurfaceResidual> left;
+  for (std::size_t i = 0; i < surfaces.size(); ++i) {
+    if (!surfaces[i].organ)
+      continue;
+    surfaces[i].binding->deform(moved.poses[phase], fitted[i], threads);
+    left.push_back({&(heart.surfaces().*surfaces[i].rest)->rest, &fitted[i],
+                    &moved.measured[*surfaces[i].organ][phase]});
+  }
+  return {&moved.poses[phase], handleResiduals(rest, left, threads)};
+}
+
+namespace {
+
+std::vector<int> segmentsOfCavity(const strain::HeartGauge& heart) {
+  const HeartSurface& surface = *heart.surfaces().left;
+  const std::vector<bool> onWall =
+      strain::verticesOf(surface.rest.rows(), surface.triangles, heart.axes().cap);
   std::vector<int> found(onWall.size(), 0);
   for (std::size_t i = 0; i < found.size(); ++i)
     if (onWall[i])
-      found[i] = strain::segmentOf(axes.axes, surface.rest.row(static_cast<Eigen::Index>(i)).transpose());
+      found[i] =
+          strain::segmentOf(heart.axes().axes, surface.rest.row(static_cast<Eigen::Index>(i)).transpose());
   return found;
 }
 
 /// What is nearer to the right cavity than to the left one is the right ventricle's wall; what is far from
 /// both is no ventricle.
-std::vector<int> StrainGauge::Parts::segmentsAround() const {
-  const auto meshOf = [](const GaugedSurface& surface) {
-    return std::make_shared<const TriangleMesh>(TriangleMesh{surface.rest.rest, surface.rest.triangles, {}});
+std::vector<int> segmentsAround(const strain::HeartGauge& heart, const Points& around) {
+  const auto meshOf = [](const std::optional<HeartSurface>& surface) {
+    return surface ? std::make_shared<const TriangleMesh>(TriangleMesh{surface->rest, surface->triangles, {}})
+                   : nullptr;
   };
-  const auto leftMesh = meshOf(*left), outerMesh = meshOf(*outer),
-             rightMesh = right ? meshOf(*right) : nullptr;
-  const auto reach =
-      strain::reachOfSegments({leftMesh.get(), outerMesh.get(), rightMesh.get()}, axes.axes, axes.cap);
-  const geometry::SignedDistance fromLeft(leftMesh);
+  const strain::HeartSurfaces& surfaces = heart.surfaces();
+  const auto left = meshOf(surfaces.left), outer = meshOf(surfaces.outer), right = meshOf(surfaces.right);
+  const strain::HeartAxes& axes = heart.axes().axes;
+  const auto reach = strain::reachOfSegments({left.get(), outer.get(), right.get()}, axes, heart.axes().cap);
+  const geometry::SignedDistance fromLeft(left);
   std::optional<geometry::SignedDistance> fromRight;
   if (right)
-    fromRight.emplace(rightMesh);
-  std::vector<int> found(static_cast<std::size_t>(outerMesh->points.rows()), 0);
+    fromRight.emplace(right);
+  std::vector<int> found(static_cast<std::size_t>(around.rows()), 0);
   for (std::size_t i = 0; i < found.size(); ++i) {
-    const Vec3 place = outerMesh->points.row(static_cast<Eigen::Index>(i)).transpose();
+    const Vec3 place = around.row(static_cast<Eigen::Index>(i)).transpose();
     const double away = std::abs(fromLeft(place));
-    const int segment = strain::segmentOf(axes.axes, place);
+    const int segment = strain::segmentOf(axes, place);
     if (away <= kBeyondWall * reach[static_cast<std::size_t>(segment)] &&
         (!fromRight || away <= std::abs((*fromRight)(place))))
       found[i] = segment;
@@ -358,44 +321,70 @@ std::vector<int> StrainGauge::Parts::segmentsAround() const {
   return found;
 }
 
+/// Which organs are the surfaces of the heart.
+struct ChosenOrgans {
+  std::size_t left = 0;
+  std::optional<std::size_t> right, outer, atrium;
+
+  ChosenOrgans(const MovedOrgans& organs, const StrainOptions& options) {
+    const std::optional<std::size_t> found = chamberOf(organs, options.left, anatomy::kLeftVentricle);
+    if (!found)
+      throw DataError("No surface is a left ventricle by its name", "heart", "name its cavity with --lv");
+    left = *found;
+    right = chamberOf(organs, options.right, anatomy::kRightVentricle);
+    atrium = chamberOf(organs, options.atrium, anatomy::kLeftAtrium);
+    outer = outerOf(organs, options.outer, left);
+  }
+};
+
+} // namespace
+
 StrainGauge::StrainGauge(const MovedOrgans& organs, const StrainOptions& options, Progress& progress,
                          Threads threads) {
-  const std::optional<std::size_t> left = chamberOf(organs, options.left, anatomy::kLeftVentricle);
-  if (!left)
-    throw DataError("No surface is a left ventricle by its name", "heart", "name its cavity with --lv");
-  const std::optional<std::size_t> right = chamberOf(organs, options.right, anatomy::kRightVentricle);
-  const std::optional<std::size_t> atrium = chamberOf(organs, options.atrium, anatomy::kLeftAtrium);
-  const std::optional<std::size_t> outer = outerOf(organs, options.outer, *left);
+  const ChosenOrgans chosen(organs, options);
   progress.report(0, "surfaces in motion");
+  // 1. The surfaces at rest and what moves them.
+  std::vector<BoundSurface> bound = {{&strain::HeartSurfaces::left, &strain::HeartPhases::left, chosen.left}};
+  if (chosen.right)
+    bound.push_back({&strain::HeartSurfaces::right, &strain::HeartPhases::right, chosen.right});
+  const bool own = organs.wall && options.outer.empty();
+  if (own || chosen.outer)
+    bound.push_back(
+        {&strain::HeartSurfaces::outer, &strain::HeartPhases::outer, own ? std::nullopt : chosen.outer});
+  if (chosen.atrium)
+    bound.push_back({&strain::HeartSurfaces::atrium, &strain::HeartPhases::atrium, chosen.atrium});
+  strain::HeartSurfaces surfaces;
   Progress quiet;
-  const GaugedSurface leftSurface(organs, *left, quiet, threads);
-  const TriangleMesh leftMesh{leftSurface.rest.rest, leftSurface.rest.triangles, {}};
-  auto parts = std::make_shared<Parts>(
-      strain::findAxes(leftMesh, right ? organs.organs[*right].mesh.get() : nullptr, options.landmarks));
-  parts->left = leftSurface;
-  for (const auto& [place, target] : {std::pair(right, &parts->right), std::pair(outer, &parts->outer),
-                                      std::pair(atrium, &parts->atrium)}) {
+  for (BoundSurface& surface : bound) {
     progress.throwIfCancelled();
-    if (!place)
-      continue;
-    target->emplace(organs, *place, quiet, threads);
-    const Vec3& down = parts->axes.axes.down();
-    (*target)->rest.caps = strain::capsOf((*target)->rest, target == &parts->atrium ? down : Vec3(-down));
+    surfaces.*surface.rest = surfaceOf(surface.organ ? organs.organs[*surface.organ] : *organs.wall);
+    surface.binding = deformation::bindOrgan(*organs.system, organs.handles, (surfaces.*surface.rest)->rest,
+                                             {organs.parameters, threads}, quiet);
   }
-  parts->reference = options.reference;
-  parts->contours = presentContours(organs, options, *left);
+  // 2. Axes and wall.
+  const auto meshOf = [&](std::optional<std::size_t> organ) {
+    return organ ? organs.organs[*organ].mesh.get() : nullptr;
+  };
+  const TriangleMesh leftMesh{surfaces.left->rest, surfaces.left->triangles, {}};
+  strain::FoundAxes axes = strain::findAxes(leftMesh, meshOf(chosen.right), options.landmarks);
+  const TriangleMesh* outer = own ? organs.wall->mesh.get() : meshOf(chosen.outer);
+  std::optional<BoundWall> wall;
+  std::vector<Text> warnings;
   if (outer)
     runPart(progress, 0.1, 0.9, [&](Progress& part) {
-      parts->wall = boundWall(organs,
-                              {organs.organs[*left].mesh.get(), organs.organs[*outer].mesh.get(),
-                               right ? organs.organs[*right].mesh.get() : nullptr},
-                              parts->axes, options, parts->warnings, part, threads);
+      wall = boundWall(organs, {meshOf(chosen.left), outer, meshOf(chosen.right)}, axes, options, warnings,
+                       part, threads);
     });
-  parts->segments.resize(organs.organs.size());
-  parts->segments[*left] = parts->segmentsOfCavity();
-  if (outer)
-    parts->segments[*outer] = parts->segmentsAround();
-  parts_ = std::move(parts);
+  const strain::HeartGauge heart(std::move(surfaces), std::move(axes), wall ? wall->points : nullptr,
+                                 presentContours(organs, options, chosen.left), threads);
+  // 3. Segments of the organs that are seen.
+  std::vector<std::vector<int>> segments(organs.organs.size());
+  segments[chosen.left] = segmentsOfCavity(heart);
+  if (chosen.outer)
+    segments[*chosen.outer] = segmentsAround(heart, organs.organs[*chosen.outer].mesh->points);
+  parts_ =
+      std::make_shared<const Parts>(Parts{heart, std::move(bound), std::move(wall), organs.handles.positions,
+                                          options.reference, std::move(segments), std::move(warnings)});
 }
 
 const std::vector<int>& StrainGauge::segmentsOn(std::size_t organ) const {
@@ -405,52 +394,32 @@ const std::vector<int>& StrainGauge::segmentsOn(std::size_t organ) const {
 StrainReading StrainGauge::read(const MovedOrgans& moved, Progress& progress, Threads threads,
                                 std::optional<std::size_t> reference) const {
   const Parts& parts = *parts_;
-  const MovingSurface left = parts.left->in(moved, threads);
-  std::optional<MovingSurface> right, outer, atrium;
-  for (const auto& [surface, target] : {std::pair(&parts.right, &right), std::pair(&parts.outer, &outer),
-                                        std::pair(&parts.atrium, &atrium)}) {
-    progress.throwIfCancelled();
-    if (*surface)
-      *target = (*surface)->in(moved, threads);
-  }
-  strain::MovingHeart heart;
-  heart.leftCavity = &left;
-  heart.rightCavity = right ? &*right : nullptr;
-  heart.outer = outer ? &*outer : nullptr;
-  heart.leftAtrium = atrium ? &*atrium : nullptr;
-  heart.seconds = moved.seconds;
-  heart.reference = reference.value_or(parts.reference.value_or(fullerPhase(left, 0).value_or(0)));
-  StrainReading reading(parts.axes);
-  const auto nameOf = [](const std::optional<MovingSurface>& surface) {
+  const strain::HeartSurfaces& surfaces = parts.heart.surfaces();
+  strain::HeartPhases phases = parts.phasesOf(moved, progress, threads);
+  const auto fullerThan = [&](std::size_t phase) {
+    return fullerPhase(surfaces.left->triangles, phases.left, phase);
+  };
+  phases.reference = reference.value_or(parts.reference.value_or(fullerThan(0).value_or(0)));
+  StrainReading reading(parts.heart.axes());
+  const auto nameOf = [](const std::optional<HeartSurface>& surface) {
     return surface ? surface->name : std::string();
   };
-  reading.left = left.name;
-  reading.right = nameOf(right);
-  reading.outer = nameOf(outer);
-  reading.atrium = nameOf(atrium);
+  reading.left = nameOf(surfaces.left);
+  reading.right = nameOf(surfaces.right);
+  reading.outer = nameOf(surfaces.outer);
+  reading.atrium = nameOf(surfaces.atrium);
   reading.corresponding = moved.corresponding;
   reading.warnings = parts.warnings;
-  strain::MovingWall movingWall;
-  if (parts.wall) {
-    movingWall.points = &parts.wall->points;
-    movingWall.gradientsAt = [&](std::size_t phase, std::vector<Eigen::Matrix3d>& gradients) {
-      parts.wall->gradients->deformationGradients(moved.poses[phase], gradients, Threads{1});
-    };
-    reading.witnesses = static_cast<int>(parts.wall->points.count());
-  }
-  reading.strain = strain::heartStrain(heart, parts.axes, parts.wall ? &movingWall : nullptr, parts.contours,
-                                       progress, threads);
+  if (parts.wall)
+    reading.witnesses = static_cast<int>(parts.wall->points->count());
+  reading.strain = parts.heart.read(phases, progress, threads);
   if (parts.wall && !moved.measured.empty() && moved.corresponding.value_or(false)) {
-    std::vector<const GaugedSurface*> surfaces;
-    for (const auto* surface : {&parts.left, &parts.right, &parts.outer, &parts.atrium})
-      if (*surface)
-        surfaces.push_back(&**surface);
-    const std::size_t peak = reading.strain.gls ? reading.strain.gls->peak.phase : heart.reference;
-    reading.deviations = drawnDeviations(parts.wall->points, *parts.wall->gradients,
-                                         fittedPose(moved, surfaces, heart.reference, threads),
-                                         fittedPose(moved, surfaces, peak, threads), progress, threads);
+    const std::size_t peak = reading.strain.gls ? reading.strain.gls->peak.phase : phases.reference;
+    reading.deviations = drawnDeviations(*parts.wall->points, *parts.wall->gradients,
+                                         parts.fittedPose(moved, phases.reference, threads),
+                                         parts.fittedPose(moved, peak, threads), progress, threads);
   }
-  warn(left, parts.axes, reading);
+  warn(fullerThan(phases.reference), reading);
   return reading;
 }
 

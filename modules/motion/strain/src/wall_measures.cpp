@@ -17,6 +17,7 @@ namespace {
 constexpr double kThicknessFrom = 0.08;
 /// The rings of the twist, as parts of the long axis.
 constexpr double kBaseRing[2] = {0.05, 0.2}, kApexRing[2] = {0.75, 0.92};
+constexpr Eigen::Index kVerticesATime = 64;
 constexpr double kDegrees = 180 / std::numbers::pi;
 
 } // namespace
@@ -43,20 +44,26 @@ ThicknessGauge::ThicknessGauge(const Points& rest, const Triangles& triangles, c
   }
 }
 
-std::array<double, kSegments + 1> ThicknessGauge::at(const Points& cavity,
-                                                     const std::vector<Bound>& around) const {
+std::array<double, kSegments + 1> ThicknessGauge::at(const Points& cavity, const std::vector<Bound>& around,
+                                                     Threads threads) const {
   std::vector<OpenSurface> surfaces;
   for (const Bound& bound : around)
     surfaces.emplace_back(*bound.points, *bound.triangles,
                           bound.leftOut ? *bound.leftOut : std::vector<bool>());
+  Values nearest =
+      Values::Constant(static_cast<Eigen::Index>(vertices_.size()), std::numeric_limits<double>::infinity());
+  parallelRanges(nearest.size(), kVerticesATime, threads, [&](Eigen::Index begin, Eigen::Index end) {
+    for (Eigen::Index i = begin; i < end; ++i)
+      for (const OpenSurface& surface : surfaces) {
+        const std::int32_t row = vertices_[static_cast<std::size_t>(i)].first;
+        nearest[i] = std::min(nearest[i], surface.distanceTo(cavity.row(row).transpose()));
+      }
+  });
   std::array<double, kSegments + 1> sums{};
   std::array<int, kSegments + 1> counts{};
-  for (const auto& [row, segment] : vertices_) {
-    double nearest = std::numeric_limits<double>::infinity();
-    for (const OpenSurface& surface : surfaces)
-      nearest = std::min(nearest, surface.distanceTo(cavity.row(row).transpose()));
-    for (const int place : {segment, 0}) {
-      sums[static_cast<std::size_t>(place)] += nearest;
+  for (Eigen::Index i = 0; i < nearest.size(); ++i) {
+    for (const int place : {vertices_[static_cast<std::size_t>(i)].second, 0}) {
+      sums[static_cast<std::size_t>(place)] += nearest[i];
       ++counts[static_cast<std::size_t>(place)];
     }
   }

@@ -158,9 +158,11 @@ void addStrain(const LessonSource& source, live::PosedOrgans& organs, const Moti
   for (const MotionSamples::Track& track : samples.tracks) {
     runner.setRatePerMinute(track.rate);
     runner.prescribe(source.prescribed);
-    const live::MovedOrgans moved = live::movedOrgans(runner, systems, kStrainInstants, progress);
-    if (!gauge)
+    live::MovedOrgans moved = live::movedOrgans(runner, systems, kStrainInstants, progress);
+    if (!gauge) {
+      live::addOwnWall(source.state, progress, moved);
       gauge.emplace(moved, live::StrainOptions(), progress, threads);
+    }
     const live::StrainReading reading = gauge->read(moved, progress, threads);
     const auto eyeAt = [&reading](std::size_t phase) {
       return presentation::strainBullsEye(reading, StrainDirection::longitudinal, live::StrainMoment::instant,

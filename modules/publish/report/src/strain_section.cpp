@@ -19,9 +19,6 @@ namespace {
 
 using live::StrainDirection;
 
-/// A motion without keys is read at as many instants of its cycle as `viscera strain` takes.
-constexpr int kStrainInstants = 50;
-
 bool hasLeftVentricle(const document::DocumentState& state) {
   return std::any_of(state.organs->begin(), state.organs->end(), [](const auto& organ) {
     return anatomy::chamberNamed(organ->name) == anatomy::kLeftVentricle;
@@ -65,8 +62,9 @@ Section strainSection(const ReportSource& source, Threads threads, Progress& pro
   runner.prescribe(source.prescribed);
   std::optional<live::StrainReading> reading;
   try {
-    reading = live::readStrain(live::movedOrgans(runner, *source.systems, kStrainInstants, progress), {},
-                               progress, threads);
+    live::MovedOrgans moved = live::movedOrgans(runner, *source.systems, live::kStrainInstants, progress);
+    live::addOwnWall(source.state, progress, moved);
+    reading = live::readStrain(moved, {}, progress, threads);
   } catch (const DataError& error) { // A heart of another shape is no reason to do without a report.
     section.blocks.push_back(Paragraph{inWords(error.problem()) + "."});
     return section;

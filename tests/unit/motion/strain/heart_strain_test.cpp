@@ -6,7 +6,7 @@
 
 #include "thick_cylinder.h"
 #include "viscera/core/error.h"
-#include "viscera/strain/heart_strain.h"
+#include "viscera/strain/heart_gauge.h"
 
 namespace viscera::strain {
 namespace {
@@ -32,39 +32,36 @@ struct Beat {
 
 /// The surfaces of a heart in that motion, turned and shifted as a whole.
 struct BeatingHeart {
-  MovingSurface left, outer;
-  MovingHeart heart;
+  HeartSurfaces surfaces;
+  HeartPhases phases;
 
   BeatingHeart(const Beat& beat, const Eigen::Matrix3d& rotation = Eigen::Matrix3d::Identity(),
-               const Vec3& shift = Vec3::Zero(), int around = 48, int along = 40)
-      : left(moving("LV", tests::ventricle(20, 80, Vec3::Zero(), around, along), beat, rotation, shift)),
-        outer(moving("EPI", tests::ventricle(30, 90, Vec3::Zero(), around, along), beat, rotation, shift)) {
-    heart.leftCavity = &left;
-    heart.outer = &outer;
+               const Vec3& shift = Vec3::Zero(), int around = 48, int along = 40) {
+    const auto add = [&](const char* name, const geometry::TriangleMesh& mesh,
+                         std::optional<HeartSurface>& surface, std::vector<Points>& moved) {
+      const auto placed = [&](const Points& points) {
+        return ((points * rotation.transpose()).rowwise() + shift.transpose()).eval();
+      };
+      surface = HeartSurface{name, mesh.triangles, placed(mesh.points)};
+      for (int phase = 0; phase < kPhases; ++phase)
+        moved.push_back(placed(beat.at(mesh.points, phase)));
+    };
+    add("LV", tests::ventricle(20, 80, Vec3::Zero(), around, along), surfaces.left, phases.left);
+    add("EPI", tests::ventricle(30, 90, Vec3::Zero(), around, along), surfaces.outer, phases.outer);
     for (int phase = 0; phase < kPhases; ++phase)
-      heart.seconds.push_back(0.1 * phase);
+      phases.seconds.push_back(0.1 * phase);
   }
-  BeatingHeart(const BeatingHeart&) = delete;
-  BeatingHeart& operator=(const BeatingHeart&) = delete;
+
+  HeartGauge gauge(const Vec3& insertion, const std::vector<ListedContour>& listed = {}) const {
+    AxisLandmarks given;
+    given.insertion = insertion;
+    return {surfaces, findAxes({surfaces.left->rest, surfaces.left->triangles, {}}, nullptr, given), nullptr,
+            listed};
+  }
 
   HeartStrain measured(const Vec3& insertion, const std::vector<ListedContour>& listed = {}) const {
     Progress progress;
-    AxisLandmarks given;
-    given.insertion = insertion;
-    return heartStrain(heart, findAxes({left.rest, left.triangles, {}}, nullptr, given), nullptr, listed,
-                       progress);
-  }
-
-private:
-  static MovingSurface moving(const char* name, const geometry::TriangleMesh& mesh, const Beat& beat,
-                              const Eigen::Matrix3d& rotation, const Vec3& shift) {
-    const auto placed = [&](const Points& points) {
-      return ((points * rotation.transpose()).rowwise() + shift.transpose()).eval();
-    };
-    MovingSurface surface{name, mesh.triangles, placed(mesh.points), {}};
-    for (int phase = 0; phase < kPhases; ++phase)
-      surface.phases.push_back(placed(beat.at(mesh.points, phase)));
-    return surface;
+    return gauge(insertion, listed).read(phases, progress);
   }
 };
 
@@ -138,7 +135,7 @@ TEST(HeartStrain, MeasuresTheThicknessBetweenBothSurfaces) {
 TEST(HeartStrain, ThickeningIsTheChangeOfTheThicknessAgainstTheReference) {
   BeatingHeart beating({.narrowing = 0.3, .shortening = 0.3, .twist = 0});
   const HeartStrain strain = beating.measured(Vec3(-10, -20, 40));
-  beating.heart.reference = 4;
+  beating.phases.reference = 4;
   const HeartStrain fromTheMiddle = beating.measured(Vec3(-10, -20, 40));
   for (int number = 7; number <= 12; ++number) {
     EXPECT_NEAR(strain.segment(number).thickening[4], -0.3, 1e-9) << number;
@@ -147,18 +144,33 @@ TEST(HeartStrain, ThickeningIsTheChangeOfTheThicknessAgainstTheReference) {
   }
 }
 
-/// Caps that were found once, as a gauge does, are those that each reading finds.
-TEST(HeartStrain, IsTheSameWithCapsThatAreKnown) {
+/// A reader that has closed a surface knows its caps.
+TEST(HeartStrain, TakesCapsThatAreKnown) {
   BeatingHeart beating({.narrowing = 0.2, .shortening = 0.1, .twist = 0.1});
-  const HeartStrain found = beating.measured(Vec3(-10, -20, 40));
-  beating.outer.caps = capsOf(beating.outer, -found.axes.down());
-  ASSERT_FALSE(beating.outer.caps.empty());
+  const HeartGauge gauge = beating.gauge(Vec3(-10, -20, 40));
+  Progress progress;
+  const HeartStrain found = gauge.read(beating.phases, progress);
+  beating.surfaces.outer->caps = gauge.surfaces().outer->caps;
   const HeartStrain known = beating.measured(Vec3(-10, -20, 40));
   EXPECT_EQ(known.areas.back().curve, found.areas.back().curve);
   EXPECT_EQ(known.segment(8).thicknessMm, found.segment(8).thicknessMm);
-  beating.outer.caps.assign(beating.outer.caps.size(), false);
+  beating.surfaces.outer->caps.assign(gauge.surfaces().outer->caps.size(), false);
   EXPECT_GT(beating.measured(Vec3(-10, -20, 40)).areas.back().referenceMm, found.areas.back().referenceMm)
       << "the fan at its base counts as wall";
+}
+
+/// A phase at rest takes what is known of the heart at rest: the same as if it had been measured.
+TEST(HeartStrain, OfAPhaseAtRestIsThatOfTheHeartAtRest) {
+  BeatingHeart beating({.narrowing = 0.2, .shortening = 0.1, .twist = 0.1});
+  ASSERT_EQ(beating.phases.left[0], beating.surfaces.left->rest);
+  const HeartStrain strain = beating.measured(Vec3(-10, -20, 40));
+  for (Points* surface : {&beating.phases.left[0], &beating.phases.outer[0]})
+    surface->array() += 1e-9; // Not at rest any longer.
+  const HeartStrain moved = beating.measured(Vec3(-10, -20, 40));
+  for (int number = 1; number <= 16; ++number)
+    for (const std::size_t phase : {0U, 4U})
+      EXPECT_NEAR(strain.segment(number).thicknessMm[phase], moved.segment(number).thicknessMm[phase], 1e-6)
+          << number << " in " << phase;
 }
 
 TEST(HeartStrain, TakesListsOfVerticesInThePlaceOfContoursThatAreFound) {
@@ -170,7 +182,7 @@ TEST(HeartStrain, TakesListsOfVerticesInThePlaceOfContoursThatAreFound) {
   const ContourStrain& base = strain.circumferential.front();
   EXPECT_EQ(base.name, "base");
   EXPECT_NEAR(base.peak.value, -0.25, 1e-9);
-  const Points ringPoints = MaterialContour::through(ring.vertices, true).at(beating.left.rest);
+  const Points ringPoints = MaterialContour::through(ring.vertices, true).at(beating.surfaces.left->rest);
   EXPECT_NEAR(base.referenceMm, 48 * (ringPoints.row(1) - ringPoints.row(0)).norm(), 1e-6);
   ring.vertices.push_back(100000);
   EXPECT_THROW(beating.measured(Vec3(-10, -20, 40), {ring}), DataError);
@@ -180,11 +192,11 @@ TEST(HeartStrain, TakesListsOfVerticesInThePlaceOfContoursThatAreFound) {
 
 TEST(HeartStrain, IsMeasuredFromThePhaseThatIsChosen) {
   BeatingHeart beating({.narrowing = 0.3, .shortening = 0.2, .twist = 0});
-  beating.heart.reference = 4;
+  beating.phases.reference = 4;
   const HeartStrain strain = beating.measured(Vec3(-10, -20, 40));
   EXPECT_NEAR(strain.gcs->curve[4], 0, 1e-12);
   EXPECT_NEAR(strain.gcs->curve[0], 1 / 0.7 - 1, 1e-9);
-  beating.heart.reference = kPhases;
+  beating.phases.reference = kPhases;
   EXPECT_THROW(beating.measured(Vec3(-10, -20, 40)), DataError);
 }
 
@@ -202,19 +214,19 @@ TEST(HeartStrain, OfAWallIsTheMeanOverItsPoints) {
   given.insertion = Vec3(20, 0, 10);
   const FoundAxes axes = findAxes(inner, nullptr, given);
   Progress progress;
-  const WallPoints points = wallPoints(mesh, {&inner, &outer, nullptr}, axes.axes, axes.cap, progress);
-  const MovingSurface left{"LV", inner.triangles, inner.points, {inner.points, systole(inner.points)}};
-  MovingHeart heart;
-  heart.leftCavity = &left;
-  heart.seconds = {0, 0.3};
-  MovingWall wall;
-  wall.points = &points;
-  wall.gradientsAt = [&](std::size_t phase, std::vector<Eigen::Matrix3d>& gradients) {
+  const auto wall = std::make_shared<const WallPoints>(
+      wallPoints(mesh, {&inner, &outer, nullptr}, axes.axes, axes.cap, progress));
+  const WallPoints& points = *wall;
+  HeartPhases phases;
+  phases.left = {inner.points, systole(inner.points)};
+  phases.seconds = {0, 0.3};
+  phases.gradientsAt = [&](std::size_t phase, std::vector<Eigen::Matrix3d>& gradients, Threads) {
     gradients.assign(points.rows.size(), Eigen::Matrix3d::Identity());
     for (std::size_t i = 0; phase == 1 && i < gradients.size(); ++i)
       gradients[i] = systole.gradientAt(mesh.points.row(points.rows[i]).transpose());
   };
-  const HeartStrain strain = heartStrain(heart, axes, &wall, {}, progress);
+  const HeartGauge gauge({.left = HeartSurface{"LV", inner.triangles, inner.points}}, axes, wall, {});
+  const HeartStrain strain = gauge.read(phases, progress);
   double radial = 0, around = 0, volume = 0;
   for (Eigen::Index i = 0; i < points.count(); ++i) {
     const Vec3 place = mesh.points.row(points.rows[static_cast<std::size_t>(i)]);
@@ -230,8 +242,8 @@ TEST(HeartStrain, OfAWallIsTheMeanOverItsPoints) {
     EXPECT_NEAR(strain.segment(number).radial[1], radial / volume, 0.01) << number;
   }
   EXPECT_FALSE(strain.segment(17).enough) << "a tube has no cap";
-  heart.reference = 1;
-  const HeartStrain fromSystole = heartStrain(heart, axes, &wall, {}, progress);
+  phases.reference = 1;
+  const HeartStrain fromSystole = gauge.read(phases, progress);
   EXPECT_NEAR(fromSystole.grs->curve[1], 0, 1e-9);
   EXPECT_LT(fromSystole.grs->curve[0], -0.2) << "the wall becomes thinner again";
 }

@@ -1,57 +1,19 @@
 #pragma once
 
 #include <array>
-#include <functional>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "viscera/core/arrays.h"
-#include "viscera/core/parallel.h"
-#include "viscera/core/progress.h"
 #include "viscera/strain/aha_segments.h"
 #include "viscera/strain/heart_axes.h"
 #include "viscera/strain/material_contour.h"
 #include "viscera/strain/strain_curve.h"
-#include "viscera/strain/wall_fields.h"
 
-/// The strain of a heart over the phases of a cycle, by the two definitions of docs/strain.md: of the length
-/// of contours (what echo and feature tracking report) and of the material at witness points.
+/// What is measured of a heart's strain over the phases of a cycle, by the two definitions of docs/strain.md:
+/// of the length of contours (what echo and feature tracking report) and of the material at witness points.
 namespace viscera::strain {
-
-/// A surface in all phases with the same triangles: vertex i is the same place in each.
-struct MovingSurface {
-  std::string name;
-  Triangles triangles;        ///< `m x 3`, outward, closed.
-  Points rest;                ///< `n x 3` mm, at which axes and segments are found.
-  std::vector<Points> phases; ///< `n x 3` mm.
-  /// For each triangle whether it closes a valve, as `capsOf` finds it; empty: it is found for each reading.
-  std::vector<bool> caps = {};
-};
-
-/// The caps of a surface other than the left ventricle's cavity: of one without fans, the flat part at its
-/// end `towardsBase`. O(n + m).
-std::vector<bool> capsOf(const MovingSurface& surface, const Vec3& towardsBase);
-
-/// The surfaces of a heart in motion; null for those that are not known.
-struct MovingHeart {
-  const MovingSurface* leftCavity = nullptr; ///< Never null.
-  const MovingSurface* rightCavity = nullptr;
-  const MovingSurface* outer = nullptr; ///< The epicardium, or the whole heart.
-  const MovingSurface* leftAtrium = nullptr;
-  std::vector<double> seconds; ///< Of the phases, ascending.
-  std::size_t reference = 0;   ///< The phase that has no strain: the end of diastole.
-};
-
-/// The deformation gradients at the points of a wall in one phase, against the heart at rest.
-using GradientsAt = std::function<void(std::size_t phase, std::vector<Eigen::Matrix3d>& gradients)>;
-
-/// The moving tissue of a left ventricle's wall.
-struct MovingWall {
-  const WallPoints* points = nullptr;
-  GradientsAt gradientsAt; ///< May be called from several threads.
-};
 
 /// A contour of length strain with its curve.
 struct ContourStrain {
@@ -106,36 +68,9 @@ struct HeartStrain {
   const SegmentStrain& segment(int number) const { return segments[static_cast<std::size_t>(number - 1)]; }
 };
 
-/// A contour through vertices of one of the surfaces, instead of one that is found.
-struct ListedContour {
-  std::string name; ///< As the contours of `HeartStrain`: "fourChamber", "base", "rightFreeWall"; or another.
-  std::string surface;                ///< Name of a surface.
-  std::vector<std::int32_t> vertices; ///< Rows of its points, in order.
-  bool closed = false;
-};
-
 /// The strain of a contour in all phases. `phases` are the points of its surface.
 ContourStrain contourStrain(const std::string& name, const MaterialContour& contour,
                             const std::vector<Points>& phases, const std::vector<double>& seconds,
                             std::size_t reference);
-
-/// Measures the strain of a heart.
-///
-/// Contours are material lines of the endocardium: in planes through the long axis at 90 degrees (4-chamber),
-/// 150 (2-chamber) and 30 (3-chamber) behind the anterior insertion, from one side of the valves' rims over
-/// the apex to the other, and across the axis at 1/4, 1/2 and 3/4 of its length. `listed` ones take the place
-/// of those of the same name. Segments are means over witness points by the volume for which each stands, or
-/// over triangles of the endocardium where `wall` is null.
-///
-/// Throws `DataError` for surfaces that axes cannot be found for, for a reference that is no phase, and for a
-/// listed contour with a surface or a vertex that does not exist or less than two vertices; `Cancelled`.
-/// O(phases x (points of the wall x handles + vertices log vertices)). Does not depend on the number of
-/// threads.
-///
-///     const FoundAxes axes = findAxes(cavity, nullptr, {});
-///     const HeartStrain strain = heartStrain(heart, axes, nullptr, {}, progress);
-///     const double gls = strain.gls->peak.value; // -0.17: shorter by 17 %.
-HeartStrain heartStrain(const MovingHeart& heart, const FoundAxes& axes, const MovingWall* wall,
-                        const std::vector<ListedContour>& listed, Progress& progress, Threads threads = {});
 
 } // namespace viscera::strain

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "viscera/core/arrays.h"
+#include "viscera/core/parallel.h"
 #include "viscera/strain/aha_segments.h"
 #include "viscera/strain/heart_axes.h"
 
@@ -27,7 +28,8 @@ public:
   /// The mean distance from the cavity's wall to the nearest place of the surfaces around the wall (the
   /// epicardium, the right cavity), mm; by segment, NaN for segments without vertices, of the cap too, where
   /// the nearest place is beside the tip. O((n + m) log m).
-  std::array<double, kSegments + 1> at(const Points& cavity, const std::vector<Bound>& around) const;
+  std::array<double, kSegments + 1> at(const Points& cavity, const std::vector<Bound>& around,
+                                       Threads threads = {}) const;
 
 private:
   std::vector<std::pair<std::int32_t, int>> vertices_; ///< Row and segment.
