@@ -26,6 +26,7 @@
 #include "window/session/session_files.h"
 #include "window/view/view_actions.h"
 #include "window/view/view_area.h"
+#include "window/widgets/first_picture.h"
 
 namespace viscera::app {
 namespace {
@@ -181,6 +182,10 @@ int runWindow(int argc, char** argv, const WindowOptions& options) {
       language.isEmpty() ? settings.value("window/language").toString() : language, QLocale::system()));
   if (!options.theme.empty())
     settings.setValue("window/theme", QString::fromStdString(options.theme));
+  std::unique_ptr<QSplashScreen> start;
+  if (options.files.empty())
+    start = showStartPicture(QString::fromStdString(options.sample),
+                             themeOf(themeFromName(settings.value("window/theme", "dark").toString())));
   AvailableSystems systems = availableSystems(options.pluginPath);
   installed.addTextsOf(systems.registry);
   MainWindow window(settings, std::move(systems.registry), live::Player::steadyClock());
@@ -194,6 +199,8 @@ int runWindow(int argc, char** argv, const WindowOptions& options) {
   if (options.files.empty()) // A worker makes the organ while the window is drawn for the first time.
     load(window, options, true);
   window.show();
+  if (start)
+    start->finish(&window);
   if (options.files.empty())
     window.showWelcome(settings.value("window/welcome", true).toBool());
   QStringList problems;

@@ -1,7 +1,12 @@
 #pragma once
 
 #include <QPixmap>
+#include <QSplashScreen>
 #include <QWidget>
+
+#include <memory>
+
+#include "window/style/theme.h"
 
 namespace viscera::app {
 
@@ -22,5 +27,9 @@ protected:
 private:
   QPixmap picture_;
 };
+
+/// Puts the picture of a sample organ on the screen, since making a window takes longer than half a second.
+/// It goes when the caller lets it go. Null for a sample without a picture.
+std::unique_ptr<QSplashScreen> showStartPicture(const QString& sample, const Theme& theme);
 
 } // namespace viscera::app

@@ -84,7 +84,7 @@ std::optional<std::size_t> outerOf(const MovedOrgans& organs, const std::string&
 }
 
 /// A surface of the heart at rest, with triangles that face outward.
-HeartSurface surfaceOf(const SequenceOrgan& organ) {
+HeartSurface outwardSurface(const SequenceOrgan& organ) {
   HeartSurface surface{organ.name, organ.mesh->triangles, organ.mesh->points, {}};
   if (geometry::volume(surface.rest, surface.triangles) < 0)
     surface.triangles.col(1).swap(surface.triangles.col(2));
@@ -357,7 +357,7 @@ StrainGauge::StrainGauge(const MovedOrgans& organs, const StrainOptions& options
   Progress quiet;
   for (BoundSurface& surface : bound) {
     progress.throwIfCancelled();
-    surfaces.*surface.rest = surfaceOf(surface.organ ? organs.organs[*surface.organ] : *organs.wall);
+    surfaces.*surface.rest = outwardSurface(surface.organ ? organs.organs[*surface.organ] : *organs.wall);
     surface.binding = deformation::bindOrgan(*organs.system, organs.handles, (surfaces.*surface.rest)->rest,
                                              {organs.parameters, threads}, quiet);
   }

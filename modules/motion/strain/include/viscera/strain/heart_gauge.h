@@ -27,10 +27,10 @@ struct HeartSurface {
 
 /// The surfaces of a heart at rest.
 struct HeartSurfaces {
-  std::optional<HeartSurface> left; ///< The left ventricle's cavity; never none.
-  std::optional<HeartSurface> right;
-  std::optional<HeartSurface> outer; ///< The epicardium, or the whole heart.
-  std::optional<HeartSurface> atrium;
+  std::optional<HeartSurface> left = {}; ///< The left ventricle's cavity; never none.
+  std::optional<HeartSurface> right = {};
+  std::optional<HeartSurface> outer = {}; ///< The epicardium, or the whole heart.
+  std::optional<HeartSurface> atrium = {};
 };
 
 /// Fills the deformation gradients at the points of a wall in one phase, against the heart at rest. Called
