@@ -5,8 +5,10 @@
 #include <set>
 #include <sstream>
 
+#include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
+#include "held_value.h"
 #include "shapes.h"
 #include "temporary_folder.h"
 #include "viscera/core/error.h"
@@ -87,18 +89,23 @@ TEST(StrainReading, IsTheSameWithSixtyAndAHundredAndTwentyHandles) {
   MovedOrgans sixty = heart(), more = heart();
   const auto withHandles = [](MovedOrgans& moved, int count) {
     moved.handles.positions = deformation::placeHandles(tests::sphere(4, 140), {.count = count});
-    for (std::size_t phase = 0; phase < moved.poses.size(); ++phase)
-      moved.poses[phase] =
-          moved.handles.positions *
-          (Vec3::Ones() - std::sin(0.785398163 * static_cast<double>(phase)) * Vec3(0.2, 0.2, 0.1))
-              .asDiagonal();
+    for (std::size_t phase = 0; phase < moved.poses.size(); ++phase) {
+      const double part = std::sin(0.785398163 * static_cast<double>(phase));
+      moved.poses[phase] = moved.handles.positions * (Vec3::Ones() - part * Vec3(0.2, 0.2, 0.1)).asDiagonal();
+      for (Eigen::Index row = 0; row < moved.poses[phase].rows(); ++row) { // A twist is no affine map.
+        const double turn = 0.15 * part * moved.handles.positions(row, 2) / 80;
+        moved.poses[phase].row(row) *= Eigen::AngleAxisd(-turn, Vec3::UnitZ()).toRotationMatrix();
+      }
+    }
   };
   withHandles(sixty, 60);
   withHandles(more, 120);
   const StrainReading a = readStrain(sixty, fewWitnesses(), progress),
                       b = readStrain(more, fewWitnesses(), progress);
-  EXPECT_NEAR(a.strain.gls->peak.value, b.strain.gls->peak.value, 0.01);
-  EXPECT_NEAR(a.strain.grs->peak.value, b.strain.grs->peak.value, 0.01);
+  tests::HeldValue held("60 and 120 handles", 1, "points");
+  held.add(100 * (a.strain.gls->peak.value - b.strain.gls->peak.value));
+  held.add(100 * (a.strain.gcs->peak.value - b.strain.gcs->peak.value));
+  held.add(100 * (a.strain.grs->peak.value - b.strain.grs->peak.value));
 }
 
 TEST(StrainReading, WithoutAnOuterSurfaceIsThatOfTheEndocardium) {

@@ -7,6 +7,7 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
+#include "held_value.h"
 #include "shapes.h"
 #include "thick_cylinder.h"
 #include "viscera/core/error.h"
@@ -56,6 +57,7 @@ TEST(HeartAxes, AreFoundFromTheFlatEndOfASurfaceWithoutAFan) {
 }
 
 TEST(HeartAxes, CountFromTheAnteriorInsertionOfTheRightVentricleHoweverTheHeartLies) {
+  tests::HeldValue held("the septum's segments on the right ventricle's side, and no others", 0, "wrong");
   for (const double angle : {0.0, 0.9, 2.4}) {
     const Eigen::Matrix3d rotation =
         Eigen::AngleAxisd(angle, Vec3(1, -2, 0.5).normalized()).toRotationMatrix();
@@ -75,7 +77,7 @@ TEST(HeartAxes, CountFromTheAnteriorInsertionOfTheRightVentricleHoweverTheHeartL
         const double middle =
             (0.5 * (segment.fromDegrees + segment.toDegrees) - 120) * std::numbers::pi / 180;
         const double away = found.axes.across(middle).dot(septum.normalized());
-        EXPECT_EQ(away > 0.7, segment.septal) << segment.name;
+        held.add((away > 0.7) == segment.septal ? 0 : 1);
       }
   }
 }

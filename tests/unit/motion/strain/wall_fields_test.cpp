@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "held_value.h"
 #include "thick_cylinder.h"
 #include "viscera/core/error.h"
 #include "viscera/strain/wall_fields.h"
@@ -43,7 +44,7 @@ TEST(WallFields, AreTheLogarithmOfTheRadiusAcrossAThickCylinder) {
 TEST(WallFields, GiveTheStrainOfACylinderThatTwistsAndInflatesToAThousandth) {
   const FoundWall wall;
   const tests::CylinderMotion motion{wall.tube, 14, 0.85, 0.004};
-  double worst = 0;
+  tests::HeldValue held("the same cylinder, axes found on its tetrahedra", 1e-3);
   for (Eigen::Index i = 0; i < wall.points.count(); ++i) {
     const Vec3 place = wall.mesh.points.row(wall.points.rows[static_cast<std::size_t>(i)]);
     const double radius = std::hypot(place.x(), place.y());
@@ -53,9 +54,8 @@ TEST(WallFields, GiveTheStrainOfACylinderThatTwistsAndInflatesToAThousandth) {
          {strain.radial - motion.radialStrain(radius), strain.circumferential - motion.aroundStrain(radius),
           strain.longitudinal - motion.alongStrain(radius),
           std::abs(strain.circumferentialLongitudinal) - motion.shearStrain(radius)})
-      worst = std::max(worst, std::abs(error));
+      held.add(error);
   }
-  EXPECT_LT(worst, 1e-3);
 }
 
 TEST(WallFields, DoNotDependOnTheNumberOfThreads) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "held_value.h"
 #include "thick_cylinder.h"
 #include "viscera/strain/strain_curve.h"
 #include "viscera/strain/wall_means.h"
@@ -59,8 +60,9 @@ TEST(WallMeans, DeviateAsTheDrawsDo) {
   Progress progress;
   const WallMeans one = deviationsOfMeans(wall, gradients, kDraws, progress, Threads{1});
   const WallMeans four = deviationsOfMeans(wall, gradients, kDraws, progress, Threads{4});
+  tests::HeldValue held("deviations of segments for draws whose strain is known", 1e-9);
   for (std::size_t k = 0; k <= 16; ++k) {
-    EXPECT_NEAR(one.longitudinal[k], deviationOf(errors), 1e-9) << k;
+    held.add(one.longitudinal[k] - deviationOf(errors));
     EXPECT_NEAR(one.circumferential[k], 0, 1e-12) << k;
     EXPECT_EQ(one.longitudinal[k], four.longitudinal[k]) << k;
   }
