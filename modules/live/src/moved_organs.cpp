@@ -49,6 +49,7 @@ MovedOrgans movedOrgans(const MotionSeries& series, const PatientMotion& found,
     moved.measured.push_back(surface.phases);
     moved.rowOfGiven.push_back(surface.rowOfGiven);
   }
+  moved.seen = series.meshes;
   return moved;
 }
 

@@ -6,6 +6,7 @@
 
 #include "viscera/core/error.h"
 #include "viscera/core/phrase.h"
+#include "viscera/strain/valve_caps.h"
 
 namespace viscera::strain {
 namespace {
@@ -62,7 +63,7 @@ public:
     const auto lines = cutContours(left.rest, left.triangles, left.caps, alongAxis(axes_, view.angle));
     if (lines.empty())
       return std::nullopt;
-    return HeartContour{view.name, opened(lines.front(), left.rest, axes_, 1), &HeartPhases::left};
+    return HeartContour{view.name, opened(lines.front(), left.rest, axes_, 1), kLeftPlace};
   }
 
   std::optional<HeartContour> circumferential(const Level& level) const {
@@ -73,7 +74,7 @@ public:
     const auto lines = cutContours(left.rest, left.triangles, left.caps, plane);
     if (lines.empty())
       return std::nullopt;
-    return HeartContour{level.name, lines.front(), &HeartPhases::left};
+    return HeartContour{level.name, lines.front(), kLeftPlace};
   }
 
   /// The contour runs from the tricuspid annulus to the right ventricle's apex, on the side away from the
@@ -94,7 +95,7 @@ public:
     const MaterialContour& free = fromAxis(one, right.rest) > fromAxis(other, right.rest) ? one : other;
     if (free.places.size() < 2)
       return std::nullopt;
-    return HeartContour{kRightFreeWall, free, &HeartPhases::right};
+    return HeartContour{kRightFreeWall, free, kRightPlace};
   }
 
   /// The contours run from one side of the mitral annulus over the roof of the atrium to the other, in two
@@ -110,7 +111,7 @@ public:
       const auto lines =
           cutContours(atrium.rest, atrium.triangles, atrium.caps, alongAxis(axes_, view.angle));
       if (!lines.empty())
-        found.push_back({view.name, opened(lines.front(), atrium.rest, axes_, -1), &HeartPhases::atrium});
+        found.push_back({view.name, opened(lines.front(), atrium.rest, axes_, -1), kAtriumPlace});
     }
     return found;
   }
@@ -147,14 +148,9 @@ private:
   }
 
   HeartContour through(const ListedContour& listed) const {
-    const std::pair<const std::optional<HeartSurface>*, std::vector<Points> HeartPhases::*> all[] = {
-        {&surfaces_.left, &HeartPhases::left},
-        {&surfaces_.right, &HeartPhases::right},
-        {&surfaces_.outer, &HeartPhases::outer},
-        {&surfaces_.atrium, &HeartPhases::atrium}};
-    for (const auto& [surface, phases] : all)
-      if (*surface && (*surface)->name == listed.surface)
-        return {listed.name, through(listed, **surface), phases};
+    for (const SurfacePlace& place : kPlaces)
+      if (const auto& surface = surfaces_.*place.rest; surface && surface->name == listed.surface)
+        return {listed.name, through(listed, *surface), place, true};
     throw DataError(phrase("There is no surface \"%1\"", listed.surface), listed.name,
                     "name one of the surfaces of the heart");
   }
@@ -177,9 +173,20 @@ private:
 
 } // namespace
 
-HeartContours findContours(const HeartSurfaces& surfaces, const FoundAxes& axes,
+HeartSurfaces withCaps(HeartSurfaces surfaces, const HeartAxes& axes) {
+  for (const SurfacePlace& place : kPlaces) {
+    auto& surface = surfaces.*place.rest;
+    if (!surface || !surface->caps.empty())
+      continue;
+    const Vec3 towardsBase = place.rest == kAtriumPlace.rest ? axes.down() : Vec3(-axes.down());
+    surface->caps = valveCaps({surface->rest, surface->triangles, {}}, towardsBase).triangles;
+  }
+  return surfaces;
+}
+
+HeartContours findContours(const HeartSurfaces& surfaces, const HeartAxes& axes,
                            const std::vector<ListedContour>& listed) {
-  const ContourCutter cutter(surfaces, axes.axes, listed);
+  const ContourCutter cutter(surfaces, axes, listed);
   HeartContours found;
   for (const View& view : kViews)
     if (auto contour = cutter.longitudinal(view))
