@@ -109,7 +109,7 @@ private:
     const double parts = 1 + static_cast<double>(surface.less.size());
     Sheet body;
     runPart(progress, 0, 1 / parts,
-            [&](Progress& part) { body = sheetOf(definition_.surface(surface.from), part); });
+            [&](Progress& part) { body = sheetOf(definition_.surface(surface.fromAt(resolution_)), part); });
     std::vector<Sheet> lumina;
     for (const std::string& name : surface.less) {
       const double from = (1 + static_cast<double>(lumina.size())) / parts;

@@ -18,7 +18,7 @@ using nlohmann::json;
 constexpr int kHighestLevel = 2;
 constexpr int kMostOctaves = 8;
 constexpr double kRimBlend = 0.4;   // mm; rounds the rims of cut vessels
-constexpr double kMostWall = 0.22;  // of a vessel's radius
+constexpr double kMostWall = 0.28;  // of a vessel's radius
 constexpr double kBeyondEnds = 3.0; // mm that a lumen goes on beyond its vessel's flat end, to leave it
 constexpr double kSkew = 0.02; // how far from orthonormal written axes may be; they carry two or three digits
 
@@ -45,7 +45,7 @@ Eigen::Matrix3d rotationFrom(Fields& fields) {
 } // namespace
 
 NodeBuilder::NodeBuilder(const OrganDefinition& definition, Resolution resolution)
-    : definition_(definition), level_(static_cast<int>(resolution)) {}
+    : definition_(definition), resolution_(resolution), level_(static_cast<int>(resolution)) {}
 
 NodePtr NodeBuilder::named(const std::string& name) {
   if (definition_.nodes.count(name) == 0)
@@ -64,7 +64,8 @@ NodePtr NodeBuilder::root(const SurfaceDefinition& surface) {
   std::vector<NodePtr> lumina;
   for (const std::string& lumen : surface.less)
     lumina.push_back(root(definition_.surface(lumen)));
-  return makeSubtraction(root(definition_.surface(surface.from)), std::move(lumina), kRimBlend);
+  return makeSubtraction(root(definition_.surface(surface.fromAt(resolution_))), std::move(lumina),
+                         kRimBlend);
 }
 
 NodePtr NodeBuilder::buildNamed(const std::string& name, const std::string& askedBy) {
@@ -151,15 +152,17 @@ std::vector<NodePtr> NodeBuilder::someChildren(Fields& fields) {
   return nodes;
 }
 
-double NodeBuilder::blend(Fields& fields) const {
-  const Json* k = fields.optional("k");
-  if (!k)
-    return 0;
-  const bool leveled = k->is_array() && k->size() == kHighestLevel + 1;
-  const Json& value = leveled ? (*k)[static_cast<std::size_t>(level_)] : *k;
+double NodeBuilder::atLevel(Fields& fields, const std::string& key) const {
+  const Json& widths = fields.get(key);
+  const bool leveled = widths.is_array() && widths.size() == kHighestLevel + 1;
+  const Json& value = leveled ? widths[static_cast<std::size_t>(level_)] : widths;
   if (!value.is_number() || value.get<double>() < 0)
-    fields.fail("k", "is " + k->dump(), "give a width in mm, or three for low, medium and high");
+    fields.fail(key, "is " + widths.dump(), "give a width in mm, or three for low, medium and high");
   return value.get<double>();
+}
+
+double NodeBuilder::blend(Fields& fields) const {
+  return fields.optional("k") ? atLevel(fields, "k") : 0;
 }
 
 NewNode NodeBuilder::ellipsoid(Fields& fields) {
@@ -186,8 +189,9 @@ NewNode NodeBuilder::tube(Fields& fields) {
 }
 
 NewNode NodeBuilder::lumen(Fields& fields) {
-  const double wall = fields.positive("wall");
-  wall_ = wall;
+  wall_ = atLevel(fields, "wall");
+  if (wall_ == 0)
+    fields.fail("wall", "is 0", "a lumen has to be narrower than its vessel");
   NodePtr vessels = child(fields, "child");
   wall_ = 0;
   return makeUnion({std::move(vessels)}, 0);

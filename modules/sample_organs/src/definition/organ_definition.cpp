@@ -120,7 +120,11 @@ private:
           return name;
       fields.fail(key, "names \"" + name + "\", which is no surface with a root before this one");
     };
-    surface.from = known("from", fields.text("from"));
+    const json& from = fields.get("from");
+    for (std::size_t level = 0; level < surface.from.size(); ++level) {
+      const json& name = from.is_array() && from.size() == surface.from.size() ? from[level] : from;
+      surface.from[level] = known("from", name.is_string() ? name.get<std::string>() : name.dump());
+    }
     for (const json& part : fields.list("less"))
       surface.less.push_back(known("less", part.is_string() ? part.get<std::string>() : part.dump()));
   }

@@ -15,7 +15,10 @@ namespace {
 using geometry::TriangleMesh;
 using Index = SheetParts::Index;
 
-constexpr double kMoved = 0.35; // of an edge, which a point near the rim may be moved to lie on it
+// A point near the rim is moved along an edge to lie on it, by at most this share of the edge, and this many
+// mm, so that thin walls stay as they are.
+constexpr double kMoved = 0.35;
+constexpr double kFarthestMove = 0.4;
 
 class Clip {
 public:
@@ -51,8 +54,10 @@ private:
         if ((value(a) > 0) == (value(b) > 0))
           continue;
         const double share = passes(a, b);
+        const double length = (sheet_.points.row(a) - sheet_.points.row(b)).norm();
         for (const auto& [from, to, part] : {std::tuple(a, b, share), std::tuple(b, a, 1 - share)})
-          if (Move& move = moves[static_cast<std::size_t>(from)]; part < move.share)
+          if (Move& move = moves[static_cast<std::size_t>(from)];
+              part < move.share && part * length < kFarthestMove)
             move = {part, to};
       }
     for (std::size_t v = 0; v < moves.size(); ++v)
@@ -78,8 +83,9 @@ private:
     if (isNew) {
       const double share = passes(key.first, key.second);
       const Vec3 start = points_.row(key.first), end = points_.row(key.second);
-      place->second = parts_.addPoint(start + share * (end - start),
-                                      colorOf(key.first) + share * (colorOf(key.second) - colorOf(key.first)));
+      place->second =
+          parts_.addPoint(start + share * (end - start),
+                          colorOf(key.first) + share * (colorOf(key.second) - colorOf(key.first)));
     }
     return place->second;
   }

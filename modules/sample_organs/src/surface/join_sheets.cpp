@@ -20,7 +20,7 @@ using geometry::TriangleMesh;
 // The rims of body and lumen are cut this many mm apart, so that the band between them has an area.
 constexpr double kOffLumen = 0.25;
 constexpr double kOffBody = 0.35;
-constexpr double kNear = 10;      // mm; farther from a rim only the sign matters
+constexpr double kNear = 10; // mm; farther from a rim only the sign matters
 constexpr Eigen::Index kSampledAtOnce = 512;
 
 Vec3 middleOf(const Rim& rim, const SheetParts& parts) {
@@ -41,8 +41,7 @@ void addBand(const Rim& rim, const Rim& other, SheetParts& parts) {
   while (i < rim.size() || j < back.size()) {
     const auto a = rim[i % rim.size()], nextA = rim[(i + 1) % rim.size()];
     const auto b = back[j % back.size()], nextB = back[(j + 1) % back.size()];
-    const bool alongRim =
-        j == back.size() || (i < rim.size() && between2(nextA, b) <= between2(a, nextB));
+    const bool alongRim = j == back.size() || (i < rim.size() && between2(nextA, b) <= between2(a, nextB));
     if (alongRim) {
       parts.addTriangle({nextA, a, b});
       ++i;
@@ -65,13 +64,14 @@ std::vector<double> valuesAt(const Points& points, Threads threads, const Value&
 
 std::vector<Rim> addBody(const Sheet& body, const std::vector<Sheet>& lumina, Threads threads,
                          SheetParts& parts) {
-  return clipSheet(*body.mesh, valuesAt(body.mesh->points, threads,
-                                        [&](const Vec3& point) {
-                                          double least = std::numeric_limits<double>::infinity();
-                                          for (const Sheet& lumen : lumina)
-                                            least = std::min(least, lumen.node->distanceUpTo(point, kNear));
-                                          return least - kOffLumen;
-                                        }),
+  return clipSheet(*body.mesh,
+                   valuesAt(body.mesh->points, threads,
+                            [&](const Vec3& point) {
+                              double least = std::numeric_limits<double>::infinity();
+                              for (const Sheet& lumen : lumina)
+                                least = std::min(least, lumen.node->distanceUpTo(point, kNear));
+                              return least - kOffLumen;
+                            }),
                    Facing::outward, parts);
 }
 
@@ -79,12 +79,11 @@ std::vector<Rim> addLumina(const Sheet& body, const std::vector<Sheet>& lumina, 
                            SheetParts& parts) {
   std::vector<Rim> rims;
   for (const Sheet& lumen : lumina) {
-    std::vector<Rim> more =
-        clipSheet(*lumen.mesh, valuesAt(lumen.mesh->points, threads,
-                                        [&](const Vec3& point) {
-                                          return -kOffBody - body.node->distanceUpTo(point, kNear);
-                                        }),
-                  Facing::inward, parts);
+    std::vector<Rim> more = clipSheet(
+        *lumen.mesh,
+        valuesAt(lumen.mesh->points, threads,
+                 [&](const Vec3& point) { return -kOffBody - body.node->distanceUpTo(point, kNear); }),
+        Facing::inward, parts);
     std::move(more.begin(), more.end(), std::back_inserter(rims));
   }
   return rims;
