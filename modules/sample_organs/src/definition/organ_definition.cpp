@@ -118,7 +118,8 @@ private:
       for (const SurfaceDefinition& other : definition_.surfaces)
         if (other.name == name && !other.joined())
           return name;
-      fields.fail(key, "names \"" + name + "\", which is no surface with a root before this one");
+      fields.fail(key, "names \"" + name + "\", which is no surface with a root before this one",
+                  "put its parts first, or look for a misspelling");
     };
     const json& from = fields.get("from");
     for (std::size_t level = 0; level < surface.from.size(); ++level) {
