@@ -9,6 +9,7 @@
 #include "definition/node_builder.h"
 #include "definition/organ_definition.h"
 #include "surface/generate_surface.h"
+#include "surface/join_sheets.h"
 #include "surface_cache.h"
 #include "viscera/core/content_hash.h"
 #include "viscera/core/error.h"
@@ -89,10 +90,34 @@ private:
   }
 
   geometry::TriangleMesh generated(const SurfaceDefinition& surface, Progress& progress) {
+    if (surface.joined())
+      return joined(surface, progress);
     const NodePtr root = builder_.root(surface);
     const SurfaceGoal goal{surface.trianglesAt(resolution_), surface.largestSpacing};
     try {
       return generateSurface(*root, goal, threads_, progress);
+    } catch (const DataError& error) {
+      throw DataError(error.problem(), surface.where, error.tryThis());
+    }
+  }
+
+  Sheet sheetOf(const SurfaceDefinition& surface, Progress& progress) {
+    return {make(surface, progress).mesh, builder_.root(surface)};
+  }
+
+  geometry::TriangleMesh joined(const SurfaceDefinition& surface, Progress& progress) {
+    const double parts = 1 + static_cast<double>(surface.less.size());
+    Sheet body;
+    runPart(progress, 0, 1 / parts,
+            [&](Progress& part) { body = sheetOf(definition_.surface(surface.fromAt(resolution_)), part); });
+    std::vector<Sheet> lumina;
+    for (const std::string& name : surface.less) {
+      const double from = (1 + static_cast<double>(lumina.size())) / parts;
+      runPart(progress, from, from + 1 / parts,
+              [&](Progress& part) { lumina.push_back(sheetOf(definition_.surface(name), part)); });
+    }
+    try {
+      return joinSheets(body, lumina, threads_);
     } catch (const DataError& error) {
       throw DataError(error.problem(), surface.where, error.tryThis());
     }

@@ -6,6 +6,8 @@
 #include "library_for_tests.h"
 #include "viscera/core/error.h"
 #include "viscera/core/progress.h"
+#include "viscera/geometry/self_intersections.h"
+#include "viscera/geometry/surface_check.h"
 #include "viscera/sample_organs/sample_organ.h"
 
 namespace viscera::tests {
@@ -110,6 +112,54 @@ TEST(DefinitionErrors, FindPointsThatMakeNoTube) {
   EXPECT_THAT(rootError(kTubeStart + "[[0, 0, 0, 5], [0, 0, 9]]}"), HasSubstr("points[1]"));
   EXPECT_THAT(rootError(kTubeStart + "[[0, 0, 0, 5], [0, 0, 9, 0]]}"), HasSubstr("points[1]"));
   EXPECT_THAT(rootError(kTubeStart + "[[0, 0, 0, 5], [0, 0, 0, 4]]}"), HasSubstr("the point before"));
+}
+
+TEST(DefinitionErrors, FindALumenOfSomethingElseThanVessels) {
+  const std::string start = R"({"type": "lumen", "child": )";
+  EXPECT_THAT(rootError(start + kBall + R"(, "wall": 1})"), HasSubstr("inside a lumen"));
+  EXPECT_THAT(rootError(start + kTubeStart + R"([[0, 0, 0, 5], [0, 0, 9, 5]]}, "wall": 0})"),
+              HasSubstr("\"wall\""));
+}
+
+/// A vessel with a lumen through it, of which `less` takes its part.
+std::string vesselWith(const std::string& less, const std::string& lumenType) {
+  const std::string tube =
+      R"({"type": "tube", "caps": ["flat", "flat"], "points": [[0, 0, 0, 10], [0, 0, 60, 10]]})";
+  return R"({"name": "vessel", "units": "mm", "frame": "LPS", "surfaces": [
+    {"name": "outer", "check_only": true, "triangles": {"low": 4000, "medium": 4000, "high": 4000}, "root": )" +
+         tube + R"(}, {"name": "blood", "check_only": true,
+     "triangles": {"low": 3000, "medium": 3000, "high": 3000}, "root": )" +
+         lumenType + R"(}, {"name": "wall", "from": "outer", "less": [")" + less + R"("]}]})";
+}
+
+TEST(DefinitionErrors, FindAWallOfAnUnknownSurface) {
+  TemporaryLibrary files;
+  files.write("vessel", vesselWith("bloot", kBall));
+  EXPECT_THAT(messageOf<DataError>(files, "vessel"), AllOf(HasSubstr("\"bloot\""), HasSubstr("\"less\"")));
+}
+
+TEST(DefinitionErrors, FindALumenThatDoesNotLeaveItsBody) {
+  TemporaryLibrary files;
+  files.write("vessel",
+              vesselWith("blood", R"({"type": "ellipsoid", "center": [0, 0, 30], "radii": [5, 5, 5]})"));
+  EXPECT_THAT(messageOf<DataError>(files, "vessel"), HasSubstr("does not leave the body"));
+}
+
+/// pi (10^2 - 8^2) 60 mm^3, and one way through.
+TEST(JoinedSurface, OfAVesselIsItsWall) {
+  TemporaryLibrary files;
+  const std::string tube =
+      R"({"type": "tube", "caps": ["flat", "flat"], "points": [[0, 0, 0, 10], [0, 0, 60, 10]]})";
+  files.write("vessel", vesselWith("blood", R"({"type": "lumen", "wall": 2, "child": )" + tube + "}"));
+  Progress progress;
+  const auto organ = sample_organs::sampleOrgan(files.library(), "vessel", Resolution::low, progress);
+  ASSERT_EQ(organ.surfaces.size(), 1U);
+  const geometry::TriangleMesh& mesh = *organ.surfaces[0].mesh;
+  const geometry::SurfaceReport report = geometry::checkSurface(mesh);
+  EXPECT_TRUE(report.outward() && report.manifold());
+  EXPECT_EQ(mesh.points.rows() - mesh.triangles.rows() / 2, 0);
+  EXPECT_NEAR(report.volumeMm3, 6786, 0.03 * 6786);
+  EXPECT_EQ(geometry::countSelfIntersections(mesh, progress), 0);
 }
 
 TEST(DefinitionErrors, FindALumenInARoundEnd) {

@@ -1,5 +1,6 @@
 #include "definition/node_builder.h"
 
+#include <algorithm>
 #include <numbers>
 #include <utility>
 
@@ -16,6 +17,9 @@ using nlohmann::json;
 
 constexpr int kHighestLevel = 2;
 constexpr int kMostOctaves = 8;
+constexpr double kRimBlend = 0.4;   // mm; rounds the rims of cut vessels
+constexpr double kMostWall = 0.28;  // of a vessel's radius
+constexpr double kBeyondEnds = 3.0; // mm that a lumen goes on beyond its vessel's flat end, to leave it
 constexpr double kSkew = 0.02; // how far from orthonormal written axes may be; they carry two or three digits
 
 /// The rotation of `rotate_deg` (about x, then y, then z) or of `axes` (the local axes in the outer frame).
@@ -41,7 +45,7 @@ Eigen::Matrix3d rotationFrom(Fields& fields) {
 } // namespace
 
 NodeBuilder::NodeBuilder(const OrganDefinition& definition, Resolution resolution)
-    : definition_(definition), level_(static_cast<int>(resolution)) {}
+    : definition_(definition), resolution_(resolution), level_(static_cast<int>(resolution)) {}
 
 NodePtr NodeBuilder::named(const std::string& name) {
   if (definition_.nodes.count(name) == 0)
@@ -55,11 +59,17 @@ NodePtr NodeBuilder::named(const std::string& name) {
 }
 
 NodePtr NodeBuilder::root(const SurfaceDefinition& surface) {
-  return required(surface.root, surface.where);
+  if (!surface.joined())
+    return required(surface.root, surface.where);
+  std::vector<NodePtr> lumina;
+  for (const std::string& lumen : surface.less)
+    lumina.push_back(root(definition_.surface(lumen)));
+  return makeSubtraction(root(definition_.surface(surface.fromAt(resolution_))), std::move(lumina),
+                         kRimBlend);
 }
 
 NodePtr NodeBuilder::buildNamed(const std::string& name, const std::string& askedBy) {
-  if (const auto done = built_.find(name); done != built_.end())
+  if (const auto done = built_.find(name); done != built_.end() && wall_ == 0)
     return done->second;
   const auto found = definition_.nodes.find(name);
   if (found == definition_.nodes.end()) {
@@ -72,7 +82,8 @@ NodePtr NodeBuilder::buildNamed(const std::string& name, const std::string& aske
     throw DataError("the node \"" + name + "\" is made of itself", askedBy, "break the circle of references");
   const NodePtr node = build(found->second.node, found->second.where);
   underConstruction_.erase(name);
-  built_.emplace(name, node);
+  if (wall_ == 0)
+    built_.emplace(name, node);
   return node;
 }
 
@@ -98,6 +109,7 @@ NewNode NodeBuilder::buildType(const std::string& type, Fields& fields) {
       {"subtract", &NodeBuilder::subtraction},
       {"intersect", &NodeBuilder::intersection},
       {"offset", &NodeBuilder::offset},
+      {"lumen", &NodeBuilder::lumen},
       {"frame", &NodeBuilder::frame},
       {"displace", &NodeBuilder::displacement},
       {"surface_vessels", &NodeBuilder::surfaceVessels},
@@ -107,6 +119,8 @@ NewNode NodeBuilder::buildType(const std::string& type, Fields& fields) {
   const auto found = types.find(type);
   if (found == types.end())
     fields.fail("type", "is \"" + type + "\", which is not known", "use one of " + listed(namesOf(types)));
+  if (wall_ > 0 && type != "tube" && type != "union")
+    fields.fail("type", "is \"" + type + "\" inside a lumen", "give a lumen tubes and unions of tubes");
   return (this->*found->second)(fields);
 }
 
@@ -138,15 +152,17 @@ std::vector<NodePtr> NodeBuilder::someChildren(Fields& fields) {
   return nodes;
 }
 
-double NodeBuilder::blend(Fields& fields) const {
-  const Json* k = fields.optional("k");
-  if (!k)
-    return 0;
-  const bool leveled = k->is_array() && k->size() == kHighestLevel + 1;
-  const Json& value = leveled ? (*k)[static_cast<std::size_t>(level_)] : *k;
+double NodeBuilder::atLevel(Fields& fields, const std::string& key) const {
+  const Json& widths = fields.get(key);
+  const bool leveled = widths.is_array() && widths.size() == kHighestLevel + 1;
+  const Json& value = leveled ? widths[static_cast<std::size_t>(level_)] : widths;
   if (!value.is_number() || value.get<double>() < 0)
-    fields.fail("k", "is " + k->dump(), "give a width in mm, or three for low, medium and high");
+    fields.fail(key, "is " + widths.dump(), "give a width in mm, or three for low, medium and high");
   return value.get<double>();
+}
+
+double NodeBuilder::blend(Fields& fields) const {
+  return fields.optional("k") ? atLevel(fields, "k") : 0;
 }
 
 NewNode NodeBuilder::ellipsoid(Fields& fields) {
@@ -161,8 +177,24 @@ NewNode NodeBuilder::halfSpace(Fields& fields) {
 }
 
 NewNode NodeBuilder::tube(Fields& fields) {
-  const std::vector<AxisPoint> axis = axisFrom(fields);
-  return makeTube(axis, tubeShapeFrom(fields, level_));
+  std::vector<AxisPoint> axis = axisFrom(fields);
+  TubeShape shape = tubeShapeFrom(fields, level_);
+  if (wall_ > 0) {
+    for (AxisPoint& point : axis)
+      point.radius -= std::min(wall_, kMostWall * point.radius);
+    shape.lumen = {};
+    shape.beyond = kBeyondEnds;
+  }
+  return makeTube(std::move(axis), shape);
+}
+
+NewNode NodeBuilder::lumen(Fields& fields) {
+  wall_ = atLevel(fields, "wall");
+  if (wall_ == 0)
+    fields.fail("wall", "is 0", "a lumen has to be narrower than its vessel");
+  NodePtr vessels = child(fields, "child");
+  wall_ = 0;
+  return makeUnion({std::move(vessels)}, 0);
 }
 
 NewNode NodeBuilder::unionOf(Fields& fields) {

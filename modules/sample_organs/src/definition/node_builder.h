@@ -20,7 +20,8 @@ public:
   /// The node of this name. Throws `UsageError` that lists the existing nodes.
   NodePtr named(const std::string& name);
 
-  /// The root of a surface. Throws `DataError` that names the file, the node and the field.
+  /// The root of a surface; of one that is joined from others, the first less the others. Throws `DataError`
+  /// that names the file, the node and the field.
   NodePtr root(const SurfaceDefinition& surface);
 
 private:
@@ -34,6 +35,8 @@ private:
   NodePtr child(Fields& fields, const std::string& key);
   std::vector<NodePtr> children(Fields& fields);
   std::vector<NodePtr> someChildren(Fields& fields);
+  /// A width in mm, one number or three for the levels.
+  double atLevel(Fields& fields, const std::string& key) const;
   double blend(Fields& fields) const;
 
   NewNode ellipsoid(Fields& fields);
@@ -43,12 +46,15 @@ private:
   NewNode subtraction(Fields& fields);
   NewNode intersection(Fields& fields);
   NewNode offset(Fields& fields);
+  NewNode lumen(Fields& fields);
   NewNode frame(Fields& fields);
   NewNode displacement(Fields& fields);
   NewNode surfaceVessels(Fields& fields);
 
   const OrganDefinition& definition_;
+  Resolution resolution_;
   int level_;
+  double wall_ = 0; ///< Inside a lumen, how much narrower than its vessel it is, mm.
   std::map<std::string, NodePtr> built_;
   std::set<std::string> underConstruction_;
 };

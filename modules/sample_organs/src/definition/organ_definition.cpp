@@ -91,7 +91,10 @@ private:
       readLevels(*triangles, surface);
     if (fields.optional("places"))
       readPlaces(fields, surface);
-    surface.root = fields.get("root");
+    if (fields.optional("less"))
+      readParts(fields, surface);
+    else
+      surface.root = fields.get("root");
     fields.requireNothingElse();
     for (const SurfaceDefinition& other : definition_.surfaces)
       if (other.name == surface.name)
@@ -107,6 +110,24 @@ private:
       count = levels.integer(nameOf(resolution), count, kFewestTriangles, kMostTriangles);
     }
     levels.requireNothingElse();
+  }
+
+  /// Only surfaces before this one can be parts of it, so that none is made of itself.
+  void readParts(Fields& fields, SurfaceDefinition& surface) const {
+    const auto known = [&](const std::string& key, const std::string& name) {
+      for (const SurfaceDefinition& other : definition_.surfaces)
+        if (other.name == name && !other.joined())
+          return name;
+      fields.fail(key, "names \"" + name + "\", which is no surface with a root before this one",
+                  "put its parts first, or look for a misspelling");
+    };
+    const json& from = fields.get("from");
+    for (std::size_t level = 0; level < surface.from.size(); ++level) {
+      const json& name = from.is_array() && from.size() == surface.from.size() ? from[level] : from;
+      surface.from[level] = known("from", name.is_string() ? name.get<std::string>() : name.dump());
+    }
+    for (const json& part : fields.list("less"))
+      surface.less.push_back(known("less", part.is_string() ? part.get<std::string>() : part.dump()));
   }
 
   static void readPlaces(Fields& fields, SurfaceDefinition& surface) {

@@ -80,7 +80,7 @@ Extent extentOf(const std::vector<AxisSample>& axis, const TubeShape& shape) {
   const double widest = std::max(1.0, shape.flattenFactor) * shape.relief.largestFactor();
   for (const AxisSample& sample : axis) {
     const Vec3 middle = scaledAlong(sample.position, shape.flattenDirection, shape.flattenFactor);
-    extent.extend(grown(Extent(middle), widest * sample.radius));
+    extent.extend(grown(Extent(middle), widest * sample.radius + shape.beyond));
   }
   return extent;
 }
@@ -137,7 +137,7 @@ private:
 
   double searchLimit(double limit) const {
     const double swelling = (shape_.relief.largestFactor() - 1) * widest_;
-    return std::max(limit, 0.0) / std::min(shape_.flattenFactor, 1.0) + swelling;
+    return std::max(limit, 0.0) / std::min(shape_.flattenFactor, 1.0) + swelling + shape_.beyond;
   }
 
   double reliefDistance(const Vec3& point, const NearestOnAxis& nearest) const {
@@ -169,7 +169,7 @@ private:
     const double radial = (point - last.position - above * outward).norm();
     // Beyond the end the tube goes on as a cylinder, which the plane then cuts.
     const double side = (above > 0 ? radial - last.radius : distance) + shape_.rim;
-    const double top = above + shape_.rim;
+    const double top = above - shape_.beyond + shape_.rim;
     // The corner of the quarter plane side <= 0, top <= 0, rounded: both are moved inwards by the rim before,
     // and d = |max(., 0)| + min(max(side, top), 0) - rim moves them out again.
     const double outside = std::hypot(std::max(side, 0.0), std::max(top, 0.0));

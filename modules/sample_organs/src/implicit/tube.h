@@ -64,6 +64,7 @@ struct TubeShape {
   double flattenFactor = 1;                     ///< Thickness along that direction relative to a round tube.
   std::array<bool, 2> flatEnd = {false, false}; ///< Start, end: cut flat instead of a half ball.
   std::array<std::optional<Lumen>, 2> lumen;    ///< Only in flat ends.
+  double beyond = 0;                            ///< mm that a flat end lies beyond the axis' end.
   double rim = 0.8;                             ///< Radius in mm that rounds the edge of a flat end.
   TubeRelief relief;
   double step = 1; ///< mm between samples of the axis.
