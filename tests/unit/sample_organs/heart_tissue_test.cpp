@@ -25,13 +25,14 @@ using geometry::TriangleMesh;
 using sample_organs::Resolution;
 using Mesh = std::shared_ptr<const TriangleMesh>;
 
-Mesh surfaceOf(const std::string& name, Resolution resolution = Resolution::medium, Threads threads = {}) {
+Mesh cachedSurface(const std::string& name, Resolution resolution = Resolution::medium,
+                   Threads threads = {}) {
   Progress progress;
   return sample_organs::sampleSurface(projectLibrary(), "heart", name, resolution, progress, threads).mesh;
 }
 
 const TriangleMesh& tissue() {
-  static const Mesh mesh = surfaceOf("tissue");
+  static const Mesh mesh = cachedSurface("tissue");
   return *mesh;
 }
 
@@ -82,7 +83,7 @@ double narrowestNear(const Vec3& middle, const Vec3& along) {
 class HeartTissue : public testing::TestWithParam<Resolution> {};
 
 TEST_P(HeartTissue, IsOneClosedManifoldSurfaceThatDoesNotMeetItself) {
-  const Mesh mesh = surfaceOf("tissue", GetParam());
+  const Mesh mesh = cachedSurface("tissue", GetParam());
   const geometry::SurfaceReport report = geometry::checkSurface(*mesh);
   EXPECT_EQ(report.boundaryEdges, 0);
   EXPECT_EQ(report.nonManifoldEdges, 0);
@@ -102,8 +103,8 @@ INSTANTIATE_TEST_SUITE_P(At, HeartTissue,
                          [](const auto& instance) { return sample_organs::nameOf(instance.param); });
 
 TEST(HeartTissueSurface, DoesNotDependOnTheNumberOfThreads) {
-  const Mesh one = surfaceOf("tissue", Resolution::low, Threads{1});
-  const Mesh three = surfaceOf("tissue", Resolution::low, Threads{3});
+  const Mesh one = cachedSurface("tissue", Resolution::low, Threads{1});
+  const Mesh three = cachedSurface("tissue", Resolution::low, Threads{3});
   EXPECT_TRUE(one->points == three->points);
   EXPECT_TRUE(one->triangles == three->triangles);
   EXPECT_TRUE(one->colors == three->colors);
@@ -112,15 +113,15 @@ TEST(HeartTissueSurface, DoesNotDependOnTheNumberOfThreads) {
 /// Each of the twelve ends is open, and the only handles are the heart's own two and the moderator band.
 TEST(HeartTissueSurface, IsOpenAtTheTwelveEndsOfTheVesselsAndNowhereElse) {
   const auto euler = [](const TriangleMesh& mesh) { return mesh.points.rows() - mesh.triangles.rows() / 2; };
-  const auto outer = euler(*surfaceOf("outer"));
-  const auto left = euler(*surfaceOf("blood_left")), right = euler(*surfaceOf("blood_right"));
+  const auto outer = euler(*cachedSurface("outer"));
+  const auto left = euler(*cachedSurface("blood_left")), right = euler(*cachedSurface("blood_right"));
   EXPECT_EQ(left, 2) << "a wall inside the left heart has a hole";
   EXPECT_EQ(right, 0) << "the moderator band is the one bridge in the right heart";
   EXPECT_EQ(euler(tissue()), outer + left + right - 2 * 12);
 }
 
 TEST(HeartTissueSurface, HasTheBloodOfBothSidesApart) {
-  EXPECT_FALSE(surfacesMeet(*surfaceOf("blood_left"), *surfaceOf("blood_right")));
+  EXPECT_FALSE(surfacesMeet(*cachedSurface("blood_left"), *cachedSurface("blood_right")));
 }
 
 /// The outside is the outer surface itself but for the ends of the vessels.
@@ -128,7 +129,7 @@ TEST(HeartTissueSurface, HasTheOuterSurfaceOutside) {
   std::set<std::array<double, 3>> points;
   for (const auto& p : tissue().points.rowwise())
     points.insert({p.x(), p.y(), p.z()});
-  const Mesh outer = surfaceOf("outer");
+  const Mesh outer = cachedSurface("outer");
   Eigen::Index kept = 0;
   for (const auto& p : outer->points.rowwise())
     kept += points.count({p.x(), p.y(), p.z()}) > 0;
@@ -137,10 +138,10 @@ TEST(HeartTissueSurface, HasTheOuterSurfaceOutside) {
 
 /// Away from valves and papillary muscles, the wall inside is where the cavities are that volumes come from.
 TEST(HeartTissueSurface, FollowsTheCavitiesInside) {
-  static const Mesh mesh = surfaceOf("tissue");
+  static const Mesh mesh = cachedSurface("tissue");
   const geometry::SignedDistance distance(mesh);
   for (const char* name : {"lv", "rv", "la", "ra"}) {
-    const Mesh cavity = surfaceOf(name);
+    const Mesh cavity = cachedSurface(name);
     Eigen::Index near = 0;
     for (const auto& p : cavity->points.rowwise())
       near += std::abs(distance(p.transpose())) < 0.6;
@@ -225,7 +226,7 @@ TEST(HeartTissueSurface, HasVesselsAsWideAsInHealthyAdults) {
 using Path = std::vector<Vec3>;
 
 void expectBloodAlong(const std::string& name, const Path& path) {
-  static const geometry::WindingNumber outer(*surfaceOf("outer"));
+  static const geometry::WindingNumber outer(*cachedSurface("outer"));
   for (std::size_t i = 0; i + 1 < path.size(); ++i)
     for (double t = 0; t <= 1; t += 0.02) {
       const Vec3 at = path[i] + t * (path[i + 1] - path[i]);
