@@ -197,11 +197,6 @@ void StrainModel::readCycle(const Basis& basis, const live::MotionCause& cause) 
         if (!series->series->corresponding.empty())
           for (const std::size_t surface : series->surfaces)
             moved.measured.push_back(series->series->corresponding[surface].phases);
-        for (const auto& phase : series->series->meshes) {
-          auto& seen = moved.seen.emplace_back();
-          for (const std::size_t surface : series->surfaces)
-            seen.push_back(phase[surface]);
-        }
         return moved;
       },
       choice_.reference > 0 ? std::optional(static_cast<std::size_t>(choice_.reference - 1)) : std::nullopt,

@@ -49,7 +49,6 @@ MovedOrgans movedOrgans(const MotionSeries& series, const PatientMotion& found,
     moved.measured.push_back(surface.phases);
     moved.rowOfGiven.push_back(surface.rowOfGiven);
   }
-  moved.seen = series.meshes;
   return moved;
 }
 

@@ -254,12 +254,6 @@ strain::HeartPhases StrainGauge::Parts::phasesOf(const MovedOrgans& moved, Progr
     progress.throwIfCancelled();
     phases.*surface.phases = phasesOf(surface, moved, threads);
   }
-  for (const auto& organs : moved.seen) {
-    strain::HeartSurfaces& seen = phases.seen.emplace_back();
-    for (const BoundSurface& surface : surfaces)
-      if (surface.organ)
-        seen.*surface.rest = outwardSurface({(heart.surfaces().*surface.rest)->name, organs[*surface.organ]});
-  }
   if (wall)
     phases.gradientsAt = [this, &moved](std::size_t phase, std::vector<Eigen::Matrix3d>& gradients,
                                         Threads inner) {

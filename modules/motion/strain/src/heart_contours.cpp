@@ -6,7 +6,6 @@
 
 #include "viscera/core/error.h"
 #include "viscera/core/phrase.h"
-#include "viscera/strain/valve_caps.h"
 
 namespace viscera::strain {
 namespace {
@@ -63,7 +62,7 @@ public:
     const auto lines = cutContours(left.rest, left.triangles, left.caps, alongAxis(axes_, view.angle));
     if (lines.empty())
       return std::nullopt;
-    return HeartContour{view.name, opened(lines.front(), left.rest, axes_, 1), kLeftPlace};
+    return HeartContour{view.name, opened(lines.front(), left.rest, axes_, 1), &HeartPhases::left};
   }
 
   std::optional<HeartContour> circumferential(const Level& level) const {
@@ -74,7 +73,7 @@ public:
     const auto lines = cutContours(left.rest, left.triangles, left.caps, plane);
     if (lines.empty())
       return std::nullopt;
-    return HeartContour{level.name, lines.front(), kLeftPlace};
+    return HeartContour{level.name, lines.front(), &HeartPhases::left};
   }
 
   /// The contour runs from the tricuspid annulus to the right ventricle's apex, on the side away from the
@@ -95,7 +94,7 @@ public:
     const MaterialContour& free = fromAxis(one, right.rest) > fromAxis(other, right.rest) ? one : other;
     if (free.places.size() < 2)
       return std::nullopt;
-    return HeartContour{kRightFreeWall, free, kRightPlace};
+    return HeartContour{kRightFreeWall, free, &HeartPhases::right};
   }
 
   /// The contours run from one side of the mitral annulus over the roof of the atrium to the other, in two
@@ -111,7 +110,7 @@ public:
       const auto lines =
           cutContours(atrium.rest, atrium.triangles, atrium.caps, alongAxis(axes_, view.angle));
       if (!lines.empty())
-        found.push_back({view.name, opened(lines.front(), atrium.rest, axes_, -1), kAtriumPlace});
+        found.push_back({view.name, opened(lines.front(), atrium.rest, axes_, -1), &HeartPhases::atrium});
     }
     return found;
   }
@@ -148,9 +147,14 @@ private:
   }
 
   HeartContour through(const ListedContour& listed) const {
-    for (const SurfacePlace& place : kPlaces)
-      if (const auto& surface = surfaces_.*place.rest; surface && surface->name == listed.surface)
-        return {listed.name, through(listed, *surface), place, true};
+    const std::pair<const std::optional<HeartSurface>*, std::vector<Points> HeartPhases::*> all[] = {
+        {&surfaces_.left, &HeartPhases::left},
+        {&surfaces_.right, &HeartPhases::right},
+        {&surfaces_.outer, &HeartPhases::outer},
+        {&surfaces_.atrium, &HeartPhases::atrium}};
+    for (const auto& [surface, phases] : all)
+      if (*surface && (*surface)->name == listed.surface)
+        return {listed.name, through(listed, **surface), phases};
     throw DataError(phrase("There is no surface \"%1\"", listed.surface), listed.name,
                     "name one of the surfaces of the heart");
   }
@@ -173,20 +177,9 @@ private:
 
 } // namespace
 
-HeartSurfaces withCaps(HeartSurfaces surfaces, const HeartAxes& axes) {
-  for (const SurfacePlace& place : kPlaces) {
-    auto& surface = surfaces.*place.rest;
-    if (!surface || !surface->caps.empty())
-      continue;
-    const Vec3 towardsBase = place.rest == kAtriumPlace.rest ? axes.down() : Vec3(-axes.down());
-    surface->caps = valveCaps({surface->rest, surface->triangles, {}}, towardsBase).triangles;
-  }
-  return surfaces;
-}
-
-HeartContours findContours(const HeartSurfaces& surfaces, const HeartAxes& axes,
+HeartContours findContours(const HeartSurfaces& surfaces, const FoundAxes& axes,
                            const std::vector<ListedContour>& listed) {
-  const ContourCutter cutter(surfaces, axes, listed);
+  const ContourCutter cutter(surfaces, axes.axes, listed);
   HeartContours found;
   for (const View& view : kViews)
     if (auto contour = cutter.longitudinal(view))

@@ -6,11 +6,11 @@
 #include <utility>
 
 #include "heart_contours.h"
-#include "seen_contours.h"
 #include "viscera/core/error.h"
 #include "viscera/core/phrase.h"
 #include "viscera/strain/strain_curve.h"
 #include "viscera/strain/surface_strain.h"
+#include "viscera/strain/valve_caps.h"
 #include "viscera/strain/wall_means.h"
 #include "viscera/strain/wall_measures.h"
 
@@ -23,10 +23,25 @@ constexpr int kMeasuredSegments = 16; ///< Without the cap, whose axes mean litt
 
 using Thicknesses = std::array<double, kSegments + 1>;
 
-/// The left cavity's caps are those that the axes were found from.
-HeartSurfaces prepared(HeartSurfaces surfaces, const FoundAxes& axes) {
+/// A surface at rest with its place among the phases.
+struct Place {
+  std::optional<HeartSurface> HeartSurfaces::*rest;
+  std::vector<Points> HeartPhases::*phases;
+};
+constexpr Place kPlaces[] = {{&HeartSurfaces::left, &HeartPhases::left},
+                             {&HeartSurfaces::right, &HeartPhases::right},
+                             {&HeartSurfaces::outer, &HeartPhases::outer},
+                             {&HeartSurfaces::atrium, &HeartPhases::atrium}};
+
+HeartSurfaces withCaps(HeartSurfaces surfaces, const FoundAxes& axes) {
+  const Vec3& down = axes.axes.down();
   surfaces.left->caps = axes.cap;
-  return withCaps(std::move(surfaces), axes.axes);
+  for (const Place& place : kPlaces)
+    if (auto& surface = surfaces.*place.rest; surface && surface->caps.empty())
+      surface->caps = valveCaps({surface->rest, surface->triangles, {}},
+                                place.rest == &HeartSurfaces::atrium ? down : Vec3(-down))
+                          .triangles;
+  return surfaces;
 }
 
 ContourStrain asCurve(const std::string& name, std::vector<double> curve, const std::vector<double>& seconds,
@@ -41,8 +56,8 @@ ContourStrain asCurve(const std::string& name, std::vector<double> curve, const 
 struct HeartGauge::Parts {
   Parts(HeartSurfaces given, FoundAxes found, std::shared_ptr<const WallPoints> points,
         const std::vector<ListedContour>& listed, Threads threads)
-      : axes(std::move(found)), surfaces(prepared(std::move(given), axes)), wall(std::move(points)),
-        contours(findContours(surfaces, axes.axes, listed)), twist(left().rest, onWall(), axes.axes),
+      : axes(std::move(found)), surfaces(withCaps(std::move(given), axes)), wall(std::move(points)),
+        contours(findContours(surfaces, axes, listed)), twist(left().rest, onWall(), axes.axes),
         thickness(left().rest, left().triangles, axes.cap, axes.axes),
         endocardium(left().rest, left().triangles, axes.cap, axes.axes) {
     if (surfaces.outer)
@@ -75,8 +90,7 @@ struct HeartGauge::Parts {
 class HeartGauge::Measuring {
 public:
   Measuring(const Parts& parts, const HeartPhases& phases, Progress& progress, Threads threads)
-      : parts_(parts), phases_(phases), progress_(progress), threads_(threads),
-        seen_(parts.surfaces, parts.axes, phases, threads), result_(parts.axes) {
+      : parts_(parts), phases_(phases), progress_(progress), threads_(threads), result_(parts.axes) {
     result_.seconds = phases.seconds;
     result_.reference = phases.reference;
     result_.wall = parts.wall != nullptr;
@@ -118,9 +132,9 @@ private:
   }
 
   void areas() {
-    for (const SurfacePlace& place : kPlaces) {
+    for (const Place& place : kPlaces) {
       const auto& surface = parts_.surfaces.*place.rest;
-      if (!surface || place.rest == kAtriumPlace.rest)
+      if (!surface || place.rest == &HeartSurfaces::atrium)
         continue;
       std::vector<double> areas;
       for (const Points& phase : phases_.*place.phases)
@@ -269,14 +283,8 @@ private:
   }
 
   ContourStrain strainOf(const HeartContour& contour) const {
-    ContourStrain followed = contourStrain(contour.name, contour.line, phases_.*contour.surface.phases,
-                                           phases_.seconds, phases_.reference);
-    const std::optional<std::vector<double>> seen = seen_.lengthsOf(contour);
-    if (!seen)
-      return followed;
-    ContourStrain strain = curve(contour.name, changeFrom(*seen, phases_.reference));
-    strain.referenceMm = (*seen)[phases_.reference];
-    return strain;
+    return contourStrain(contour.name, contour.line, phases_.*contour.surface, phases_.seconds,
+                         phases_.reference);
   }
 
   std::vector<ContourStrain> strainsOf(const std::vector<HeartContour>& contours) const {
@@ -304,7 +312,6 @@ private:
   const HeartPhases& phases_;
   Progress& progress_;
   const Threads threads_;
-  const SeenContours seen_;
   HeartStrain result_;
 };
 
@@ -327,12 +334,10 @@ HeartStrain HeartGauge::read(const HeartPhases& phases, Progress& progress, Thre
   if (phases.seconds.empty() || phases.reference >= phases.seconds.size())
     throw DataError(phrase("There is no phase %1", phases.reference + 1), "heart",
                     phrase("phases are counted from 1 to %1", phases.seconds.size()));
-  for (const SurfacePlace& place : kPlaces)
+  for (const Place& place : kPlaces)
     if (const auto& surface = parts_->surfaces.*place.rest;
         surface && (phases.*place.phases).size() != phases.seconds.size())
       throw DataError(misuse("A surface needs its points in each phase"), surface->name);
-  if (!phases.seen.empty() && phases.seen.size() != phases.seconds.size())
-    throw DataError(misuse("Surfaces that are seen are seen in each phase"), "heart");
   return Measuring(*parts_, phases, progress, threads).measured();
 }
 

@@ -177,38 +177,6 @@ TEST(HeartStrain, OfAPhaseAtRestIsThatOfTheHeartAtRest) {
           << number << " in " << phase;
 }
 
-/// A fit by distances does not see that a valve's ring moves along the wall; the surfaces that were seen do.
-TEST(HeartStrain, OfSurfacesThatWereSeenIsThatOfTheirOwnContours) {
-  const Beat beat{.narrowing = 0.2, .shortening = 0.15, .twist = 0};
-  BeatingHeart fitted(beat);
-  const HeartStrain truth = fitted.measured(Vec3(-10, -20, 40));
-  const BeatingHeart other(beat, Eigen::Matrix3d::Identity(), Vec3::Zero(), 71, 57); // Other triangles.
-  for (std::size_t phase = 0; phase < fitted.phases.left.size(); ++phase) {
-    HeartSurfaces& seen = fitted.phases.seen.emplace_back(other.surfaces);
-    seen.left->rest = other.phases.left[phase];
-    seen.outer->rest = other.phases.outer[phase];
-    fitted.phases.left[phase].col(2).array() *= 1 - 0.01 * static_cast<double>(phase); // Slides.
-  }
-  const HeartStrain seen = fitted.measured(Vec3(-10, -20, 40));
-  EXPECT_NEAR(seen.gls->peak.value, truth.gls->peak.value, 0.005);
-  EXPECT_NEAR(seen.gcs->peak.value, truth.gcs->peak.value, 0.005);
-  fitted.phases.seen.clear();
-  EXPECT_LT(fitted.measured(Vec3(-10, -20, 40)).gls->peak.value, truth.gls->peak.value - 0.01);
-}
-
-/// A line that is much shorter than the followed one is another line.
-TEST(HeartStrain, OfALineThatIsNotTheFollowedOneIsThatOfTheFollowedOne) {
-  BeatingHeart beating({.narrowing = 0.2, .shortening = 0.15, .twist = 0});
-  const HeartStrain followed = beating.measured(Vec3(-10, -20, 40));
-  for (std::size_t phase = 0; phase < beating.phases.left.size(); ++phase) {
-    HeartSurfaces& seen = beating.phases.seen.emplace_back(beating.surfaces);
-    seen.left->rest = phase == 3 ? Points(0.5 * beating.phases.left[phase]) : beating.phases.left[phase];
-  }
-  EXPECT_EQ(beating.measured(Vec3(-10, -20, 40)).gls->curve, followed.gls->curve);
-  beating.phases.seen.pop_back();
-  EXPECT_THROW(beating.measured(Vec3(-10, -20, 40)), DataError);
-}
-
 TEST(HeartStrain, TakesListsOfVerticesInThePlaceOfContoursThatAreFound) {
   const BeatingHeart beating({.narrowing = 0.25, .shortening = 0, .twist = 0});
   ListedContour ring{"base", "LV", {}, true};

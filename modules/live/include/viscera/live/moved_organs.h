@@ -26,9 +26,6 @@ struct MovedOrgans {
   /// The measured points of each surface in each phase, `[organ][phase]`, where points correspond; else
   /// empty: the surfaces are where the handles move them.
   std::vector<std::vector<Points>> measured;
-  /// The measured surfaces, `[phase][organ]`, where points do not correspond and the handles were fitted to
-  /// them; else empty.
-  std::vector<std::vector<std::shared_ptr<const geometry::TriangleMesh>>> seen = {};
   /// For each surface the row of each point of its file, as `tracking::SurfaceSeries::rowOfGiven`; may be
   /// empty.
   std::vector<std::vector<std::int32_t>> rowOfGiven;

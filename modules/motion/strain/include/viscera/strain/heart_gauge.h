@@ -45,10 +45,6 @@ struct HeartPhases {
   /// `n x 3` mm, one for each phase; empty for a surface that the heart does not have.
   std::vector<Points> left, right, outer, atrium;
   GradientsAt gradientsAt; ///< Of a heart whose wall is known.
-  /// Where material points are not known: the surfaces that were measured in each phase, with triangles of
-  /// their own, to which those above were fitted. Contours along the axis are then cut anew in each of
-  /// them, since a fit does not see a valve's ring move along the wall. Empty: all contours are followed.
-  std::vector<HeartSurfaces> seen = {};
 };
 
 /// A contour through vertices of one of the surfaces, instead of one that is found.
@@ -65,8 +61,7 @@ struct ListedContour {
 /// 150 (2-chamber) and 30 (3-chamber) behind the anterior insertion, from one side of the valves' rims over
 /// the apex to the other, and across the axis at 1/4, 1/2 and 3/4 of its length. Segments are means over
 /// witness points by the volume for which each stands, or over triangles of the endocardium where no wall is
-/// known. In surfaces that were only seen contours are cut in planes that move with the fit; one that is
-/// longer or shorter than the followed line by more than 15 % is none, and the followed line counts.
+/// known.
 ///
 ///     const FoundAxes axes = findAxes(cavity, nullptr);
 ///     const HeartGauge gauge({.left = surface}, axes, nullptr, {});
