@@ -67,7 +67,7 @@ public:
   /// Measures the poses of `moved`, which has the same organs and handles, or its measured surfaces; against
   /// the phase `reference` where it is given, else as the options say. A phase takes milliseconds; a motion
   /// that was fitted to known points a second more, for the deviations of its segments. Throws what
-  /// `strain::heartStrain` throws.
+  /// `strain::HeartGauge::read` throws.
   StrainReading read(const MovedOrgans& moved, Progress& progress, Threads threads = {},
                      std::optional<std::size_t> reference = std::nullopt) const;
 
