@@ -13,6 +13,8 @@ namespace viscera::tests {
 /// A row of a page's table of what holds its numbers: the largest of some differences, which may not exceed a
 /// bound. The bound is checked, and value, bound and unit are recorded as a property of the test
 /// (`--gtest_output=json`), when it goes; resources/scripts/strain_table.py makes the table of these.
+/// It reads the declarations, too: row and unit are literals, the bound is a number or a constant of the
+/// file.
 ///
 ///     HeldValue held("uniform stretch", 1e-10);
 ///     held.add(strain - 0.4);

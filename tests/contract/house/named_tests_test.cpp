@@ -23,12 +23,6 @@ std::set<std::string> testsThereAre() {
   return tests;
 }
 
-/// Whether one of them begins so.
-bool isTested(const std::set<std::string>& tests, const std::string& begin) {
-  const auto found = tests.lower_bound(begin);
-  return found != tests.end() && found->starts_with(begin);
-}
-
 } // namespace
 
 /// A table that says what holds each point is worth no more than the names in it.
@@ -43,24 +37,6 @@ TEST(WindowReview, NamesTestsThatExist) {
       EXPECT_EQ(tests.count((*found)[1].str()), 1u) << (*found)[1].str();
     }
   EXPECT_GT(named, 100);
-}
-
-/// docs/strain.md says what holds each of its numbers: the tests that it names are there.
-TEST(HeldRows, OfStrainNameTestsThatExist) {
-  const std::set<std::string> tests = testsThereAre();
-  const std::regex named("`(\\w+\\.\\w*)(?:\\.\\.\\.|\\*)?`");
-  bool inTable = false;
-  int rows = 0;
-  for (const std::string& line : linesOf(std::filesystem::path(VISCERA_SOURCE_DIR) / "docs/strain.md")) {
-    inTable = line.starts_with("## ") ? line == "## How it is held" : inTable;
-    if (!inTable || !line.starts_with("| ") || line.starts_with("| what"))
-      continue;
-    ++rows;
-    for (std::sregex_iterator test(line.begin(), line.end(), named), end; test != end; ++test)
-      EXPECT_TRUE(isTested(tests, (*test)[1])) << test->str() << " in: " << line;
-  }
-  EXPECT_GE(rows, 13);
-  EXPECT_FALSE(isTested(tests, "HeldRows.OfNothing"));
 }
 
 } // namespace viscera::house
