@@ -232,7 +232,7 @@ struct StrainGauge::Parts {
   FittedPose fittedPose(const MovedOrgans& moved, std::size_t phase, Threads threads) const;
 };
 
-/// Where it was measured, else where the handles move it; at rest where they are.
+/// The measured points of a surface, else where the handles move it; handles at rest leave it at rest.
 std::vector<Points> StrainGauge::Parts::phasesOf(const BoundSurface& surface, const MovedOrgans& moved,
                                                  Threads threads) const {
   if (surface.organ && !moved.measured.empty())
