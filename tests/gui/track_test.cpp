@@ -82,6 +82,8 @@ TEST_F(Track, ALabelSeriesBecomesARecordedSequenceWithWhatWasMeasured) {
   EXPECT_EQ(document().organs()[0]->name, "Heart");
   EXPECT_EQ(document().organs()[1]->name, "LV");
   EXPECT_EQ(document().organs()[1]->parent, document().organs()[0]->id);
+  for (const auto& organ : document().organs())
+    EXPECT_EQ(organ->file.filename(), "cine.nii") << "it was not made in the program";
   EXPECT_EQ(document().keySequence().keys.size(), 6U);
   EXPECT_EQ(document().rig().handles.size(), 60U);
   ASSERT_NE(window().playback().sequence(), nullptr);

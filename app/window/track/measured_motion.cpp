@@ -24,12 +24,25 @@ const Vec3 kGhost(0.97, 0.83, 0.42);
 constexpr double kLeastReach = 0.5; ///< Of the colours, mm.
 constexpr int kSaidSeconds = 12;
 
+/// Says where a surface came from: it has the shape of the first of its files.
+void nameFiles(const std::vector<std::filesystem::path>& files, document::Organ& organ) {
+  if (files.empty())
+    return;
+  organ.file = files.front();
+  if (files.size() > 1)
+    organ.warnings.push_back(phrase("the shape of the first of %1 files of its motion; the last one is %2",
+                                    files.size(), files.back().filename().string()));
+}
+
 /// The surfaces on their way into the document: cavities within the outer one.
-std::vector<document::NewOrgan> organsOf(const live::PatientMotion& motion) {
+std::vector<document::NewOrgan> organsOf(const live::PatientMotion& motion,
+                                         const live::MotionSeries& series) {
   const auto& surfaces = motion.sequence.organs;
   std::vector<document::NewOrgan> organs;
   for (std::size_t i = 0; i < surfaces.size(); ++i) {
     document::NewOrgan organ{document::makeOrgan(surfaces[i].name, surfaces[i].mesh), -1};
+    if (i < series.files.size())
+      nameFiles(series.files[i], organ.organ);
     if (i != motion.outer)
       organ.parentInBatch = static_cast<int>(motion.outer);
     else if (surfaces.size() > 1)
@@ -100,7 +113,7 @@ void MeasuredMotion::find(const live::SeriesRequest& request, const live::TrackO
       result.found.motion =
           std::make_shared<const live::PatientMotion>(live::trackMotion(*result.found.series, options, part));
     });
-    result.organs = organsOf(*result.found.motion);
+    result.organs = organsOf(*result.found.motion, *result.found.series);
     return result;
   };
   auto done = [this, search = ++searches_](JobResult<Result> result) {

@@ -97,6 +97,7 @@ void readSurfaces(const SeriesFiles& files, MotionSeries& series, Progress& prog
   Text differs;
   for (const auto& [name, list] : files.files) {
     series.names.push_back(name);
+    series.files.push_back(list);
     const auto& file = read[name] = medical_io::readSurfaceSeries(list, progress);
     if (!file.correspond && differs.empty())
       differs =
@@ -390,6 +391,7 @@ void putOuterFirst(MotionSeries& series) {
       std::rotate(list.begin(), list.begin() + outer, list.begin() + outer + 1);
   };
   toFront(series.names);
+  toFront(series.files);
   toFront(series.corresponding);
   for (auto& phase : series.meshes)
     toFront(phase);
@@ -444,6 +446,8 @@ MotionSeries readMotionSeries(const SeriesRequest& request, Progress& progress) 
     requirePhases(series.masks.size());
     masks.finish();
   }
+  if (series.files.empty()) // Label maps hold all surfaces.
+    series.files.assign(series.names.size(), files.files.at(""));
   const std::size_t count = files.kind == SeriesFiles::Kind::surfaces ? files.phases : series.masks.size();
   measureVolumes(series, count);
   series.outer = outerOf(series);

@@ -97,6 +97,12 @@ TEST(MotionSeries, SortsFramesByTheirNumberAndSurfacesByTheirName) {
   EXPECT_EQ(found.names, (std::vector<std::string>{"outer", "cavity"}));
   EXPECT_EQ(found.outer, 0U);
   ASSERT_EQ(found.phases(), 11U);
+  ASSERT_EQ(found.files.size(), 2U) << "where each surface came from";
+  for (std::size_t surface : {0U, 1U}) {
+    ASSERT_EQ(found.files[surface].size(), 11U);
+    EXPECT_EQ(found.files[surface].front().filename(), found.names[surface] + "_1.obj");
+    EXPECT_EQ(found.files[surface].back().filename(), found.names[surface] + "_11.obj");
+  }
   ASSERT_EQ(found.corresponding.size(), 2U);
   for (std::size_t phase = 0; phase < 11; ++phase)
     EXPECT_NEAR(std::cbrt(found.volumesMl[phase][0] / found.volumesMl[0][0]), kBeat[phase] / 20, 1e-9);
@@ -109,6 +115,9 @@ TEST(MotionSeries, MakesSurfacesOfSeveralLabels) {
   const MotionSeries found = read(series.request(kHeart));
   EXPECT_EQ(found.names, (std::vector<std::string>{"EPI", "LV", "RV"}));
   EXPECT_DOUBLE_EQ(found.sliceMm(), 6);
+  for (const auto& files : found.files)
+    EXPECT_EQ(files.size(), 6U) << "the same label maps for each surface";
+  EXPECT_EQ(found.files.size(), 3U);
   for (std::size_t phase = 0; phase < 6; ++phase) {
     const tests::LabelImage image = tests::beatingLabels(double(phase) / 6, Vec3(4, 4, 6));
     const auto all = std::count_if(image.voxels.begin(), image.voxels.end(), [](auto v) { return v > 0; });

@@ -9,6 +9,7 @@
 
 #include "pictures.h"
 #include "sections.h"
+#include "viscera/anatomy/part.h"
 #include "viscera/core/error.h"
 #include "viscera/core/text.h"
 #include "viscera/document/axes_commands.h"
@@ -248,6 +249,17 @@ Section files(const ReportSource& source) {
   return section;
 }
 
+/// What the organs are: the first one's name where it says that. Files of a series are often called after the
+/// patient alone; chambers among them tell that it is a heart.
+std::string subjectOf(const document::OrganList& organs) {
+  const std::string label = titleOf(*organs.front());
+  const bool says = anatomy::partNamed(organs.front()->name).has_value();
+  const bool heart = std::any_of(organs.begin(), organs.end(), [](const auto& organ) {
+    return anatomy::chamberNamed(organ->name).has_value();
+  });
+  return says || !heart ? label : said("Heart") + " (" + label + ")";
+}
+
 } // namespace
 
 int Report::pictures() const {
@@ -267,7 +279,7 @@ Report makeReport(const ReportSource& source, Threads threads, Progress& progres
     progress.report(part, what);
   };
   Report report;
-  report.title = source.title.empty() ? titleOf(*source.state.organs->front()) : source.title;
+  report.title = source.title.empty() ? subjectOf(*source.state.organs) : source.title;
   const std::string date = source.date.empty()
                                ? QLocale().toString(QDate::currentDate(), QLocale::LongFormat).toStdString()
                                : source.date;

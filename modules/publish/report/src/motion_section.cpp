@@ -110,7 +110,14 @@ Table indicesTable(const std::vector<Line>& lines, double rate) {
   return table;
 }
 
+/// Keys have no names that say more than their numbers: their count and their ends are enough.
 std::string phasesOf(const sequences::Sequence& sequence, double rate) {
+  if (const std::vector<double> keys = sequence.keys(); !keys.empty()) {
+    const double scale = sequence.standardRatePerMinute() / rate;
+    return said("%1 keys", std::to_string(keys.size())) + ", " +
+           said("the first at %1 s, the last at %2 s", fixed(scale * keys.front(), 3),
+                fixed(scale * keys.back(), 3));
+  }
   std::string text;
   for (const sequences::Phase& phase : sequence.phases(rate))
     text += (text.empty() ? "" : ", ") + inWords(phase.name) + ' ' + fixed(60 / rate * phase.begin, 3) + "-" +

@@ -128,6 +128,42 @@ TEST(Report, GivesAnEjectionFractionToVentriclesOnlyAndKeepsThePose) {
   EXPECT_EQ(sectionOf(ofBall, "Strain"), nullptr);
 }
 
+TEST(Report, CountsTheKeysOfARecordedCycleAndNamesItsEnds) {
+  ReportedSession session;
+  session.record();
+  for (const double more : {1.25, 1.5, 1.75})
+    session.undo.perform(document::recordKey(more));
+  report::ReportSource source = session.source();
+  source.sequence = document::sequenceOf(session.document.keySequence(), session.document.rig());
+  const std::vector<double> keys = source.sequence->keys();
+  ASSERT_EQ(keys.size(), 5U);
+  source.ratePerMinute = source.sequence->standardRatePerMinute() / 2; // All instants twice as late.
+  const report::Report report = session.report(source);
+  const auto& facts = std::get<report::Table>(sectionOf(report, "Motion")->blocks.front());
+  EXPECT_THAT(facts.rows.at(2),
+              ElementsAre("Phases", "5 keys, the first at " + fixed(2 * keys.front(), 3) +
+                                        " s, the last at " + fixed(2 * keys.back(), 3) + " s"));
+}
+
+TEST(Report, NamesTheFilesOfOrgansAndWhatTheyAre) {
+  const auto reportOn = [](std::vector<std::string> names) {
+    ReportedSession session{std::vector<std::string>()};
+    for (const std::string& name : names) {
+      document::NewOrgan organ = ball(name, 30);
+      organ.organ.file = "/data/Doe/" + name + "_00.obj";
+      session.undo.perform(document::addOrgans({organ}));
+    }
+    return session.report(session.source());
+  };
+  const report::Report heart = reportOn({"patient1", "patient1_LV_ENDOCARDIAL"});
+  EXPECT_EQ(heart.title, "Heart (Patient1)") << "a patient's number tells no organ";
+  const report::Table files = tablesOf(*sectionOf(heart, "Files and what was done to them")).at(0);
+  EXPECT_EQ(files.rows.at(0).at(1), "patient1_00.obj");
+  EXPECT_EQ(files.rows.at(1).at(1), "patient1_LV_ENDOCARDIAL_00.obj");
+  EXPECT_EQ(reportOn({"liver"}).title, "Liver");
+  EXPECT_EQ(reportOn({"patient1"}).title, "Patient1");
+}
+
 TEST(Report, TellsStressWithItsMethodPercentilesAndPictures) {
   ReportedSession session;
   live::LiveStress::Options options;

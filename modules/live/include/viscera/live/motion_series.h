@@ -49,7 +49,10 @@ struct MotionSeries {
   /// Voxels of label maps, `[phase][surface]`; else empty.
   std::vector<std::vector<tracking::Mask>> masks;
   std::vector<std::vector<double>> volumesMl; ///< Measured, `[phase][surface]`.
-  std::vector<Text> warnings;                 ///< Repairs and assumptions, a sentence each.
+  /// The files of each surface in the order of phases, those of phases that were left out among them; one
+  /// file of several phases is alone in its list.
+  std::vector<std::vector<std::filesystem::path>> files;
+  std::vector<Text> warnings; ///< Repairs and assumptions, a sentence each.
 
   std::size_t phases() const { return times.count(); }
   /// Distance of the slices of label maps, mm; 0 for surfaces.
