@@ -13,6 +13,7 @@
 
 #include "sway.h"
 #include "viscera/document/organ_commands.h"
+#include "viscera/live/stress_quantity.h"
 #include "viscera/scene/vtkVisceraHandleSetWidget.h"
 #include "window/stress/stress_chart.h"
 #include "window/timeline/chart_cursor.h"
@@ -204,6 +205,15 @@ TEST_F(StressOverACycle, MovesTheMapWhileItPlaysAndHasAPeak) {
   const Eigen::Index witnesses = model().live().mesh()->witnesses;
   EXPECT_GE((*model().shown().values() - now).minCoeff(), -0.2);
   EXPECT_GT(model().shown().summary().max, now.head(witnesses).maxCoeff() - 0.2);
+  // Each value of the card is the extreme of its own instant, and is called so.
+  model().setProbe(0);
+  settle();
+  QStringList names;
+  for (const QLabel* name : window().findChildren<QLabel*>(QStringLiteral("muted")))
+    names << name->text();
+  for (const live::StressQuantityDescription& quantity : live::stressQuantities())
+    EXPECT_TRUE(names.contains(QString::fromStdString(quantity.peakName))) << quantity.peakName;
+  model().setProbe(-1);
   // The maximum's instant is that of the largest value of the cycle.
   EXPECT_TRUE(find<QLabel>("stressPeakTime")->isVisible());
   const double largest = model().peakInstant()->statistics.max;

@@ -23,6 +23,17 @@ TEST_F(StressModeTest, AtRestAHintSaysWhatToDoAndNoHistogramIsDrawn) {
   ASSERT_TRUE(window().workspace().perform(document::setPose(pose)));
   ASSERT_TRUE(waitUntil([&] { return model().shown().deformed() && !hint->isVisible(); }));
   EXPECT_GT(model().shown().legendRange().high, 0);
+  // What the colours mean is read without a pointer on them.
+  EXPECT_TRUE(find<QLabel>("stressMeaning")->isVisible());
+  EXPECT_TRUE(label("stressMeaning").contains(QStringLiteral("angle")))
+      << label("stressMeaning").toStdString();
+  const auto* squeezed = find<QLabel>("stressSqueezed");
+  EXPECT_FALSE(squeezed->isVisible()) << squeezed->text().toStdString();
+  pose.row(9) *= 4; // No living tissue changes its volume so much, on whatever map.
+  ASSERT_TRUE(window().workspace().perform(document::setPose(pose)));
+  EXPECT_TRUE(waitUntil([&] { return squeezed->isVisible(); }));
+  EXPECT_TRUE(squeezed->text().contains(QStringLiteral(" % of its volume")))
+      << squeezed->text().toStdString();
 }
 
 /// The eyes of their rows are open.

@@ -24,8 +24,10 @@
 #include "temporary_folder.h"
 #include "viscera/live/stress_mark_files.h"
 #include "viscera/live/stress_quantity.h"
+#include "viscera/presentation/slice_presenter.h"
 #include "viscera/presentation/stress_values.h"
 #include "window/compare/comparison.h"
+#include "window/compare/side_header.h"
 #include "window/language.h"
 #include "window/modes/play_mode.h"
 #include "window/modes/stress_mode.h"
@@ -33,6 +35,7 @@
 #include "window/stress/histogram.h"
 #include "window/stress/profile_chart.h"
 #include "window/stress/stress_export.h"
+#include "window/widgets/elided_label.h"
 #include "window/widgets/value_slider.h"
 
 namespace viscera::tests {
@@ -130,7 +133,10 @@ TEST_F(StressModeTest, AClickShowsTheValuesOfThePointAndFollowsThePose) {
   const double degrees = 180 / std::numbers::pi * model().live().map().rotationalStress[point];
   EXPECT_EQ(label("probe_rotational-stress"), QStringLiteral("%1 deg").arg(degrees, 0, 'f', 1));
   EXPECT_TRUE(find<QLabel>("probe_volume-ratio")->isVisible());
-  EXPECT_TRUE(label("probePosition").contains(QStringLiteral(" mm"))) << label("probePosition").toStdString();
+  const Vec3 rest = model().live().mesh()->points.row(point);
+  EXPECT_EQ(label("probePosition"),
+            QStringLiteral("At rest %1 mm").arg(QString::fromStdString(presentation::formatPlace(rest))))
+      << "as a pinned probe and the report write it";
   key(Qt::Key_Escape);
   EXPECT_EQ(model().probe(), -1);
   EXPECT_FALSE(drawn().probe().visible());
@@ -368,6 +374,7 @@ TEST_F(StressMarksInTheWindow, AProbeFollowsTheTissueAndIsAStepToUndo) {
   ASSERT_EQ(list().topLevelItemCount(), 1);
   EXPECT_EQ(cell(0, 0), QStringLiteral("1"));
   const QString place = cell(0, 1);
+  EXPECT_EQ(place, QString::fromStdString(presentation::formatPlace(probes()[0].rest)));
   dragAHandle();
   EXPECT_EQ(cell(0, 2), read(point)) << "the number of the point that was clicked";
   EXPECT_EQ(cell(0, 2), label("probe_rotational-stress")) << "and of the card";
@@ -522,6 +529,12 @@ TEST_F(TwoStressMaps, OfTwoPosesHaveOneRangeAndOneLegendWhileThatIsWanted) {
   settle();
   const Values kept = *beside().stressValues().values();
   EXPECT_EQ(kept, *model().shown().values()) << "the pose that was kept";
+  QStringList titles;
+  for (const app::SideHeader* header : window().findChildren<app::SideHeader*>())
+    for (const app::ElidedLabel* said : header->findChildren<app::ElidedLabel*>())
+      titles << said->fullText();
+  EXPECT_TRUE(titles.contains(QStringLiteral("Present pose"))) << titles.join('|').toStdString();
+  EXPECT_TRUE(titles.contains(QStringLiteral("Kept pose"))) << titles.join('|').toStdString();
   key(Qt::Key_Z, Qt::ControlModifier);
   settle();
   EXPECT_LT(model().shown().summary().max, 1e-6) << "this one is at rest again";

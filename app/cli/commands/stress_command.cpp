@@ -16,6 +16,7 @@
 #include "cli/stress_over_poses.h"
 #include "viscera/deformation/tetrahedralise.h"
 #include "viscera/live/stress_files.h"
+#include "viscera/live/stress_quantity.h"
 #include "viscera/medical_io/cell_file.h"
 
 namespace viscera::app::cli {
@@ -188,6 +189,8 @@ public:
       outcome.json["csv"] = csv_;
     if (!histogram_.empty())
       outcome.json["histogram"] = histogram_;
+    if (const Text remark = live::volumeRemark(measured.map, measured.mesh().witnesses); !remark.empty())
+      warnings.push_back(remark);
     warnings.insert(warnings.end(), input.organ.warnings.begin(), input.organ.warnings.end());
     outcome.warnings = std::move(warnings);
     marks_.read(measured.interior.sample.mesh, measured.posed, measured.map, outcome);

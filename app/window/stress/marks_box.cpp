@@ -72,9 +72,8 @@ void MarksBox::makeList() {
   list_->setAccessibleName(tr("Probes and profiles"));
   list_->setColumnCount(kMarkColumns);
   list_->setHeaderLabels({tr("No."), tr("Place (mm)"), tr("Value"), tr("Organ")});
-  list_->headerItem()->setToolTip(
-      kMarkPlace,
-      tr("Place in the pose, in the patient's axes: positive towards the left, the back and the head"));
+  list_->headerItem()->setToolTip(kMarkPlace, tr("Place in the pose: towards the right (R) or left (L), "
+                                                 "front (A) or back (P), foot (I) or head (S)"));
   list_->setRootIsDecorated(false);
   list_->setUniformRowHeights(true);
   list_->setSelectionMode(QAbstractItemView::ExtendedSelection);

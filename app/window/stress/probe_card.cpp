@@ -5,8 +5,7 @@
 #include <QPushButton>
 #include <QToolButton>
 
-#include <cmath>
-
+#include "viscera/presentation/slice_presenter.h"
 #include "window/language.h"
 #include "window/widgets/ready_made.h"
 
@@ -26,7 +25,8 @@ ProbeCard::ProbeCard(StressModel& model, QAction* pin, QWidget* parent)
   grid->addWidget(close, 0, 1, Qt::AlignRight);
   position_->setObjectName(QStringLiteral("probePosition"));
   position_->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  position_->setToolTip(tr("In the patient's axes, mm: positive towards the left, the back and the head"));
+  position_->setToolTip(
+      tr("Towards the right (R) or left (L), front (A) or back (P), foot (I) or head (S), mm"));
   grid->addWidget(position_, 1, 0, 1, 2);
   int row = 2;
   for (const live::StressQuantityDescription& quantity : live::stressQuantities()) {
@@ -50,13 +50,7 @@ ProbeCard::ProbeCard(StressModel& model, QAction* pin, QWidget* parent)
 }
 
 QString ProbeCard::placeInWords(const Vec3& place) {
-  // LPS has left, posterior and superior positive.
-  const auto axis = [](double mm, const QString& positive, const QString& negative) {
-    return QStringLiteral("%1 %2").arg(formatNumber(std::abs(mm), 1)).arg(mm >= 0 ? positive : negative);
-  };
-  return QStringLiteral("%1, %2, %3")
-      .arg(axis(place.x(), tr("L"), tr("R")), axis(place.y(), tr("P"), tr("A")),
-           axis(place.z(), tr("S"), tr("I")));
+  return text(presentation::formatPlace(place, decimalMark()));
 }
 
 void ProbeCard::sync() {

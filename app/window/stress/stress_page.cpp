@@ -190,8 +190,6 @@ void StressPage::makeNumbers(const Actions& actions) {
   hint_->setObjectName(QStringLiteral("stressHint"));
   caution_ = addRemark(QString());
   caution_->setObjectName(QStringLiteral("stressCaution"));
-  squeezed_ = addRemark(QString());
-  squeezed_->setObjectName(QStringLiteral("stressSqueezed"));
   min_ = addFact(tr("Minimum"));
   mean_ = addFact(tr("Mean"));
   percentile_ = addFact(tr("95th percentile"));
@@ -205,6 +203,8 @@ void StressPage::makeNumbers(const Actions& actions) {
                          "map of folded tissue"));
   histogram_ = new Histogram(this);
   add(histogram_);
+  squeezed_ = addRemark(QString()); // Below the numbers, which stay in place when it comes.
+  squeezed_->setObjectName(QStringLiteral("stressSqueezed"));
   addButton(actions["stress.maximum"]);
   toPeak_ = addButton(actions["stress.peakTime"]);
 }
@@ -458,15 +458,10 @@ void StressPage::syncNumbers() {
   mean_->setText(any ? model_.format(summary.mean) : none);
   percentile_->setText(any ? model_.format(summary.percentile95) : none);
   max_->setText(any ? model_.format(summary.max) : none);
-  const bool odd = any && model_.shown().quantity() == live::StressQuantity::volumeRatio &&
-                   (summary.min < live::kLeastVolumeRatio || summary.max > live::kMostVolumeRatio);
-  squeezed_->setText(
-      odd ? tr("Volume ratios from %1 to %2: living tissue, mostly water, hardly changes its volume. "
-               "The coordinates do not know that; a smaller motion, more handles or a locked "
-               "volume help.")
-                .arg(model_.format(summary.min), model_.format(summary.max))
-          : QString());
-  squeezed_->setVisible(odd);
+  const Text squeezed =
+      any && model_.hasMap() ? live::volumeRemark(model_.shownMap(), model_.shown().witnesses()) : Text();
+  squeezed_->setText(inWords(squeezed));
+  squeezed_->setVisible(!squeezed.empty());
   const live::StressSample* peak = model_.peakInstant();
   setFactShown(peakTime_, peak);
   toPeak_->setVisible(peak);

@@ -54,6 +54,36 @@ double quantityAt(const deformation::StressMap& map, StressQuantity quantity, Ei
   return map.volumeRatio[point] <= 0 ? 1 : 0;
 }
 
+Text volumeRemark(const deformation::StressMap& map, Eigen::Index count) {
+  double low = 1, high = 1;
+  for (const double ratio : map.volumeRatio.head(count))
+    if (ratio > 0 && std::isfinite(ratio)) {
+      low = std::min(low, ratio);
+      high = std::max(high, ratio);
+    }
+  const bool squeezed = low<kLeastVolumeRatio, swollen = high> kMostVolumeRatio;
+  const Text least = inFixed(100 * low, 0), most = inFixed(100 * high, 0);
+  if (squeezed && swollen)
+    return phrase(
+        "Tissue is squeezed to %1 % of its volume in one place and swollen to %2 % in another. Living "
+        "tissue, mostly water, hardly changes its volume; the coordinates do not know that. A smaller "
+        "motion, more handles or a locked volume help.",
+        least, most);
+  if (squeezed)
+    return phrase(
+        "Tissue is squeezed to %1 % of its volume. Living tissue, mostly water, hardly changes its "
+        "volume; the coordinates do not know that. A smaller motion, more handles or a locked volume "
+        "help.",
+        least);
+  if (swollen)
+    return phrase(
+        "Tissue is swollen to %1 % of its volume. Living tissue, mostly water, hardly changes its "
+        "volume; the coordinates do not know that. A smaller motion, more handles or a locked volume "
+        "help.",
+        most);
+  return {};
+}
+
 void quantityOf(const deformation::StressMap& map, StressQuantity quantity, Values& values) {
   values.resize(map.volumeRatio.size());
   for (Eigen::Index i = 0; i < values.size(); ++i)

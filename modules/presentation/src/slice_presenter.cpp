@@ -325,10 +325,25 @@ double stepAlong(const document::DocumentState& state, int axis) {
   return steps.col(along).norm();
 }
 
-std::string formatSlicePosition(int axis, double mm, char decimalMark) {
+namespace {
+
+/// "R 110.1"
+std::string sided(int axis, double mm, char decimalMark) {
   constexpr const char* kLetters[3][2] = {{"L", "R"}, {"P", "A"}, {"S", "I"}};
   return kLetters[axis][mm < 0 ? 1 : 0] +
-         scene::withDecimalMark(formatted(" %.1f mm", std::abs(mm), 0), decimalMark);
+         scene::withDecimalMark(formatted(" %.1f", std::abs(mm), 0), decimalMark);
+}
+
+} // namespace
+
+std::string formatSlicePosition(int axis, double mm, char decimalMark) {
+  return sided(axis, mm, decimalMark) + " mm";
+}
+
+std::string formatPlace(const Vec3& place, char decimalMark) {
+  const std::string between = decimalMark == ',' ? "; " : ", ";
+  return sided(0, place.x(), decimalMark) + between + sided(1, place.y(), decimalMark) + between +
+         sided(2, place.z(), decimalMark);
 }
 
 medical_io::ValueWindow windowOf(const medical_io::Scan& scan, const ScanLook& look) {

@@ -50,6 +50,8 @@ TEST_F(CliStress, OfAnAnisotropicScalingIsTheTextbookAngleEverywhere) {
   for (const std::string key : {"min", "mean", "p95", "max"})
     EXPECT_NEAR(result["stressDegrees"][key].get<double>(), 30, 1e-6) << key;
   EXPECT_NEAR(result["volumeRatio"]["min"].get<double>(), 6, 1e-8);
+  const std::string warnings = result["warnings"].dump();
+  EXPECT_NE(warnings.find("Tissue is swollen to 600 % of its volume"), std::string::npos) << warnings;
   EXPECT_NEAR(result["stretch"]["max"].get<double>(), 3, 1e-8);
 }
 

@@ -147,6 +147,8 @@ TEST(SlicePresenter, WritesDecimalsWithTheMarkOfTheLanguage) {
   EXPECT_EQ(ball.slices.picture(0).title, "Axial  S 12,5 mm");
   EXPECT_EQ(ball.slices.picture(0).note, "L 40  W 400  Mean of 2,5 mm");
   EXPECT_EQ(formatSlicePosition(2, -7.25, ','), "I 7,2 mm");
+  EXPECT_EQ(formatPlace({-110.08, -3, 5}), "R 110.1, A 3.0, S 5.0");
+  EXPECT_EQ(formatPlace({110.08, 3, -5}, ','), "L 110,1; P 3,0; I 5,0");
   EXPECT_EQ(formatMeasured(document::MeasurementKind::distance, 83.4, {}, ','), "83,4 mm");
   EXPECT_EQ(formatMeasured(document::MeasurementKind::sphere, 41.3, "HU"), "41.3 HU");
 }

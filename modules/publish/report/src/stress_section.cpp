@@ -9,6 +9,7 @@
 #include "viscera/core/text.h"
 #include "viscera/live/stress_marks_reader.h"
 #include "viscera/live/stress_quantity.h"
+#include "viscera/presentation/slice_presenter.h"
 #include "words.h"
 
 namespace viscera::report {
@@ -157,9 +158,7 @@ Table probeTable(const live::ReadMarks& marks) {
     }
   for (const live::ReadProbe& read : marks.probes) {
     const Vec3& place = read.reading.inTissue ? read.reading.now : read.probe.rest;
-    std::vector<std::string> cells = {std::to_string(read.probe.number), fixed(place.x(), 1) + "; " +
-                                                                             fixed(place.y(), 1) + "; " +
-                                                                             fixed(place.z(), 1)};
+    std::vector<std::string> cells = {std::to_string(read.probe.number), presentation::formatPlace(place)};
     for (const live::StressQuantityDescription& quantity : live::stressQuantities()) {
       if (quantity.quantity == live::StressQuantity::folded)
         continue;
@@ -226,6 +225,8 @@ Section stressSection(const ReportSource& source, const live::StressFrame& frame
   section.blocks.push_back(numbers(frame));
   for (const Text& remark : source.stressStatus.remarks)
     section.blocks.push_back(Paragraph{withoutFolders(inWords(remark))});
+  if (const Text remark = live::volumeRemark(*frame.map, count); !remark.empty())
+    section.blocks.push_back(Paragraph{inWords(remark)});
   section.blocks.push_back(pictureOfStress(source, frame, threads));
   live::StressMarksReader reader;
   const live::ReadMarks marks = reader.read(source.state, frame.organ, frame.mesh, *frame.points, *frame.map);

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "viscera/core/phrase.h"
 #include "viscera/deformation/witness_gradients.h"
 
 namespace viscera::live {
@@ -36,6 +37,10 @@ StressQuantity stressQuantityFromId(const std::string& id);
 
 /// Volume ratios beyond these are no longer those of living tissue, which is mostly water.
 inline constexpr double kLeastVolumeRatio = 0.8, kMostVolumeRatio = 1.25;
+
+/// Says by how much the tissue is squeezed or swollen where a volume ratio of the first `count` points is
+/// beyond those, in two sentences; empty where none is. Folded points do not count. O(count).
+Text volumeRemark(const deformation::StressMap& map, Eigen::Index count);
 
 /// Fills `values` (resized) with the quantity at every point of the map, in its unit; not a number where the
 /// tissue is folded, except for the folded quantity itself, so that an angle never hides a fold. O(n).

@@ -125,6 +125,9 @@ double stepAlong(const document::DocumentState& state, int axis);
 
 /// "S 120.0 mm": how far a place lies along a slice's axis, by the letter of its side.
 std::string formatSlicePosition(int axis, double mm, char decimalMark = '.');
+/// "R 110.1, A 3.0, S 5.0": a place in the patient (LPS, mm) by the letters of its sides, in every list and
+/// card alike. A decimal comma is followed by semicolons. UTF-8.
+std::string formatPlace(const Vec3& place, char decimalMark = '.');
 
 /// The level and width that a scan is shown with: the view's, else what the scan proposes.
 medical_io::ValueWindow windowOf(const medical_io::Scan& scan, const ScanLook& look);
