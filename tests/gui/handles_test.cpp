@@ -38,6 +38,12 @@ TEST_F(WindowTest, APositionSaysItsSideAndTakesOneThatIsTyped) {
     if (box->isVisible())
       fields = box->findChildren<QDoubleSpinBox*>();
   ASSERT_EQ(fields.size(), 3);
+  QStringList headings; // Above each three numbers.
+  for (const QLabel* label : window().findChildren<QLabel*>())
+    if (label->isVisible())
+      headings << label->text();
+  EXPECT_TRUE(headings.contains(QStringLiteral("Place in the patient")));
+  EXPECT_TRUE(headings.contains(QStringLiteral("Move by")));
   EXPECT_EQ(fields[0]->text(), QStringLiteral("R 110.08 mm"));
   EXPECT_EQ(fields[1]->text(), QStringLiteral("P 12.50 mm"));
   EXPECT_EQ(fields[2]->text(), QStringLiteral("I 7.00 mm"));

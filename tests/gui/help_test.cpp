@@ -249,6 +249,11 @@ TEST_F(WindowTest, MenusHaveOneMarkForWhatIsOnAndAnIconForOneCommand) {
   EXPECT_GT(commands.size(), 10u);
   for (const auto& [icon, ids] : commands)
     EXPECT_EQ(ids.size(), 1u) << icon.toStdString();
+  std::set<QString> menus; // In which the coordinates are compared.
+  for (const QAction* entry : entries)
+    if (entry->menu() && entry->menu()->actions().contains(window().actions()["play.compareSystems"]))
+      menus.insert(entry->text());
+  EXPECT_EQ(menus, std::set<QString>{QStringLiteral("&Compare")}) << "it has nothing to do with sequences";
 }
 
 TEST_F(WindowTest, AnEmptyWindowShowsTheHeartWhileItIsMade) {

@@ -3,6 +3,7 @@
 #include <QDir>
 #include <QFile>
 #include <QLabel>
+#include <QMap>
 #include <QProcess>
 #include <QRegularExpression>
 #include <QTemporaryDir>
@@ -13,6 +14,7 @@
 #include <algorithm>
 #include <cctype>
 #include <set>
+#include <utility>
 
 #include <gtest/gtest.h>
 
@@ -158,6 +160,33 @@ TEST_P(Translations, HaveEveryTextOfTheWindow) {
                 !hasWords(text.source))
         << text.source.toStdString()
         << " has no translation; resources/scripts/update_translations.sh adds it to the file";
+}
+
+/// Words that readers have stumbled over do not come back.
+TEST(WordsOfTheWindow, AreThoseOfThePeopleWhoUseThem) {
+  QMap<QString, QMap<QString, QString>> said; // By language and English text.
+  for (const char* language : {"de", "fr", "es", "ca"})
+    for (const char* kind : {"viscera", "names"})
+      for (const Translated& text :
+           textsOf(folderOfTranslations() +
+                   QStringLiteral("%1_%2.ts").arg(QLatin1String(kind), QLatin1String(language)))) {
+        said[QLatin1String(language)][text.source] = text.translations.join(QLatin1Char('|'));
+        for (const char* odd : {"End-systolic and relaxed", "towers above", "Remove from group",
+                                "Unsaved changes will be lost"})
+          EXPECT_FALSE(text.source.contains(QLatin1String(odd))) << text.source.toStdString();
+      }
+  EXPECT_TRUE(said[QStringLiteral("de")].contains(QStringLiteral("Save this session?")))
+      << "one without a file has no name to ask for";
+  EXPECT_TRUE(said[QStringLiteral("de")].contains(QStringLiteral("Take out of group")));
+  // The sides are those of one language.
+  const std::pair<const char*, const char*> sides[] = {{"&Anterior", "&Vorn"}, {"&Posterior", "&Hinten"},
+                                                       {"&Left", "&Links"},    {"&Right", "&Rechts"},
+                                                       {"&Superior", "&Oben"}, {"&Inferior", "&Unten"}};
+  for (const auto& [english, german] : sides)
+    EXPECT_EQ(said[QStringLiteral("de")][QLatin1String(english)], QLatin1String(german));
+  EXPECT_EQ(said[QStringLiteral("fr")][QStringLiteral("Play")], QStringLiteral("Lecture")) << "the mode";
+  for (const QString& french : said[QStringLiteral("fr")])
+    EXPECT_FALSE(french.contains(QStringLiteral("attement du manuel"))) << french.toStdString();
 }
 
 /// What two classes say alike stands once, in names_*.ts.

@@ -125,6 +125,16 @@ TEST(ColorNamed, IsOneForAnOrganHoweverItIsWritten) {
   EXPECT_EQ(colors.size(), 1U);
 }
 
+TEST(ColorNamed, TellsNeighboursInTheAbdomenApart) {
+  constexpr double kTold = 0.15; // Red, green and blue from 0 to 1.
+  const std::pair<const char*, const char*> neighbours[] = {
+      {"liver", "stomach"},   {"liver", "gallbladder"}, {"liver", "kidney_right"},
+      {"liver", "pancreas"},  {"stomach", "spleen"},    {"stomach", "pancreas"},
+      {"spleen", "pancreas"}, {"spleen", "liver"},      {"small_bowel", "liver"}};
+  for (const auto& [one, other] : neighbours)
+    EXPECT_GT((*colorNamed(one) - *colorNamed(other)).norm(), kTold) << one << " beside " << other;
+}
+
 TEST(ColorNamed, TellsBloodAndLesionsFromTissue) {
   EXPECT_EQ(colorNamed("LV"), colorOf(kLeftVentricle));
   EXPECT_EQ(colorNamed("lv_wall"), colorOf(kHeart)) << "muscle";

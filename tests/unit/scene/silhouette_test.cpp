@@ -77,6 +77,27 @@ TEST(GhostOutline, IsDrawnAroundTheRestShapeAndGoesWhenHidden) {
   ghost->setRenderer(nullptr);
 }
 
+/// The mark of the selected organ.
+TEST(GhostOutline, IsHiddenByOpaqueOrgansInFrontUnlessItIsSeenThrough) {
+  const auto differing = [](double radius, bool through) {
+    tests::ViewInWindow window(200, 150);
+    window.addOrgan(tests::sphere(4, 40, Vec3(0, -60, 0)));
+    const auto marked = std::make_shared<const geometry::TriangleMesh>(tests::sphere(4, radius));
+    GhostOutline outline(marked);
+    outline.setOpacity(1);
+    outline.setSeenThrough(through);
+    window.view.lookFrom(StandardView::anterior, boundsOf(tests::sphere(2, 70).points));
+    const auto without = grabPicture(window.surface.window());
+    outline.setRenderer(window.view.renderer());
+    const double part = comparePictures(without, grabPicture(window.surface.window())).differing;
+    outline.setRenderer(nullptr);
+    return part;
+  };
+  EXPECT_EQ(differing(20, false), 0) << "it is wholly behind the other organ";
+  EXPECT_GT(differing(20, true), 0) << "as the rest shape behind a pose is";
+  EXPECT_GT(differing(65, false), 0.002) << "around the other organ";
+}
+
 TEST(GhostOutline, GoesWhereItsPointsGo) {
   tests::ViewInWindow window(200, 150);
   const auto rest = std::make_shared<const geometry::TriangleMesh>(tests::sphere(4, 20));
