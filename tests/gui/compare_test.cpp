@@ -115,7 +115,7 @@ TEST_F(TwoViews, AnOfferOfTheSecondEndsWithIt) {
 }
 
 TEST_F(TwoViews, AnotherOrganStandsBesideTheFirstWithAVolumeOfItsOwn) {
-  parts().comparison().showFiles({sphereFile(QStringLiteral("ball.stl"), 40)});
+  parts().comparison().showFiles({sphereFile(QStringLiteral("small_ball.stl"), 40)});
   ASSERT_TRUE(waitUntil([this] {
     return !second().document().organs().empty() && second().jobs().idle() && !second().live().busy();
   }));
@@ -126,7 +126,11 @@ TEST_F(TwoViews, AnotherOrganStandsBesideTheFirstWithAVolumeOfItsOwn) {
   EXPECT_NEAR(volumeIn(second(), second().document().organs().front()->name), expected, 0.02 * expected);
   const auto headers = window().findChildren<app::SideHeader*>();
   ASSERT_EQ(headers.size(), 2);
-  EXPECT_TRUE(waitUntil([&] { return headers[1]->volumes().contains(QStringLiteral("Ball")); }));
+  EXPECT_TRUE(waitUntil([&] { return headers[1]->volumes().contains(QStringLiteral("Small ball")); }));
+  QStringList titles; // Of names as people write them.
+  for (const app::ElidedLabel* label : headers[1]->findChildren<app::ElidedLabel*>())
+    titles << label->fullText();
+  EXPECT_TRUE(titles.contains(QStringLiteral("Small ball"))) << titles.join('|').toStdString();
   key(Qt::Key_Space);
   playFor(0.2);
   EXPECT_TRUE(window().playback().player().playing()) << "one that does not move holds up nobody";

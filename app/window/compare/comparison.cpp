@@ -513,7 +513,7 @@ QString Comparison::titleOf(const Workspace& workspace, const Playback& playback
   if (const sequences::Sequence* sequence = playback.sequence())
     return inWords(sequence->name());
   const auto& organs = workspace.document().organs();
-  return organs.empty() ? tr("No organ yet") : inWords(organs.front()->name);
+  return organs.empty() ? tr("No organ yet") : inWords(presentation::labelOf(*organs.front()));
 }
 
 /// As long as the header names the present one.

@@ -176,6 +176,17 @@ std::string rowTitle(const document::MeasurementRow& row) {
   return spread.empty() ? row.measurement.name : row.measurement.name + " (" + spread + ")";
 }
 
+/// The titles of the organs that a measurement lies on, which it knows by their names.
+std::string titlesOf(const std::set<std::string>& names, const document::OrganList& organs) {
+  std::string titles;
+  for (const std::string& name : names) {
+    const auto organ =
+        std::find_if(organs.begin(), organs.end(), [&](const auto& one) { return one->name == name; });
+    titles += (titles.empty() ? "" : ", ") + (organ == organs.end() ? name : titleOf(**organ));
+  }
+  return titles;
+}
+
 Section measurements(const ReportSource& source) {
   Section section{said("Measurements"), {}};
   const auto rows = document::measurementRows(
@@ -191,11 +202,7 @@ Section measurements(const ReportSource& source) {
     const bool region = document::isRegion(kind);
     std::set<std::string> organs(row.organs.begin(), row.organs.end());
     organs.erase(std::string());
-    std::string on;
-    for (const std::string& organ : organs)
-      on += (on.empty() ? "" : ", ") + organ;
-    if (region)
-      on = said("the scan");
+    const std::string on = region ? said("the scan") : titlesOf(organs, *source.state.organs);
     table.rows.push_back({rowTitle(row), kindWord(kind), on.empty() ? "-" : on,
                           presentation::formatMeasured(kind, row.values.rest, row.unit),
                           presentation::formatMeasured(kind, row.values.now, row.unit),

@@ -114,7 +114,7 @@ Table indicesTable(const std::vector<Line>& lines, double rate) {
 std::string phasesOf(const sequences::Sequence& sequence, double rate) {
   if (const std::vector<double> keys = sequence.keys(); !keys.empty()) {
     const double scale = sequence.standardRatePerMinute() / rate;
-    return said("%1 keys", std::to_string(keys.size())) + ", " +
+    return inWords(phrase("%n {key|keys}", keys.size())) + ", " +
            said("the first at %1 s, the last at %2 s", fixed(scale * keys.front(), 3),
                 fixed(scale * keys.back(), 3));
   }

@@ -64,6 +64,16 @@ TEST(Report, NamesThePatientAndTheDateOfTheStudyWhereTheScanDoes) {
   EXPECT_EQ(rowsOf("", "").at(0).at(0), "Organs");
 }
 
+TEST(Report, WritesTheNamesOfMeasuredOrgansAsPeopleDo) {
+  ReportedSession session({"small_bowel"});
+  const document::Organ& organ = *session.document.organs().back();
+  session.undo.perform(document::addMeasurement(
+      {document::surfacePoint(organ, 0, Vec3(1, 0, 0)), document::surfacePoint(organ, 5, Vec3(1, 0, 0))},
+      "Width"));
+  const report::Report report = session.report(session.source());
+  EXPECT_EQ(tablesOf(*sectionOf(report, "Measurements")).at(0).rows.at(0).at(2), "Small bowel");
+}
+
 TEST(Report, TakesTheMotionOfTheWarpedScanForWhatIsMeasuredOnIt) {
   ReportedSession session;
   document::MeasuredPoint from, to;
