@@ -84,6 +84,7 @@ TEST(GhostOutline, IsHiddenByOpaqueOrgansInFrontUnlessItIsSeenThrough) {
     window.addOrgan(tests::sphere(4, 40, Vec3(0, -60, 0)));
     const auto marked = std::make_shared<const geometry::TriangleMesh>(tests::sphere(4, radius));
     GhostOutline outline(marked);
+    outline.setColor(Vec3(1, 1, 1));
     outline.setOpacity(1);
     outline.setSeenThrough(through);
     window.view.lookFrom(StandardView::anterior, boundsOf(tests::sphere(2, 70).points));
