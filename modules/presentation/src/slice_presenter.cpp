@@ -330,7 +330,8 @@ namespace {
 /// "R 110.1"
 std::string sided(int axis, double mm, char decimalMark) {
   constexpr const char* kLetters[3][2] = {{"L", "R"}, {"P", "A"}, {"S", "I"}};
-  return kLetters[axis][mm < 0 ? 1 : 0] +
+  constexpr double kShown = 0.05; // What is nearer to the middle has no other side.
+  return kLetters[axis][mm <= -kShown ? 1 : 0] +
          scene::withDecimalMark(formatted(" %.1f", std::abs(mm), 0), decimalMark);
 }
 

@@ -149,6 +149,7 @@ TEST(SlicePresenter, WritesDecimalsWithTheMarkOfTheLanguage) {
   EXPECT_EQ(formatSlicePosition(2, -7.25, ','), "I 7,2 mm");
   EXPECT_EQ(formatPlace({-110.08, -3, 5}), "R 110.1, A 3.0, S 5.0");
   EXPECT_EQ(formatPlace({110.08, 3, -5}, ','), "L 110,1; P 3,0; I 5,0");
+  EXPECT_EQ(formatPlace({-1e-9, 1e-9, -0.01}), "L 0.0, P 0.0, S 0.0") << "noise has no side";
   EXPECT_EQ(formatMeasured(document::MeasurementKind::distance, 83.4, {}, ','), "83,4 mm");
   EXPECT_EQ(formatMeasured(document::MeasurementKind::sphere, 41.3, "HU"), "41.3 HU");
 }
