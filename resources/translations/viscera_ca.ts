@@ -2329,10 +2329,6 @@ Moveu el lliscador de dalt per col·locar-ne, o feu clic a l’òrgan en el mode
         <translation>Valor</translation>
     </message>
     <message>
-        <source>Place in the pose, in the patient&apos;s axes: positive towards the left, the back and the head</source>
-        <translation>Lloc en la postura, en els eixos del pacient: positiu cap a l’esquerra, l’esquena i el cap</translation>
-    </message>
-    <message>
         <source>%1: at rest %2 mm</source>
         <translation>%1: en repòs %2 mm</translation>
     </message>
@@ -2347,6 +2343,10 @@ Moveu el lliscador de dalt per col·locar-ne, o feu clic a l’òrgan en el mode
     <message>
         <source>Profile along the line between two probes; the value is the largest</source>
         <translation>Perfil al llarg de la línia entre dues sondes; el valor és el més gran</translation>
+    </message>
+    <message>
+        <source>Place in the pose: towards the right (R) or left (L), front (A) or back (P), foot (I) or head (S)</source>
+        <translation>Lloc en la posa: cap a la dreta (R) o l’esquerra (L), el davant (A) o el darrere (P), els peus (I) o el cap (S)</translation>
     </message>
 </context>
 <context>
@@ -3511,10 +3511,6 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
 <context>
     <name>viscera::app::ProbeCard</name>
     <message>
-        <source>In the patient&apos;s axes, mm: positive towards the left, the back and the head</source>
-        <translation>En els eixos del pacient, mm: positiu cap a l’esquerra, l’esquena i el cap</translation>
-    </message>
-    <message>
         <source>Surface point %1</source>
         <translation>Punt de superfície %1</translation>
     </message>
@@ -3533,6 +3529,10 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
     <message>
         <source>At rest %1 mm</source>
         <translation>En repòs %1 mm</translation>
+    </message>
+    <message>
+        <source>Towards the right (R) or left (L), front (A) or back (P), foot (I) or head (S), mm</source>
+        <translation>Cap a la dreta (R) o l’esquerra (L), el davant (A) o el darrere (P), els peus (I) o el cap (S), mm</translation>
     </message>
 </context>
 <context>
@@ -4897,10 +4897,6 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
     <message>
         <source>Nothing is deformed: drag a handle, or play a sequence (Space).</source>
         <translation>Res no està deformat: arrossegueu un tirador o reproduïu una seqüència (Espai).</translation>
-    </message>
-    <message>
-        <source>Volume ratios from %1 to %2: living tissue, mostly water, hardly changes its volume. The coordinates do not know that; a smaller motion, more handles or a locked volume help.</source>
-        <translation>Raons de volum de %1 a %2: el teixit viu, gairebé tot aigua, amb prou feines canvia de volum. Les coordenades no ho saben; ajuden un moviment més petit, més tiradors o un volum bloquejat.</translation>
     </message>
 </context>
 <context>

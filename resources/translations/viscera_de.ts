@@ -2329,10 +2329,6 @@ Bewegen Sie den Regler oben, um welche zu setzen, oder klicken Sie im Modus Grif
         <translation>Wert</translation>
     </message>
     <message>
-        <source>Place in the pose, in the patient&apos;s axes: positive towards the left, the back and the head</source>
-        <translation>Ort in der Pose, in den Achsen des Patienten: positiv nach links, zum Rücken und zum Kopf</translation>
-    </message>
-    <message>
         <source>%1: at rest %2 mm</source>
         <translation>%1: in Ruhe %2 mm</translation>
     </message>
@@ -2347,6 +2343,10 @@ Bewegen Sie den Regler oben, um welche zu setzen, oder klicken Sie im Modus Grif
     <message>
         <source>Profile along the line between two probes; the value is the largest</source>
         <translation>Profil entlang der Linie zwischen zwei Sonden; der Wert ist der größte</translation>
+    </message>
+    <message>
+        <source>Place in the pose: towards the right (R) or left (L), front (A) or back (P), foot (I) or head (S)</source>
+        <translation>Ort in der Pose: nach rechts (R) oder links (L), vorn (A) oder hinten (P), zum Fuß (I) oder Kopf (S)</translation>
     </message>
 </context>
 <context>
@@ -3511,10 +3511,6 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
 <context>
     <name>viscera::app::ProbeCard</name>
     <message>
-        <source>In the patient&apos;s axes, mm: positive towards the left, the back and the head</source>
-        <translation>In den Achsen des Patienten, mm: positiv nach links, zum Rücken und zum Kopf</translation>
-    </message>
-    <message>
         <source>Surface point %1</source>
         <translation>Oberflächenpunkt %1</translation>
     </message>
@@ -3533,6 +3529,10 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
     <message>
         <source>At rest %1 mm</source>
         <translation>In Ruhe %1 mm</translation>
+    </message>
+    <message>
+        <source>Towards the right (R) or left (L), front (A) or back (P), foot (I) or head (S), mm</source>
+        <translation>Nach rechts (R) oder links (L), vorn (A) oder hinten (P), zum Fuß (I) oder Kopf (S), mm</translation>
     </message>
 </context>
 <context>
@@ -4897,10 +4897,6 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
     <message>
         <source>Nothing is deformed: drag a handle, or play a sequence (Space).</source>
         <translation>Nichts ist verformt: Ziehen Sie an einem Griff, oder spielen Sie eine Sequenz ab (Leertaste).</translation>
-    </message>
-    <message>
-        <source>Volume ratios from %1 to %2: living tissue, mostly water, hardly changes its volume. The coordinates do not know that; a smaller motion, more handles or a locked volume help.</source>
-        <translation>Volumenverhältnisse von %1 bis %2: Lebendes Gewebe, meist Wasser, ändert sein Volumen kaum. Die Koordinaten wissen das nicht; eine kleinere Bewegung, mehr Griffe oder ein gesperrtes Volumen helfen.</translation>
     </message>
 </context>
 <context>

@@ -2329,10 +2329,6 @@ Mueva el control de arriba para colocar algunos o haga clic en el órgano en el 
         <translation>Valor</translation>
     </message>
     <message>
-        <source>Place in the pose, in the patient&apos;s axes: positive towards the left, the back and the head</source>
-        <translation>Lugar en la pose, en los ejes del paciente: positivo hacia la izquierda, la espalda y la cabeza</translation>
-    </message>
-    <message>
         <source>%1: at rest %2 mm</source>
         <translation>%1: en reposo %2 mm</translation>
     </message>
@@ -2347,6 +2343,10 @@ Mueva el control de arriba para colocar algunos o haga clic en el órgano en el 
     <message>
         <source>Profile along the line between two probes; the value is the largest</source>
         <translation>Perfil a lo largo de la línea entre dos sondas; el valor es el mayor</translation>
+    </message>
+    <message>
+        <source>Place in the pose: towards the right (R) or left (L), front (A) or back (P), foot (I) or head (S)</source>
+        <translation>Lugar en la pose: hacia la derecha (R) o la izquierda (L), delante (A) o detrás (P), los pies (I) o la cabeza (S)</translation>
     </message>
 </context>
 <context>
@@ -3511,10 +3511,6 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
 <context>
     <name>viscera::app::ProbeCard</name>
     <message>
-        <source>In the patient&apos;s axes, mm: positive towards the left, the back and the head</source>
-        <translation>En los ejes del paciente, mm: positivo hacia la izquierda, la espalda y la cabeza</translation>
-    </message>
-    <message>
         <source>Surface point %1</source>
         <translation>Punto de superficie %1</translation>
     </message>
@@ -3533,6 +3529,10 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
     <message>
         <source>At rest %1 mm</source>
         <translation>En reposo %1 mm</translation>
+    </message>
+    <message>
+        <source>Towards the right (R) or left (L), front (A) or back (P), foot (I) or head (S), mm</source>
+        <translation>Hacia la derecha (R) o la izquierda (L), delante (A) o detrás (P), los pies (I) o la cabeza (S), mm</translation>
     </message>
 </context>
 <context>
@@ -4897,10 +4897,6 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
     <message>
         <source>Nothing is deformed: drag a handle, or play a sequence (Space).</source>
         <translation>Nada está deformado: arrastre un tirador o reproduzca una secuencia (Espacio).</translation>
-    </message>
-    <message>
-        <source>Volume ratios from %1 to %2: living tissue, mostly water, hardly changes its volume. The coordinates do not know that; a smaller motion, more handles or a locked volume help.</source>
-        <translation>Razones de volumen de %1 a %2: el tejido vivo, casi todo agua, apenas cambia de volumen. Las coordenadas no lo saben; ayudan un movimiento menor, más tiradores o un volumen bloqueado.</translation>
     </message>
 </context>
 <context>

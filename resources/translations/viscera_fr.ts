@@ -2329,10 +2329,6 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez sur l’organe en mode
         <translation>Valeur</translation>
     </message>
     <message>
-        <source>Place in the pose, in the patient&apos;s axes: positive towards the left, the back and the head</source>
-        <translation>Lieu dans la pose, dans les axes du patient&#xa0;: positif vers la gauche, le dos et la tête</translation>
-    </message>
-    <message>
         <source>%1: at rest %2 mm</source>
         <translation>%1&#xa0;: au repos %2 mm</translation>
     </message>
@@ -2347,6 +2343,10 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez sur l’organe en mode
     <message>
         <source>Profile along the line between two probes; the value is the largest</source>
         <translation>Profil le long de la ligne entre deux sondes&#x202f;; la valeur est la plus grande</translation>
+    </message>
+    <message>
+        <source>Place in the pose: towards the right (R) or left (L), front (A) or back (P), foot (I) or head (S)</source>
+        <translation>Lieu dans la pose&#xa0;: vers la droite (R) ou la gauche (L), l’avant (A) ou l’arrière (P), les pieds (I) ou la tête (S)</translation>
     </message>
 </context>
 <context>
@@ -3339,7 +3339,7 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     </message>
     <message>
         <source>Colour the heart&apos;s wall by the strain of its segments; a click chooses one</source>
-        <translation>Colorer la paroi du cœur selon la déformation de ses segments ; un clic en choisit un</translation>
+        <translation>Colorer la paroi du cœur selon la déformation de ses segments&#x202f;; un clic en choisit un</translation>
     </message>
 </context>
 <context>
@@ -3511,10 +3511,6 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
 <context>
     <name>viscera::app::ProbeCard</name>
     <message>
-        <source>In the patient&apos;s axes, mm: positive towards the left, the back and the head</source>
-        <translation>Dans les axes du patient, mm&#xa0;: positif vers la gauche, le dos et la tête</translation>
-    </message>
-    <message>
         <source>Surface point %1</source>
         <translation>Point de surface %1</translation>
     </message>
@@ -3533,6 +3529,10 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     <message>
         <source>At rest %1 mm</source>
         <translation>Au repos %1 mm</translation>
+    </message>
+    <message>
+        <source>Towards the right (R) or left (L), front (A) or back (P), foot (I) or head (S), mm</source>
+        <translation>Vers la droite (R) ou la gauche (L), l’avant (A) ou l’arrière (P), les pieds (I) ou la tête (S), mm</translation>
     </message>
 </context>
 <context>
@@ -4435,7 +4435,7 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     <name>viscera::app::StrainModel</name>
     <message>
         <source>Choose a motion, or drag a handle: strain is the change of the heart&apos;s wall.</source>
-        <translation>Choisissez un mouvement ou tirez une poignée : la déformation est le changement de la paroi du cœur.</translation>
+        <translation>Choisissez un mouvement ou tirez une poignée&#xa0;: la déformation est le changement de la paroi du cœur.</translation>
     </message>
 </context>
 <context>
@@ -4897,10 +4897,6 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     <message>
         <source>Nothing is deformed: drag a handle, or play a sequence (Space).</source>
         <translation>Rien n’est déformé : tirez une poignée, ou lancez une séquence (Espace).</translation>
-    </message>
-    <message>
-        <source>Volume ratios from %1 to %2: living tissue, mostly water, hardly changes its volume. The coordinates do not know that; a smaller motion, more handles or a locked volume help.</source>
-        <translation>Rapports de volume de %1 à %2&#xa0;: un tissu vivant, surtout de l’eau, change à peine de volume. Les coordonnées ne le savent pas&#xa0;; un mouvement plus petit, plus de poignées ou un volume verrouillé aident.</translation>
     </message>
 </context>
 <context>
