@@ -1501,6 +1501,54 @@
         <translation>Ronyó esquerre</translation>
     </message>
     <message>
+        <source>Vertebra</source>
+        <translation>Vèrtebra</translation>
+    </message>
+    <message>
+        <source>Left rib</source>
+        <translation>Costella esquerra</translation>
+    </message>
+    <message>
+        <source>Right rib</source>
+        <translation>Costella dreta</translation>
+    </message>
+    <message>
+        <source>Upper lobe of the left lung</source>
+        <translation>Lòbul superior del pulmó esquerre</translation>
+    </message>
+    <message>
+        <source>Lower lobe of the left lung</source>
+        <translation>Lòbul inferior del pulmó esquerre</translation>
+    </message>
+    <message>
+        <source>Upper lobe of the right lung</source>
+        <translation>Lòbul superior del pulmó dret</translation>
+    </message>
+    <message>
+        <source>Middle lobe of the right lung</source>
+        <translation>Lòbul mitjà del pulmó dret</translation>
+    </message>
+    <message>
+        <source>Lower lobe of the right lung</source>
+        <translation>Lòbul inferior del pulmó dret</translation>
+    </message>
+    <message>
+        <source>Left deep back muscles</source>
+        <translation>Músculs profunds de l’esquena esquerres</translation>
+    </message>
+    <message>
+        <source>Right deep back muscles</source>
+        <translation>Músculs profunds de l’esquena drets</translation>
+    </message>
+    <message>
+        <source>Left iliopsoas muscle</source>
+        <translation>Múscul iliopsoes esquerre</translation>
+    </message>
+    <message>
+        <source>Right iliopsoas muscle</source>
+        <translation>Múscul iliopsoes dret</translation>
+    </message>
+    <message>
         <source>Left lobe</source>
         <translation>Lòbul esquerre</translation>
     </message>

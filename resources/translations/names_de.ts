@@ -1501,6 +1501,54 @@
         <translation>Linke Niere</translation>
     </message>
     <message>
+        <source>Vertebra</source>
+        <translation>Wirbel</translation>
+    </message>
+    <message>
+        <source>Left rib</source>
+        <translation>Linke Rippe</translation>
+    </message>
+    <message>
+        <source>Right rib</source>
+        <translation>Rechte Rippe</translation>
+    </message>
+    <message>
+        <source>Upper lobe of the left lung</source>
+        <translation>Oberlappen der linken Lunge</translation>
+    </message>
+    <message>
+        <source>Lower lobe of the left lung</source>
+        <translation>Unterlappen der linken Lunge</translation>
+    </message>
+    <message>
+        <source>Upper lobe of the right lung</source>
+        <translation>Oberlappen der rechten Lunge</translation>
+    </message>
+    <message>
+        <source>Middle lobe of the right lung</source>
+        <translation>Mittellappen der rechten Lunge</translation>
+    </message>
+    <message>
+        <source>Lower lobe of the right lung</source>
+        <translation>Unterlappen der rechten Lunge</translation>
+    </message>
+    <message>
+        <source>Left deep back muscles</source>
+        <translation>Linke autochthone Rückenmuskeln</translation>
+    </message>
+    <message>
+        <source>Right deep back muscles</source>
+        <translation>Rechte autochthone Rückenmuskeln</translation>
+    </message>
+    <message>
+        <source>Left iliopsoas muscle</source>
+        <translation>Linker Iliopsoas</translation>
+    </message>
+    <message>
+        <source>Right iliopsoas muscle</source>
+        <translation>Rechter Iliopsoas</translation>
+    </message>
+    <message>
         <source>Left lobe</source>
         <translation>Linker Lappen</translation>
     </message>

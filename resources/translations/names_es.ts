@@ -1501,6 +1501,54 @@
         <translation>Riñón izquierdo</translation>
     </message>
     <message>
+        <source>Vertebra</source>
+        <translation>Vértebra</translation>
+    </message>
+    <message>
+        <source>Left rib</source>
+        <translation>Costilla izquierda</translation>
+    </message>
+    <message>
+        <source>Right rib</source>
+        <translation>Costilla derecha</translation>
+    </message>
+    <message>
+        <source>Upper lobe of the left lung</source>
+        <translation>Lóbulo superior del pulmón izquierdo</translation>
+    </message>
+    <message>
+        <source>Lower lobe of the left lung</source>
+        <translation>Lóbulo inferior del pulmón izquierdo</translation>
+    </message>
+    <message>
+        <source>Upper lobe of the right lung</source>
+        <translation>Lóbulo superior del pulmón derecho</translation>
+    </message>
+    <message>
+        <source>Middle lobe of the right lung</source>
+        <translation>Lóbulo medio del pulmón derecho</translation>
+    </message>
+    <message>
+        <source>Lower lobe of the right lung</source>
+        <translation>Lóbulo inferior del pulmón derecho</translation>
+    </message>
+    <message>
+        <source>Left deep back muscles</source>
+        <translation>Músculos profundos de la espalda izquierdos</translation>
+    </message>
+    <message>
+        <source>Right deep back muscles</source>
+        <translation>Músculos profundos de la espalda derechos</translation>
+    </message>
+    <message>
+        <source>Left iliopsoas muscle</source>
+        <translation>Músculo iliopsoas izquierdo</translation>
+    </message>
+    <message>
+        <source>Right iliopsoas muscle</source>
+        <translation>Músculo iliopsoas derecho</translation>
+    </message>
+    <message>
         <source>Left lobe</source>
         <translation>Lóbulo izquierdo</translation>
     </message>

@@ -1501,6 +1501,54 @@
         <translation>Rein gauche</translation>
     </message>
     <message>
+        <source>Vertebra</source>
+        <translation>Vertèbre</translation>
+    </message>
+    <message>
+        <source>Left rib</source>
+        <translation>Côte gauche</translation>
+    </message>
+    <message>
+        <source>Right rib</source>
+        <translation>Côte droite</translation>
+    </message>
+    <message>
+        <source>Upper lobe of the left lung</source>
+        <translation>Lobe supérieur du poumon gauche</translation>
+    </message>
+    <message>
+        <source>Lower lobe of the left lung</source>
+        <translation>Lobe inférieur du poumon gauche</translation>
+    </message>
+    <message>
+        <source>Upper lobe of the right lung</source>
+        <translation>Lobe supérieur du poumon droit</translation>
+    </message>
+    <message>
+        <source>Middle lobe of the right lung</source>
+        <translation>Lobe moyen du poumon droit</translation>
+    </message>
+    <message>
+        <source>Lower lobe of the right lung</source>
+        <translation>Lobe inférieur du poumon droit</translation>
+    </message>
+    <message>
+        <source>Left deep back muscles</source>
+        <translation>Muscles profonds du dos à gauche</translation>
+    </message>
+    <message>
+        <source>Right deep back muscles</source>
+        <translation>Muscles profonds du dos à droite</translation>
+    </message>
+    <message>
+        <source>Left iliopsoas muscle</source>
+        <translation>Muscle ilio-psoas gauche</translation>
+    </message>
+    <message>
+        <source>Right iliopsoas muscle</source>
+        <translation>Muscle ilio-psoas droit</translation>
+    </message>
+    <message>
         <source>Left lobe</source>
         <translation>Lobe gauche</translation>
     </message>

@@ -1,7 +1,6 @@
 #include "viscera/presentation/presenter.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <cstdio>
 #include <iterator>
@@ -392,42 +391,6 @@ Vec3 shownColor(const Vec3& color) {
 
 namespace {
 
-bool separates(char letter) {
-  return letter == '_' || letter == ' ';
-}
-
-std::vector<std::string> wordsOf(const std::string& name) {
-  std::vector<std::string> words(1);
-  for (const char letter : name)
-    if (separates(letter))
-      words.emplace_back();
-    else
-      words.back() += static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
-  std::erase(words, std::string());
-  std::sort(words.begin(), words.end());
-  return words;
-}
-
-/// A name from a file as people would write it. Only ASCII letters change: others are parts of UTF-8.
-std::string readable(const std::string& name) {
-  const std::optional<anatomy::Part> part = anatomy::partNamed(name);
-  if (part && part->extent == anatomy::Extent::whole)
-    if (std::string title = anatomy::titleOf(*part); wordsOf(title) == wordsOf(name))
-      return title;
-  std::string said;
-  for (const char letter : name)
-    if (!separates(letter))
-      said += letter;
-    else if (!said.empty() && said.back() != ' ')
-      said += ' ';
-  while (!said.empty() && said.back() == ' ')
-    said.pop_back();
-  if (said.empty())
-    return name;
-  said[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(said[0])));
-  return said;
-}
-
 } // namespace
 
 std::string labelOf(const document::Organ& organ, const Presenter::Translate& translate) {
@@ -437,7 +400,7 @@ std::string labelOf(const document::Organ& organ, const Presenter::Translate& tr
     return say((organ.name + " cavity").c_str());
   if (std::string said = say(organ.name.c_str()); said != organ.name)
     return said;
-  return say(readable(organ.name).c_str());
+  return say(anatomy::readableName(organ.name).c_str());
 }
 
 std::string formatMeasured(document::MeasurementKind kind, double value, const std::string& unit,

@@ -148,10 +148,8 @@ void lookFrom(const Camera& camera, scene::OrganView& view);
 /// does not move it.
 void lookFrom(const Camera& camera, const ViewState& state, scene::OrganView& view);
 
-/// The name of an organ where people read: "LV cavity" for the sample heart's organ LV; "Left kidney" for
-/// "kidney_left", whose words are those of a part of the body (`anatomy::titleOf`); else the organ's name
-/// with a capital letter and spaces ("small_vein_2" is "Small vein 2"). Each translated where a translation
-/// is known. Files keep the organ's own name.
+/// The name of an organ where people read: "LV cavity" for the sample heart's organ LV, for others
+/// `anatomy::readableName`. Each translated where a translation is known. Files keep the organ's own name.
 std::string labelOf(const document::Organ& organ, const Presenter::Translate& translate = {});
 
 /// The colour in which an organ of this colour is drawn, in pictures, lists and charts alike: tables of label
