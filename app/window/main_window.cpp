@@ -73,6 +73,8 @@ MainWindow::MainWindow(Settings& settings, coordinates::Registry registry, live:
   arriving_ = new ArrivingSurfaces(playback_, *picture_, this);
   files_->setArrivingSurfaces(arriving_);
   bindingMessages_ = new BindingMessages(workspace_, viewArea_->messages(), this);
+  bindingMessages_->setMoved([this] { return playback_.player().movable(); });
+  connect(&playback_, &Playback::stateChanged, bindingMessages_, &BindingMessages::followMotion);
   slices_ = std::make_unique<SlicePanes>(workspace_, view_, *picture_, *viewArea_, *scans_->sliceMenu());
   handleGrip_ = std::make_unique<HandleGrip>(*slices_, *picture_);
   slices_->addGrip(*handleGrip_);

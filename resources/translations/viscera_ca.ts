@@ -475,6 +475,13 @@ N: noms, H: tiradors, X: paret, R: restableix, T: clar o fosc, Inici: principi</
             <numerusform>%n vèrtexs de %1 són fora de l’envolupant dels tiradors.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n vertices of %1 lie outside the handles of the motion, so %1 stays at rest.</source>
+        <translation>
+            <numerusform>%n vèrtex de %1 és fora dels tiradors del moviment; %1 queda en repòs.</numerusform>
+            <numerusform>%n vèrtexs de %1 són fora dels tiradors del moviment; %1 queda en repòs.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::CirculationBox</name>
@@ -2927,6 +2934,10 @@ Moveu el lliscador de dalt per col·locar-ne, o feu clic a l’òrgan en el mode
         <source>No handle moves the organ</source>
         <translation>Cap tirador no mou l’òrgan</translation>
     </message>
+    <message>
+        <source>Textbook colours</source>
+        <translation>Colors dels manuals</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::OrganPanel</name>
@@ -4415,10 +4426,6 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
         <translation>, es vincula...</translation>
     </message>
     <message>
-        <source>, not bound</source>
-        <translation>, no vinculat</translation>
-    </message>
-    <message>
         <source>, binding cancelled</source>
         <translation>, vinculació cancel·lada</translation>
     </message>
@@ -4429,6 +4436,17 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
     <message>
         <source>%1, %2 of tissue folded by the pose</source>
         <translation>%1, %2 de teixit plegats per la postura</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n organs</source>
+        <translation>
+            <numerusform>%n òrgan</numerusform>
+            <numerusform>%n òrgans</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>, %1 not bound</source>
+        <translation>, %1 sense vincular</translation>
     </message>
 </context>
 <context>

@@ -475,6 +475,13 @@ N: Namen, H: Griffe, X: Wand, R: zurück, T: hell oder dunkel, Pos1: Anfang</tra
             <numerusform>%n Eckpunkte von %1 liegen außerhalb der Hülle der Griffe.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n vertices of %1 lie outside the handles of the motion, so %1 stays at rest.</source>
+        <translation>
+            <numerusform>%n Eckpunkt von %1 liegt außerhalb der Griffe der Bewegung; %1 bleibt in Ruhe.</numerusform>
+            <numerusform>%n Eckpunkte von %1 liegen außerhalb der Griffe der Bewegung; %1 bleibt in Ruhe.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::CirculationBox</name>
@@ -2927,6 +2934,10 @@ Bewegen Sie den Regler oben, um welche zu setzen, oder klicken Sie im Modus Grif
         <source>No handle moves the organ</source>
         <translation>Kein Griff bewegt das Organ</translation>
     </message>
+    <message>
+        <source>Textbook colours</source>
+        <translation>Lehrbuchfarben</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::OrganPanel</name>
@@ -4415,10 +4426,6 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
         <translation>, wird gebunden...</translation>
     </message>
     <message>
-        <source>, not bound</source>
-        <translation>, nicht gebunden</translation>
-    </message>
-    <message>
         <source>, binding cancelled</source>
         <translation>, Binden abgebrochen</translation>
     </message>
@@ -4429,6 +4436,17 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
     <message>
         <source>%1, %2 of tissue folded by the pose</source>
         <translation>%1, %2 Gewebe von der Pose gefaltet</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n organs</source>
+        <translation>
+            <numerusform>%n Organ</numerusform>
+            <numerusform>%n Organe</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>, %1 not bound</source>
+        <translation>, %1 nicht gebunden</translation>
     </message>
 </context>
 <context>

@@ -475,6 +475,13 @@ N: nombres, H: tiradores, X: pared, R: restablecer, T: claro u oscuro, Inicio: p
             <numerusform>%n vértices de %1 están fuera de la envolvente de los tiradores.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n vertices of %1 lie outside the handles of the motion, so %1 stays at rest.</source>
+        <translation>
+            <numerusform>%n vértice de %1 está fuera de los tiradores del movimiento; %1 queda en reposo.</numerusform>
+            <numerusform>%n vértices de %1 están fuera de los tiradores del movimiento; %1 queda en reposo.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::CirculationBox</name>
@@ -2927,6 +2934,10 @@ Mueva el control de arriba para colocar algunos o haga clic en el órgano en el 
         <source>No handle moves the organ</source>
         <translation>Ningún tirador mueve el órgano</translation>
     </message>
+    <message>
+        <source>Textbook colours</source>
+        <translation>Colores de los manuales</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::OrganPanel</name>
@@ -4415,10 +4426,6 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
         <translation>, vinculando...</translation>
     </message>
     <message>
-        <source>, not bound</source>
-        <translation>, sin vincular</translation>
-    </message>
-    <message>
         <source>, binding cancelled</source>
         <translation>, vinculación cancelada</translation>
     </message>
@@ -4429,6 +4436,17 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
     <message>
         <source>%1, %2 of tissue folded by the pose</source>
         <translation>%1, %2 de tejido plegados por la pose</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n organs</source>
+        <translation>
+            <numerusform>%n órgano</numerusform>
+            <numerusform>%n órganos</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>, %1 not bound</source>
+        <translation>, %1 sin vincular</translation>
     </message>
 </context>
 <context>

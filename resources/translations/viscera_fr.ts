@@ -475,6 +475,13 @@ N&#xa0;: noms, H&#xa0;: poignées, X&#xa0;: paroi, R&#xa0;: rétablir, T&#xa0;: 
             <numerusform>%n sommets de %1 sont hors de l’enveloppe des poignées.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n vertices of %1 lie outside the handles of the motion, so %1 stays at rest.</source>
+        <translation>
+            <numerusform>%n sommet de %1 est hors des poignées du mouvement ; %1 reste au repos.</numerusform>
+            <numerusform>%n sommets de %1 sont hors des poignées du mouvement ; %1 reste au repos.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::CirculationBox</name>
@@ -2927,6 +2934,10 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez sur l’organe en mode
         <source>No handle moves the organ</source>
         <translation>Aucune poignée ne bouge l’organe</translation>
     </message>
+    <message>
+        <source>Textbook colours</source>
+        <translation>Couleurs des manuels</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::OrganPanel</name>
@@ -4415,10 +4426,6 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
         <translation>, liaison...</translation>
     </message>
     <message>
-        <source>, not bound</source>
-        <translation>, non lié</translation>
-    </message>
-    <message>
         <source>, binding cancelled</source>
         <translation>, liaison annulée</translation>
     </message>
@@ -4429,6 +4436,17 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     <message>
         <source>%1, %2 of tissue folded by the pose</source>
         <translation>%1, %2 de tissu repliés par la pose</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n organs</source>
+        <translation>
+            <numerusform>%n organe</numerusform>
+            <numerusform>%n organes</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>, %1 not bound</source>
+        <translation>, %1 non lié</translation>
     </message>
 </context>
 <context>
