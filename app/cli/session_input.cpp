@@ -96,6 +96,18 @@ std::optional<live::PrescribedVolume> prescribedOf(const document::DocumentState
   return live::PrescribedVolume{prescribed.organ, sequences::volumeCurve(prescribed.curve), prescribed.file};
 }
 
+std::optional<DrivingCirculation> drivingOf(const document::DocumentState& state,
+                                            const presentation::ViewState& view) {
+  const int motion = presentation::motionOf(view);
+  const auto chosen = static_cast<std::size_t>(motion);
+  if (motion < 0 || chosen >= view.motions.size() || !state.organ(view.motions[chosen].organ))
+    return std::nullopt;
+  const document::CirculationChoice& circulation = *state.circulation;
+  if (!circulation.drives || !live::sampleHeartOf(view.motions[chosen].recipe))
+    return std::nullopt;
+  return DrivingCirculation{document::nameOf(circulation), circulation.parameters};
+}
+
 std::shared_ptr<const sequences::Sequence> sequenceOf(const document::DocumentState& state,
                                                       const presentation::ViewState& view,
                                                       CommandContext& context) {
@@ -104,10 +116,9 @@ std::shared_ptr<const sequences::Sequence> sequenceOf(const document::DocumentSt
   if (motion >= 0 && chosen < view.motions.size())
     if (const auto organ = state.organ(view.motions[chosen].organ)) {
       const std::string& recipe = view.motions[chosen].recipe;
-      const document::CirculationChoice& circulation = *state.circulation;
-      if (const auto resolution = live::sampleHeartOf(recipe); resolution && circulation.drives)
-        return live::circulatingHeart(context.samples, document::nameOf(circulation), circulation.parameters,
-                                      *resolution, context.progress, context.threads)
+      if (const std::optional<DrivingCirculation> driving = drivingOf(state, view))
+        return live::circulatingHeart(context.samples, driving->name, driving->parameters,
+                                      *live::sampleHeartOf(recipe), context.progress, context.threads)
             .sequence;
       return live::makeMotion(recipe, *organ, context.samples, context.progress);
     }
@@ -216,6 +227,18 @@ Outcome describeSession(const std::string& file, CommandContext& context) {
   outcome.warnings = opened.warnings;
   appendPatient(outcome, document::placedOrgans(*state.organs));
   return outcome;
+}
+
+std::optional<ShownBeat> shownBeat(const document::OpenedSession& opened, CommandContext& context) {
+  const document::DocumentState& state = opened.contents.state;
+  const presentation::ViewState view = viewOf(opened, false);
+  if (!view.playing || !view.playing->shown)
+    return std::nullopt;
+  const auto sequence = sequenceOf(state, view, context);
+  if (!sequence)
+    return std::nullopt;
+  return ShownBeat{toldBeat(*sequence, drivingOf(state, view), view.playing->ratePerMinute),
+                   view.playing->fraction};
 }
 
 SliceOutcome sessionSlice(const document::OpenedSession& opened, const SliceRequest& slice, double level,
