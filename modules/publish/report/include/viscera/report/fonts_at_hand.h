@@ -7,9 +7,6 @@ namespace viscera::report {
 /// Fonts for text that Qt draws in a program without a window: where no `QGuiApplication` runs, one without a
 /// display lives as long as the object. Numbers keep their decimal point. For the main thread, one at a time;
 /// what draws with Qt lives shorter.
-///
-///     const report::FontsAtHand fonts;
-///     QImage picture = drawText(); // ...
 class FontsAtHand {
 public:
   /// Throws `Error` when no font is found.
