@@ -73,17 +73,20 @@ presentation::ViewState viewOf(const document::OpenedSession& opened, bool fromS
   }
 }
 
-/// The valves of the sample heart at the instant that the view shows.
-std::optional<heart::ValveInstants> valvesOf(const document::DocumentState& state,
-                                             const presentation::ViewState& view) {
+/// Sets the valves and the clock of the sample heart at the instant that the view shows.
+void setInstant(presentation::Scene& scene) {
+  const presentation::ViewState& view = scene.view;
   if (!view.playing || !view.playing->shown)
-    return std::nullopt;
+    return;
   const auto chosen = static_cast<std::size_t>(view.playing->motion);
   if (view.playing->motion < 0 || chosen >= view.motions.size())
-    return std::nullopt;
+    return;
   Progress quiet;
-  return live::heartValves(view.motions[chosen].recipe, *state.circulation, view.playing->fraction,
-                           view.playing->ratePerMinute, quiet);
+  const std::string& recipe = view.motions[chosen].recipe;
+  const double fraction = view.playing->fraction, rate = view.playing->ratePerMinute;
+  scene.valves = live::heartValves(recipe, *scene.state.circulation, fraction, rate, quiet);
+  if (view.conduction)
+    scene.clock = live::heartClock(recipe, *scene.state.circulation, fraction, rate, quiet);
 }
 
 } // namespace
@@ -274,7 +277,7 @@ SessionPicture sessionPicture(const document::OpenedSession& opened, const Stage
   presentation::Stage stage = stageFor(options, context.threads);
   presentation::Scene scene{posed.state(), posed.organs(), view, context.systems, &frame};
   scene.warping = warping ? &*warping : nullptr;
-  scene.valves = valvesOf(state, view);
+  setInstant(scene);
   stage.presenter().update(scene);
   if (!fromSide && view.camera)
     presentation::lookFrom(*view.camera, stage.view());
