@@ -39,8 +39,8 @@ void addKept(const scene::ConductionLine& line, const std::optional<scene::CutPl
     while (end < line.points.rows() && stays(end))
       ++end;
     if (end - begin > 1)
-      kept.push_back({line.points.middleRows(begin, end - begin), line.radiusMm,
-                      line.lit.segment(begin, end - begin)});
+      kept.push_back(
+          {line.points.middleRows(begin, end - begin), line.radiusMm, line.lit.segment(begin, end - begin)});
     begin = end + 1;
   }
 }
@@ -101,9 +101,9 @@ void ConductionPicture::apply(const Scene& scene,
     if (drawn_->surfaces.count(organ->id) > 0)
       limit(*organ, kCavityOpacity);
   for (const auto& organ : *scene.state.organs) {
-    const bool around = std::any_of(drawn_->surfaces.begin(), drawn_->surfaces.end(), [&](const auto& inside) {
-      return scene.state.organ(inside.first)->parent == organ->id;
-    });
+    const bool around =
+        std::any_of(drawn_->surfaces.begin(), drawn_->surfaces.end(),
+                    [&](const auto& inside) { return scene.state.organ(inside.first)->parent == organ->id; });
     if (around && !drawn_->cut)
       limit(*organ, kWallOpacity);
   }

@@ -81,8 +81,8 @@ OrgansSeen organsSeenIn(const Scene& scene) {
 struct Presenter::Parts {
   Parts(scene::OrganView& viewIn, Threads threads, Translate translateIn)
       : view(viewIn), translate(translateIn ? std::move(translateIn) : untranslated), organs(viewIn, threads),
-        handles(viewIn), stress(viewIn), cut(viewIn), valves(viewIn), conduction(viewIn), labels(viewIn), measurements(viewIn),
-        standing(viewIn, threads) {}
+        handles(viewIn), stress(viewIn), cut(viewIn), valves(viewIn), conduction(viewIn), labels(viewIn),
+        measurements(viewIn), standing(viewIn, threads) {}
 
   scene::OrganView& view;
   Translate translate;

@@ -341,9 +341,9 @@ bool ViewState::operator==(const ViewState& other) const {
                     view.partNames, view.measurements, view.orientationCube, view.scaleBar, view.gizmo,
                     view.exactly, view.mirror, view.layout.regions, view.layout.zones,
                     view.layout.superRegions, view.chartOfCycle, view.circulationChart, view.beatSigns,
-                    view.valves, view.conduction, view.heartSigns, view.stress, view.strain, view.cut, view.organsSeen,
-                    view.person.sex, view.person.bodySurfaceM2, view.scan, view.selection, view.motions,
-                    view.playing, view.compared, view.slides);
+                    view.valves, view.conduction, view.heartSigns, view.stress, view.strain, view.cut,
+                    view.organsSeen, view.person.sex, view.person.bodySurfaceM2, view.scan, view.selection,
+                    view.motions, view.playing, view.compared, view.slides);
   };
   return parts(*this) == parts(other) && shownPose.rows() == other.shownPose.rows() &&
          shownPose == other.shownPose;

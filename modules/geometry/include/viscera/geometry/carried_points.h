@@ -6,8 +6,8 @@
 
 namespace viscera::geometry {
 
-/// Points near a surface that go with it: each moves by the mean of the displacements of its nearest vertices,
-/// weighted by 1 / (distance^2 + 1 mm^2). Immutable; thread-safe.
+/// Points near a surface that go with it: each moves by the mean of the displacements of its nearest
+/// vertices, weighted by 1 / (distance^2 + 1 mm^2). Immutable; thread-safe.
 class CarriedPoints {
 public:
   /// `points`: `n x 3`; `surface`: `m x 3`, the vertices at rest, one at least; mm. O(n m).
