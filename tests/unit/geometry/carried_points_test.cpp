@@ -12,7 +12,7 @@ namespace {
 constexpr double kExact = 1e-9;
 
 struct CarriedPointsTest : testing::Test {
-  Points surface = tests::sphere(3, 30, Vec3::Zero()).points;
+  Points surface = tests::sphere(4, 30, Vec3::Zero()).points;
   Points points = [] {
     Points made(2, 3);
     made << 31, 0, 0, 0, 28, 5;

@@ -67,6 +67,7 @@ TEST_F(Conduction, LightsUpWhereTheExcitationIs) {
 
 TEST_F(Conduction, MovesWithItsOrgan) {
   view.conduction = true;
+  session.box.runUntil([&] { return session.jobs.idle(); });
   const Points rest = drawn()[0].points;
   session.live.showPose(
       (session.document.rig().restPositions().rowwise() + Eigen::RowVector3d(5, 0, 0)).eval());
