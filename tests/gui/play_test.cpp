@@ -20,6 +20,7 @@
 #include "viscera/document/key_sequence_commands.h"
 #include "viscera/document/organ_commands.h"
 #include "viscera/document/session_file.h"
+#include "viscera/heart/beating_heart.h"
 #include "viscera/heart/cardiac_times.h"
 #include "viscera/presentation/view_state.h"
 #include "viscera/sample_organs/sample_organ.h"

@@ -10,7 +10,7 @@ namespace viscera::presentation {
 namespace {
 
 /// Opacities at most, while lines are in cavities and wall.
-constexpr double kCavityOpacity = 0.3, kWallOpacity = 0.4;
+constexpr double kAroundLinesOpacity = 0.3, kOuterOpacity = 0.4;
 /// How long the front of the excitation is seen behind it, ms.
 constexpr double kFadingMs = 70;
 
@@ -99,13 +99,13 @@ void ConductionPicture::apply(const Scene& scene,
   };
   for (const auto& organ : *scene.state.organs)
     if (drawn_->surfaces.count(organ->id) > 0)
-      limit(*organ, kCavityOpacity);
+      limit(*organ, kAroundLinesOpacity);
   for (const auto& organ : *scene.state.organs) {
     const bool around =
         std::any_of(drawn_->surfaces.begin(), drawn_->surfaces.end(),
                     [&](const auto& inside) { return scene.state.organ(inside.first)->parent == organ->id; });
     if (around && !drawn_->cut)
-      limit(*organ, kWallOpacity);
+      limit(*organ, kOuterOpacity);
   }
 }
 

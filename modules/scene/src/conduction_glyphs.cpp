@@ -21,7 +21,7 @@ namespace {
 /// As atlases paint the conduction system; excited, it is told from muscle, blood and valves.
 const Vec3 kResting(0.80, 0.66, 0.22);
 const Vec3 kExcited(1.00, 1.00, 0.55);
-constexpr const char* kRadii = "radii";
+constexpr const char* kTubeRadii = "radii";
 constexpr const char* kColors = "colors";
 constexpr int kSides = 8;
 constexpr double kAmbient = 0.45;
@@ -70,7 +70,7 @@ void ConductionGlyphs::set(std::vector<ConductionLine> lines) {
   vtkNew<vtkCellArray> cells;
   vtkNew<vtkDoubleArray> radii;
   vtkNew<vtkUnsignedCharArray> colors;
-  radii->SetName(kRadii);
+  radii->SetName(kTubeRadii);
   colors->SetName(kColors);
   colors->SetNumberOfComponents(3);
   for (const ConductionLine& line : lines_) {
