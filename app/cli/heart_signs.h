@@ -46,7 +46,7 @@ class SignsOption {
 public:
   void addTo(CLI::App& options);
   bool given() const { return !names_.empty(); }
-  /// As the user wrote it, for errors: "--signs ecg,sounds".
+  /// The user's words, for errors: "--signs ecg,sounds".
   std::string text() const;
   presentation::HeartSigns chosen() const;
 
@@ -57,7 +57,7 @@ private:
 /// Draws signs below pictures. Qt's fonts are there as long as it lives: one at a time, on the main thread.
 class SignsBelow {
 public:
-  /// For whole pictures of the size of `options`. Throws `UsageError` when the beat has none of the signs
+  /// Whole pictures have the size of `options`. Throws `UsageError` when the beat has none of the signs
   /// that are chosen, and when no room is left above them; `Error` without a font.
   SignsBelow(const SignsOption& option, ToldBeat beat, const StageOptions& options);
   ~SignsBelow();

@@ -91,7 +91,7 @@ SessionPicture sessionPicture(const document::OpenedSession& opened, const Stage
 /// A beat with the instant that is shown of it.
 struct ShownBeat {
   ToldBeat beat;
-  double fraction = 0; ///< Of the cycle, 0 to 1.
+  double fraction = 0; ///< The part of the cycle that has passed, 0 to 1.
 };
 /// The beat in whose pose the session's organs were saved; empty when they were in another pose. Makes the
 /// sequence again. Throws what reading the view throws.

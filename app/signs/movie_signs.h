@@ -35,7 +35,7 @@ public:
     std::optional<heart::CardiacBeat> beat; ///< The textbook's.
     presentation::HeartSigns signs;         ///< What is drawn of it.
     scene::Theme theme;
-    QFont type; ///< Of a movie of usual height.
+    QFont type; ///< The type of a movie of usual height.
     Wording language;
   };
 

@@ -18,7 +18,7 @@
 namespace viscera::scene {
 namespace {
 
-/// As atlases paint the conduction system; excited, it is told from muscle, blood and valves.
+/// Atlases paint the conduction system so; excited, it is told from muscle, blood and valves.
 const Vec3 kResting(0.80, 0.66, 0.22);
 const Vec3 kExcited(1.00, 1.00, 0.55);
 constexpr const char* kTubeRadii = "radii";

@@ -106,7 +106,7 @@ double electrocardiogram(const Parameters& parameters, double seconds) {
 }
 
 Excitation excitationOf(const Parameters& parameters) {
-  constexpr double kWidths = 2.25; // Of a Gaussian, from its top to where the wave is seen to begin.
+  constexpr double kWidths = 2.25; // A wave is seen so many widths from its top.
   const std::array<Wave, 5> waves = wavesOf(parameters);
   const Wave &p = waves[0], &q = waves[1], &s = waves[3];
   return {p.center - kWidths * p.width, p.center + kWidths * p.width, q.center - kWidths * q.width,
@@ -115,7 +115,7 @@ Excitation excitationOf(const Parameters& parameters) {
 
 double excitationMs(const Parameters& parameters, double seconds) {
   constexpr double kMsPerS = 1000;
-  constexpr double kMostAtria = 0.8; // Of the time to Q: in a fast heart P reaches into QRS.
+  constexpr double kMostAtria = 0.8; // The part of the time to Q: in a fast heart P reaches into QRS.
   const Excitation at = excitationOf(parameters);
   const double period = 60 / parameters.rate;
   const double turns = std::floor((seconds - at.sinusNode) / period);

@@ -19,11 +19,11 @@ public:
 private:
   static constexpr Eigen::Index kCarriers = 32;
 
-  /// Of every point, the vertices that carry it.
+  /// The vertices that carry one point.
   struct Carriers {
     std::vector<Eigen::Index> vertices;
     std::vector<double> weights; ///< Their sum is 1.
-    Vec3 offset;                 ///< From their weighted mean at rest to the point.
+    Vec3 offset;                 ///< The point less their weighted mean, at rest.
   };
   std::vector<Carriers> carriers_;
 };

@@ -13,7 +13,7 @@ namespace viscera::heart {
 /// An instant of a beat, as its electricity counts: from the contraction of the ventricles.
 struct BeatClock {
   double seconds = 0;       ///< After the beginning of the ventricles' contraction; periodic.
-  double conduction = 0;    ///< From the beginning of the atria's contraction to that of the ventricles', s.
+  double conduction = 0;    ///< The time between the contractions of atria and ventricles, s.
   double ratePerMinute = 0; ///< Of the beats.
 
   friend bool operator==(const BeatClock&, const BeatClock&) = default;
