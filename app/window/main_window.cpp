@@ -68,6 +68,7 @@ MainWindow::MainWindow(Settings& settings, coordinates::Registry registry, live:
   setCentralWidget(viewArea_);
   picture_ = std::make_unique<Picture>(workspace_, view_, *viewArea_->view());
   picture_->setValves([this] { return playback_.valves(); });
+  picture_->setClock([this] { return playback_.clock(); });
   handles_ = std::make_unique<HandleController>(workspace_, poses_, view_, *picture_);
   imports_ = std::make_unique<ImportController>(workspace_, *files_, *picture_, nullptr);
   arriving_ = new ArrivingSurfaces(playback_, *picture_, this);

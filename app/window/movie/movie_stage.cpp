@@ -94,8 +94,10 @@ vtkSmartPointer<vtkImageData> MovieStage::picture() {
     scene.map = &segments.emplace(segments_(seconds_));
   scene.stressRange = stressRange_;
   scene.stressLegend = stressLegend_;
-  if (runner_.sequence())
+  if (runner_.sequence()) {
     scene.valves = heart::valvesAt(*runner_.sequence(), seconds_, runner_.ratePerMinute());
+    scene.clock = heart::clockAt(*runner_.sequence(), seconds_, runner_.ratePerMinute());
+  }
   stage_->presenter().update(scene);
   if (captionWanted_)
     writeCaption();

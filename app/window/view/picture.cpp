@@ -140,6 +140,11 @@ void Picture::setValves(Valves valves) {
   markOutdated();
 }
 
+void Picture::setClock(Clock clock) {
+  clock_ = std::move(clock);
+  markOutdated();
+}
+
 void Picture::setStressRange(std::optional<scene::ValueRange> range, bool legend) {
   if (stressRange_ == range && stressLegend_ == legend)
     return;
@@ -203,7 +208,7 @@ void Picture::update() const {
     presenter_.update({shown, workspace_.live(), view, workspace_.registry(), &stress, map, &measuring_,
                        &transient, namedParts_ ? &*namedParts_ : nullptr, warping ? &*warping : nullptr,
                        valves_ && !transientAlone_ ? valves_() : std::nullopt, stressRange_, stressLegend_,
-                       pointedOrgan_});
+                       pointedOrgan_, clock_ && !transientAlone_ ? clock_() : std::nullopt});
   });
   drawn_ = model_.state();
   Q_EMIT changed();

@@ -63,6 +63,9 @@ public:
   /// date.
   using Valves = std::function<std::optional<heart::ValveInstants>()>;
   void setValves(Valves valves);
+  /// The same for the instant of its beat.
+  using Clock = std::function<std::optional<heart::BeatClock>()>;
+  void setClock(Clock clock);
   /// Whether the picture has parts that a movie of the view leaves out: distances, measured surfaces, warped
   /// slices.
   bool hasMoreThanMovies() const;
@@ -101,6 +104,7 @@ private:
   document::OrganId pointedOrgan_;
   std::optional<presentation::SurfaceMap> map_, segments_;
   Valves valves_;
+  Clock clock_;
   std::optional<scene::ValueRange> stressRange_;
   bool stressLegend_ = true;
   mutable std::optional<presentation::ViewState> drawn_; ///< The view's state in the last picture.

@@ -4,11 +4,13 @@
 #include <cmath>
 #include <cstdio>
 #include <iterator>
+#include <set>
 #include <utility>
 
 #include <vtkCamera.h>
 #include <vtkRenderer.h>
 
+#include "conduction_picture.h"
 #include "cut_picture.h"
 #include "handle_picture.h"
 #include "organ_picture.h"
@@ -41,6 +43,7 @@ struct LabelChoice {
   bool ofOrgans = false;
   bool ofParts = false;
   std::optional<std::vector<Part>> parts; ///< Of these alone.
+  bool ofConduction = false;
 
   bool operator==(const LabelChoice&) const = default;
 };
@@ -77,8 +80,8 @@ OrgansSeen organsSeenIn(const Scene& scene) {
 struct Presenter::Parts {
   Parts(scene::OrganView& viewIn, Threads threads, Translate translateIn)
       : view(viewIn), translate(translateIn ? std::move(translateIn) : untranslated), organs(viewIn, threads),
-        handles(viewIn), stress(viewIn), cut(viewIn), valves(viewIn), labels(viewIn), measurements(viewIn),
-        standing(viewIn, threads) {}
+        handles(viewIn), stress(viewIn), cut(viewIn), valves(viewIn), conduction(viewIn), labels(viewIn),
+        measurements(viewIn), standing(viewIn, threads) {}
 
   scene::OrganView& view;
   Translate translate;
@@ -88,6 +91,7 @@ struct Presenter::Parts {
   StressPicture stress;
   CutPicture cut;
   ValvePicture valves;
+  ConductionPicture conduction;
   scene::OrganLabels labels;
   scene::MeasurementGlyphs measurements;
   document::MeasuringMemory measured; ///< Gaps are measured in every frame of a drag.
@@ -111,6 +115,7 @@ struct Presenter::Parts {
   void updateLegend(std::optional<LegendText> wanted);
   void updateRegions(const Scene& scene);
   void updateLabels(const Scene& scene, bool others);
+  void addConduction(const Scene& scene, std::vector<scene::OrganLabels::Item>& items) const;
   void updateMeasurements(const Scene& scene);
   std::optional<LegendText> stressLegend(const Scene& scene) const;
 };
@@ -157,6 +162,7 @@ void Presenter::Parts::updateColors(const Scene& scene) {
   auto appearances = stress.appearances(scene);
   if (!map || !appearances.empty()) {
     valves.apply(scene, appearances);
+    conduction.apply(scene, appearances);
     cut.apply(scene, appearances);
     organs.updateLooks(scene, appearances, stress.colors());
     return updateLegend(stressLegend(scene));
@@ -210,6 +216,7 @@ void Presenter::Parts::updateLabels(const Scene& scene, bool others) {
   LabelChoice wanted{scene.state.organs, scene.view.labels, scene.view.partNames, std::nullopt};
   if (scene.parts)
     wanted.parts = *scene.parts;
+  wanted.ofConduction = conduction.drawn() && scene.view.partNames && !scene.parts;
   if (!others && labelled == wanted)
     return;
   labelled = std::move(wanted);
@@ -233,7 +240,23 @@ void Presenter::Parts::updateLabels(const Scene& scene, bool others) {
   for (const Part& part : parts)
     items.push_back({translate(nameOf(part, *scene.state.organs).c_str()), organs.actorOf(part.organ), false,
                      part.vertex});
+  if (labelled.ofConduction)
+    addConduction(scene, items);
   labels.setItems(std::move(items));
+}
+
+/// The names of the conduction system's parts, each once, beside the middle of its line.
+void Presenter::Parts::addConduction(const Scene& scene, std::vector<scene::OrganLabels::Item>& items) const {
+  std::set<std::string> named;
+  for (const auto& organ : *scene.state.organs)
+    for (const geometry::NamedWay& way : organ->ways) {
+      if (!organ->look.visible || !named.insert(way.name).second)
+        continue;
+      const Eigen::RowVector3d middle = way.points.row(way.points.rows() / 2);
+      Eigen::Index vertex = 0;
+      (organ->mesh->points.rowwise() - middle).rowwise().squaredNorm().minCoeff(&vertex);
+      items.push_back({translate(way.name.c_str()), organs.actorOf(organ->id), false, vertex});
+    }
 }
 
 /// The document's measurements in their order, and behind them what is being measured.
@@ -289,7 +312,7 @@ Presenter::~Presenter() {
 void Presenter::update(const Scene& scene) {
   parts_->update({parts_->seen.of(scene.state, organsSeenIn(scene)), scene.organs, scene.view, scene.systems,
                   scene.stress, scene.map, scene.measuring, scene.transient, scene.parts, scene.warping,
-                  scene.valves, scene.stressRange, scene.stressLegend, scene.pointedOrgan});
+                  scene.valves, scene.stressRange, scene.stressLegend, scene.pointedOrgan, scene.clock});
 }
 
 void Presenter::Parts::update(const Scene& scene) {
@@ -298,6 +321,7 @@ void Presenter::Parts::update(const Scene& scene) {
   stress.update(scene);
   cut.update(scene);
   valves.update(scene, cut.plane());
+  conduction.update(scene, cut.plane());
   updateColors(scene);
   handles.update(scene, stress.shownWhere(scene));
   updateRegions(scene);
@@ -339,6 +363,9 @@ const scene::MeasurementGlyphs& Presenter::stressMarks() const {
 }
 const live::ReadMarks& Presenter::readMarks() const {
   return parts_->stress.readMarks();
+}
+const scene::ConductionGlyphs& Presenter::conduction() const {
+  return parts_->conduction.glyphs();
 }
 vtkVisceraCutPlaneRepresentation* Presenter::cutPlane() const {
   return parts_->stress.plane();

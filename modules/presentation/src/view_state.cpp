@@ -77,6 +77,7 @@ void visitSwitches(ViewState& view, Visit visit) {
   visit("circulationChart", "play.circulationChart", view.circulationChart);
   visit("beatSigns", "play.beatSigns", view.beatSigns);
   visit("valves", "play.valves", view.valves);
+  visit("conduction", "view.conduction", view.conduction);
 }
 
 template <class Visit>
@@ -340,9 +341,9 @@ bool ViewState::operator==(const ViewState& other) const {
                     view.partNames, view.measurements, view.orientationCube, view.scaleBar, view.gizmo,
                     view.exactly, view.mirror, view.layout.regions, view.layout.zones,
                     view.layout.superRegions, view.chartOfCycle, view.circulationChart, view.beatSigns,
-                    view.valves, view.heartSigns, view.stress, view.strain, view.cut, view.organsSeen,
-                    view.person.sex, view.person.bodySurfaceM2, view.scan, view.selection, view.motions,
-                    view.playing, view.compared, view.slides);
+                    view.valves, view.conduction, view.heartSigns, view.stress, view.strain, view.cut,
+                    view.organsSeen, view.person.sex, view.person.bodySurfaceM2, view.scan, view.selection,
+                    view.motions, view.playing, view.compared, view.slides);
   };
   return parts(*this) == parts(other) && shownPose.rows() == other.shownPose.rows() &&
          shownPose == other.shownPose;

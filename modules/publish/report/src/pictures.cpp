@@ -63,9 +63,11 @@ PictureGrid pictureAsSeen(const ReportSource& source, Threads threads) {
   if (source.tissue && !view.scan.standing) // Slices stand in the picture as the scan was recorded.
     scene.warping = &measuredOnly;
   const auto& playing = source.view.playing;
-  if (source.sequence && playing && playing->shown && playing->ratePerMinute > 0)
-    scene.valves = heart::valvesAt(*source.sequence, playing->fraction * 60 / playing->ratePerMinute,
-                                   playing->ratePerMinute);
+  if (source.sequence && playing && playing->shown && playing->ratePerMinute > 0) {
+    const double seconds = playing->fraction * 60 / playing->ratePerMinute;
+    scene.valves = heart::valvesAt(*source.sequence, seconds, playing->ratePerMinute);
+    scene.clock = heart::clockAt(*source.sequence, seconds, playing->ratePerMinute);
+  }
   stage.presenter().update(scene);
   if (view.camera)
     presentation::lookFrom(*view.camera, stage.view());

@@ -11,6 +11,7 @@
 #include "viscera/core/parallel.h"
 #include "viscera/document/document.h"
 #include "viscera/document/measured_values.h"
+#include "viscera/heart/beating_heart.h"
 #include "viscera/heart/heart_valves.h"
 #include "viscera/live/posed_organs.h"
 #include "viscera/live/stress_frame.h"
@@ -19,6 +20,7 @@
 #include "viscera/presentation/stress_values.h"
 #include "viscera/presentation/view_state.h"
 #include "viscera/scene/color_map.h"
+#include "viscera/scene/conduction_glyphs.h"
 #include "viscera/scene/helper_glyphs.h"
 #include "viscera/scene/measurement_glyphs.h"
 #include "viscera/scene/organ_labels.h"
@@ -80,6 +82,8 @@ struct Scene {
   bool stressLegend = true;            ///< False: the other picture shows the legend for both.
   document::OrganId pointedOrgan = {}; ///< The organ under the mouse, whose handles are highlighted; none:
                                        ///< all handles look alike.
+  /// The instant of the beat that is shown; empty: none is known.
+  std::optional<heart::BeatClock> clock = std::nullopt;
 };
 
 /// Draws a document in a 3D view: creates the actors of organs, handles, ghosts, regions, cages, influence
@@ -127,6 +131,8 @@ public:
   /// The glyphs of the organ's pinned probes and lines, and their values in the displayed map.
   const scene::MeasurementGlyphs& stressMarks() const;
   const live::ReadMarks& readMarks() const;
+  /// The lines of the heart's conduction system that are drawn.
+  const scene::ConductionGlyphs& conduction() const;
   /// The plane that cuts the organ open, for the widget that moves it.
   vtkVisceraCutPlaneRepresentation* cutPlane() const;
   /// The middle of the organ with the stress map at rest, and the radius of the ball around it, mm.

@@ -191,6 +191,7 @@ struct ViewState {
   bool circulationChart = true; ///< While a circulation moves the heart: shows its curves instead of the
                                 ///< volumes.
   bool valves = true;           ///< Valves of a beating heart, and the flow through them.
+  bool conduction = false;      ///< The conduction system of a heart, lit by the excitation of its beat.
   bool beatSigns = false;       ///< Electrocardiogram, sounds and valves under the heart's phases.
   HeartSigns heartSigns;        ///< Below the view in lectures, and in movies.
   StressLook stress;
