@@ -22,7 +22,7 @@ constexpr double kNearReach = 1.6;
 /// A coarse choice of all vertices, one in each cell of this part of their size, tells how the surroundings
 /// move as a whole. It counts less, so that near vertices lead where there are some on all sides.
 constexpr double kCoarsePart = 1.0 / 32;
-constexpr double kCoarseWeight = 0.05;
+constexpr double kCoarseWeight = 0.005;
 /// How far the coarse choice reaches: in cells, and more by the distance to the nearest vertex.
 constexpr double kCoarseReach = 2.5, kCoarseReachOfDistance = 2.5;
 /// Keeps the equations solvable where all vertices lie in a plane.
