@@ -12,6 +12,7 @@
 
 #include "cut_picture.h"
 #include "handle_picture.h"
+#include "heart_picture.h"
 #include "organ_picture.h"
 #include "seen_document.h"
 #include "standing_picture.h"
@@ -78,8 +79,8 @@ OrgansSeen organsSeenIn(const Scene& scene) {
 struct Presenter::Parts {
   Parts(scene::OrganView& viewIn, Threads threads, Translate translateIn)
       : view(viewIn), translate(translateIn ? std::move(translateIn) : untranslated), organs(viewIn, threads),
-        handles(viewIn), stress(viewIn), cut(viewIn), valves(viewIn), labels(viewIn), measurements(viewIn),
-        standing(viewIn, threads) {}
+        handles(viewIn), stress(viewIn), heart(viewIn, threads), cut(viewIn), valves(viewIn), labels(viewIn),
+        measurements(viewIn), standing(viewIn, threads) {}
 
   scene::OrganView& view;
   Translate translate;
@@ -87,6 +88,7 @@ struct Presenter::Parts {
   OrganPicture organs;
   HandlePicture handles;
   StressPicture stress;
+  HeartPicture heart;
   CutPicture cut;
   ValvePicture valves;
   scene::OrganLabels labels;
@@ -108,6 +110,9 @@ struct Presenter::Parts {
 
   void update(const Scene& scene);
   void updateInfluence(const Scene& scene);
+  const SurfaceMap* mapOf(const Scene& scene) const;
+  void updateLooks(const Scene& scene, std::map<document::OrganId, Appearance>& appearances,
+                   const MapColors& colors);
   void updateColors(const Scene& scene);
   void updateLegend(std::optional<LegendText> wanted);
   void updateRegions(const Scene& scene);
@@ -151,22 +156,35 @@ void Presenter::Parts::updateInfluence(const Scene& scene) {
   influence.unit = "%";
 }
 
+/// The numbers that organs show as colours; null: their own colours, or the stress.
+const SurfaceMap* Presenter::Parts::mapOf(const Scene& scene) const {
+  if (scene.map)
+    return scene.map;
+  return influence.values.empty() ? nullptr : &influence;
+}
+
+void Presenter::Parts::updateLooks(const Scene& scene, std::map<document::OrganId, Appearance>& appearances,
+                                   const MapColors& colors) {
+  cut.apply(scene, appearances);
+  heart.apply(appearances);
+  organs.updateLooks(scene, appearances, colors);
+  if (heart.opened() && cut.plane())
+    heart.updateLook(*organs.actorOf(heart.opened()->heart.outer->id), *cut.plane());
+}
+
 /// Whatever colours the organs: a map that is given, the stress, an influence, or their own looks.
 void Presenter::Parts::updateColors(const Scene& scene) {
-  updateInfluence(scene);
-  const SurfaceMap* map = scene.map ? scene.map : influence.values.empty() ? nullptr : &influence;
+  const SurfaceMap* map = mapOf(scene);
   auto appearances = stress.appearances(scene);
   if (!map || !appearances.empty()) {
     valves.apply(scene, appearances);
-    cut.apply(scene, appearances);
-    organs.updateLooks(scene, appearances, stress.colors());
+    updateLooks(scene, appearances, stress.colors());
     return updateLegend(stressLegend(scene));
   }
   for (const auto& [id, values] : map->values)
     if (const auto organ = scene.state.organ(id))
       appearances[id] = {organ->look.visible, organ->look.opacity, std::nullopt, values};
-  cut.apply(scene, appearances);
-  organs.updateLooks(scene, appearances, {map->colors, map->range, mapsMade});
+  updateLooks(scene, appearances, {map->colors, map->range, mapsMade});
   updateLegend(LegendText{map->title, map->unit, map->mark, map->colors, map->range});
 }
 
@@ -290,15 +308,18 @@ Presenter::~Presenter() {
 void Presenter::update(const Scene& scene) {
   parts_->update({parts_->seen.of(scene.state, organsSeenIn(scene)), scene.organs, scene.view, scene.systems,
                   scene.stress, scene.map, scene.measuring, scene.transient, scene.parts, scene.warping,
-                  scene.valves, scene.stressRange, scene.stressLegend, scene.pointedOrgan});
+                  scene.valves, scene.stressRange, scene.stressLegend, scene.pointedOrgan,
+                  scene.heartTissue});
 }
 
 void Presenter::Parts::update(const Scene& scene) {
   const bool others = organs.updateOrgans(scene);
   organs.updateTransientSurfaces(scene.transient ? *scene.transient : std::vector<TransientSurface>());
   stress.update(scene);
-  cut.update(scene);
-  valves.update(scene, cut.plane());
+  updateInfluence(scene);
+  heart.update(scene, mapOf(scene) != nullptr);
+  cut.update(scene, heart);
+  valves.update(scene, cut.plane(), heart.opened() && !heart.opened()->blood);
   updateColors(scene);
   handles.update(scene, stress.shownWhere(scene));
   updateRegions(scene);
@@ -316,6 +337,9 @@ document::OrganId Presenter::organOf(const scene::OrganActor* actor) const {
 }
 std::shared_ptr<scene::OrganActor> Presenter::actorOf(document::OrganId organ) const {
   return parts_->organs.actorOf(organ);
+}
+const scene::OrganActor* Presenter::heartTissue() const {
+  return parts_->heart.actor();
 }
 const scene::OrganLabels& Presenter::labels() const {
   return parts_->labels;

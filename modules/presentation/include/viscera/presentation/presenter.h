@@ -12,6 +12,7 @@
 #include "viscera/document/document.h"
 #include "viscera/document/measured_values.h"
 #include "viscera/heart/heart_valves.h"
+#include "viscera/live/heart_tissue.h"
 #include "viscera/live/posed_organs.h"
 #include "viscera/live/stress_frame.h"
 #include "viscera/live/stress_marks_reader.h"
@@ -80,6 +81,8 @@ struct Scene {
   bool stressLegend = true;            ///< False: the other picture shows the legend for both.
   document::OrganId pointedOrgan = {}; ///< The organ under the mouse, whose handles are highlighted; none:
                                        ///< all handles look alike.
+  /// The tissue of the sample heart, which the cut shows (`openedHeart`); null: not there, or not yet.
+  std::shared_ptr<const live::HeartTissue> heartTissue = nullptr;
 };
 
 /// Draws a document in a 3D view: creates the actors of organs, handles, ghosts, regions, cages, influence
@@ -114,6 +117,9 @@ public:
   /// The organ that an actor of the view shows, or none; the actor that shows an organ, or null.
   document::OrganId organOf(const scene::OrganActor* actor) const;
   std::shared_ptr<scene::OrganActor> actorOf(document::OrganId organ) const;
+
+  /// The actor of the tissue of a sample heart that is cut open; null while the heart's surfaces are drawn.
+  const scene::OrganActor* heartTissue() const;
 
   const scene::OrganLabels& labels() const;
   const scene::MeasurementGlyphs& measurements() const;

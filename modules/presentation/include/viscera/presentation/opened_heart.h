@@ -1,0 +1,23 @@
+#pragma once
+
+#include <optional>
+
+#include "viscera/document/document.h"
+#include "viscera/live/heart_tissue.h"
+#include "viscera/presentation/view_state.h"
+
+namespace viscera::presentation {
+
+/// The sample heart that a view's cut opens. Its tissue is drawn in place of its outer surface, and its
+/// cavities are empty, or full of blood.
+struct OpenedHeart {
+  live::SampleHeartOrgans heart;
+  bool blood = false;
+};
+
+/// The heart whose tissue the view shows: while the cut is on, the outer surface is visible, and the plane
+/// meets it at rest. None under a stress map, which has a cut of its own, and where there is no sample heart.
+/// The state of what the view shows alone: the document does not change. O(points).
+std::optional<OpenedHeart> openedHeart(const document::DocumentState& state, const ViewState& view);
+
+} // namespace viscera::presentation
