@@ -34,6 +34,14 @@ CutBox::CutBox(ViewModel& view, ViewWidget& widget, const Actions& actions, QWid
   connect(offset_, &ValueSlider::valueChanged, this, [this](double value) {
     view_.change([value](presentation::ViewState& state) { state.cut.offset = value / kPercent; });
   });
+  blood_ = new QCheckBox(tr("Blood"), this);
+  blood_->setObjectName(QStringLiteral("cutBlood"));
+  blood_->setToolTip(
+      tr("Fill the chambers of the sample heart; they are empty else, and show walls, papillary "
+         "muscles and valves"));
+  column->addWidget(blood_);
+  connect(blood_, &QCheckBox::toggled, this,
+          [this](bool on) { view_.change([on](presentation::ViewState& state) { state.cut.blood = on; }); });
   connect(&view, &ViewModel::changed, this, &CutBox::sync);
   sync();
 }
@@ -72,7 +80,7 @@ void CutBox::cutFrom(const Vec3& normal) {
     widget_.view().renderer()->GetActiveCamera()->GetDirectionOfProjection(sight);
     chosen = Vec3(sight).normalized();
   }
-  view_.change([&chosen](presentation::ViewState& state) { state.cut = {true, chosen, 0}; });
+  view_.change([&chosen](presentation::ViewState& state) { state.cut = {true, chosen, 0, state.cut.blood}; });
 }
 
 void CutBox::sync() {
@@ -80,6 +88,8 @@ void CutBox::sync() {
   directions_->setEnabled(cut.on);
   offset_->setEnabled(cut.on);
   offset_->setValue(kPercent * cut.offset);
+  blood_->setEnabled(cut.on);
+  blood_->setChecked(cut.blood);
 }
 
 } // namespace viscera::app

@@ -5,12 +5,14 @@
 #include "window/view/view_model.h"
 #include "window/view/view_widget.h"
 
+class QCheckBox;
+
 namespace viscera::app {
 
 class ValueSlider;
 
 /// The controls of the plane that cuts organs open in the 3D view: the switch "view.cut", the direction of
-/// the plane and its place.
+/// the plane and its place, and whether blood is in a heart that it opens.
 class CutBox final : public QWidget {
   Q_OBJECT
 
@@ -27,6 +29,7 @@ private:
   ViewWidget& widget_;
   QWidget* directions_;
   ValueSlider* offset_;
+  QCheckBox* blood_;
 };
 
 } // namespace viscera::app

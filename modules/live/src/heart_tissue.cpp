@@ -68,12 +68,12 @@ std::optional<SampleHeartOrgans> sampleHeartIn(const document::DocumentState& st
   return heart;
 }
 
-HeartTissue::HeartTissue(Mesh tissue, const SampleHeartOrgans& heart, Threads threads)
-    : mesh_(std::move(tissue)), carriers_(meshesOf(heart)),
-      carried_(mesh_->points, verticesOf(carriers_), threads) {}
+bool sameSurfaces(const SampleHeartOrgans& a, const SampleHeartOrgans& b) {
+  return meshesOf(a) == meshesOf(b);
+}
 
-bool HeartTissue::isOf(const SampleHeartOrgans& heart) const {
-  return meshesOf(heart) == carriers_;
+HeartTissue::HeartTissue(Mesh tissue, const SampleHeartOrgans& heart, Threads threads)
+    : mesh_(std::move(tissue)), heart_(heart), carried_(mesh_->points, verticesOf(meshesOf(heart)), threads) {
 }
 
 void HeartTissue::at(const SampleHeartOrgans& heart, const PosedOrgans& organs, Points& out,

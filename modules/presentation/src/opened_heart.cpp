@@ -27,4 +27,12 @@ std::optional<OpenedHeart> openedHeart(const document::DocumentState& state, con
   return OpenedHeart{std::move(*heart), view.cut.blood};
 }
 
+std::shared_ptr<const live::HeartTissue> heartTissueFor(const document::DocumentState& state,
+                                                        const ViewState& view,
+                                                        const sample_organs::SampleLibrary& library,
+                                                        Progress& progress, Threads threads) {
+  const auto opened = openedHeart(state, view);
+  return opened ? live::makeHeartTissue(opened->heart, library, progress, threads) : nullptr;
+}
+
 } // namespace viscera::presentation

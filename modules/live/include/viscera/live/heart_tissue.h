@@ -23,6 +23,9 @@ struct SampleHeartOrgans {
 /// The first sample heart of a document whose outer surface is visible; none where there is none. O(organs).
 std::optional<SampleHeartOrgans> sampleHeartIn(const document::DocumentState& state);
 
+/// Whether two are the same surfaces at rest, in whatever pose and look. O(1).
+bool sameSurfaces(const SampleHeartOrgans& a, const SampleHeartOrgans& b);
+
 /// The heart's walls with papillary muscles as one closed surface, open through the valves' rings and at the
 /// ends of the vessels. It is no organ of the document, and follows no handles by itself: the heart's
 /// surfaces carry it (`geometry::CarriedPoints`), so that it goes along with whatever moves them. Immutable;
@@ -35,13 +38,13 @@ public:
 
   const std::shared_ptr<const geometry::TriangleMesh>& mesh() const { return mesh_; } ///< At rest.
   /// Whether these are the surfaces that carry it.
-  bool isOf(const SampleHeartOrgans& heart) const;
+  bool isOf(const SampleHeartOrgans& heart) const { return sameSurfaces(heart_, heart); }
   /// Writes its vertices as they are in the pose of the organs, `n x 3` mm, where `isOf(heart)`.
   void at(const SampleHeartOrgans& heart, const PosedOrgans& organs, Points& out, Threads threads = {}) const;
 
 private:
   std::shared_ptr<const geometry::TriangleMesh> mesh_;
-  std::vector<std::shared_ptr<const geometry::TriangleMesh>> carriers_;
+  SampleHeartOrgans heart_;
   geometry::CarriedPoints carried_;
 };
 
