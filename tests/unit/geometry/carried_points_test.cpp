@@ -59,8 +59,9 @@ TEST(CarriedPoints, FollowABendWithinATenthOfItsSize) {
 TEST(CarriedPoints, AreTheVertexWhosePlaceTheyHave) {
   const Balls balls;
   const CarriedPoints carried(balls.outer, balls.vertices);
-  const Points elsewhere = moved(
-      balls.vertices, [](const Vec3& p) -> Vec3 { return p + Vec3(std::sin(p.y()), std::cos(p.x()), p.z()); });
+  const Points elsewhere = moved(balls.vertices, [](const Vec3& p) -> Vec3 {
+    return p + Vec3(std::sin(p.y()), std::cos(p.x()), p.z());
+  });
   Points now;
   carried.at(elsewhere, now);
   EXPECT_TRUE(now == elsewhere.topRows(balls.outer.rows()));
