@@ -4,6 +4,7 @@
 
 #include "window/view/view_model.h"
 #include "window/view/view_widget.h"
+#include "window/workspace.h"
 
 class QCheckBox;
 
@@ -18,18 +19,22 @@ class CutBox final : public QWidget {
 
 public:
   /// All have to live longer.
-  CutBox(ViewModel& view, ViewWidget& widget, const Actions& actions, QWidget* parent = nullptr);
+  CutBox(Workspace& workspace, ViewModel& view, ViewWidget& widget, const Actions& actions,
+         QWidget* parent = nullptr);
 
 private:
+  QWidget* makeSwitches(const Actions& actions);
   QWidget* makeDirections();
   void cutFrom(const Vec3& normal);
   void sync();
 
+  Workspace& workspace_;
   ViewModel& view_;
   ViewWidget& widget_;
   QWidget* directions_;
   ValueSlider* offset_;
-  QCheckBox* blood_;
+  QCheckBox* blood_; ///< There while a heart is cut open.
+  Subscription subscription_;
 };
 
 } // namespace viscera::app
