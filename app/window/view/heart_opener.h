@@ -18,7 +18,7 @@ class HeartOpener final : public QObject {
   Q_OBJECT
 
 public:
-  static constexpr const char* kSlot = "heart tissue"; ///< Of its job.
+  static constexpr const char* kSlot = "heart tissue"; ///< The slot of its job.
 
   /// Both have to live longer.
   HeartOpener(Workspace& workspace, ViewModel& model, QObject* parent = nullptr);
@@ -38,7 +38,7 @@ private:
   ViewModel& model_;
   std::shared_ptr<const live::HeartTissue> tissue_;
   std::optional<live::SampleHeartOrgans>
-      asked_; ///< For this heart; a failure is not tried again in this cut.
+      asked_; ///< The last heart; one that fails is not tried again in this cut.
   bool busy_ = false;
   std::vector<Subscription> subscriptions_;
 };

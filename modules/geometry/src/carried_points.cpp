@@ -14,7 +14,7 @@ namespace viscera::geometry {
 namespace {
 
 constexpr Eigen::Index kFewestVertices = 4;
-/// A point nearer to a vertex than this part of the size of all is that vertex.
+/// A point nearer to a vertex than this part of the size of all vertices is that vertex.
 constexpr double kSamePlace = 1e-9;
 /// The near vertices reach to this multiple of the distance of the twelfth nearest one.
 constexpr std::size_t kNearest = 12;

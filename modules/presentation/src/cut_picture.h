@@ -32,7 +32,7 @@ private:
   /// The state of the organs for which the faces were drawn.
   using Moment = std::map<document::OrganId, std::pair<std::shared_ptr<const Points>, std::uint64_t>>;
   Moment moment_;
-  std::uint64_t heart_ = 0; ///< Revision of the opened heart.
+  std::uint64_t heart_ = 0; ///< The revision of the opened heart.
   std::shared_ptr<const document::OrganList> organs_;
 };
 

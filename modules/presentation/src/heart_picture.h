@@ -46,7 +46,7 @@ private:
   scene::OrganView& view_;
   Threads threads_;
   std::optional<OpenedHeart> opened_;
-  std::shared_ptr<const live::HeartTissue> tissue_; ///< Of the actor; kept for the next cut.
+  std::shared_ptr<const live::HeartTissue> tissue_; ///< What the actor draws; kept for the next cut.
   std::shared_ptr<scene::OrganActor> actor_;
   std::shared_ptr<Points> points_;
   /// The surfaces that the points were made from.

@@ -69,7 +69,7 @@ std::optional<scene::FlowArrow> arrowOf(const ValveRing& ring, const heart::Valv
 
 } // namespace
 
-/// Nothing where no valves are to be seen.
+/// The valves to draw: those that beat, or shut ones in an opened heart that stands still.
 std::optional<heart::ValveInstants> ValvePicture::valvesOf(const Scene& scene) const {
   return !scene.valves && opened_ ? heart::ValveInstants() : scene.valves;
 }

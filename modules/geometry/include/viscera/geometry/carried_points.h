@@ -33,7 +33,7 @@ public:
 
 private:
   Eigen::Index carriers_;
-  std::vector<std::int64_t> first_; ///< Of each point, in the lists below.
+  std::vector<std::int64_t> first_; ///< Where each point's part of the lists below begins.
   std::vector<std::int32_t> vertices_;
   std::vector<double> weights_;
 };
