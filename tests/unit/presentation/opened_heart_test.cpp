@@ -137,7 +137,7 @@ TEST_F(TissueOfAHeart, IsWhereTheHandlesWouldMoveIt) {
   const auto made = tissue();
   ASSERT_TRUE(made);
   tests::SequenceScene scene([&](Progress&) { return setup_; });
-  scene.add({"tissue", made->mesh()});
+  scene.add({"tissue", made->mesh(), Vec3::Ones(), {}});
   for (const double fraction : {0.1, 0.45, 0.7}) {
     beatTo(fraction);
     scene.show(fraction * 60 / 75, 75);
