@@ -20,6 +20,7 @@
 #include "viscera/live/live_stress.h"
 #include "viscera/live/motion_copy.h"
 #include "viscera/live/motion_recipe.h"
+#include "viscera/presentation/opened_heart.h"
 #include "viscera/presentation/presenter.h"
 #include "viscera/presentation/space_parts.h"
 #include "viscera/presentation/unsuited_motion.h"
@@ -278,6 +279,8 @@ SessionPicture sessionPicture(const document::OpenedSession& opened, const Stage
   presentation::Scene scene{posed.state(), posed.organs(), view, context.systems, &frame};
   scene.warping = warping ? &*warping : nullptr;
   setInstant(scene);
+  scene.heartTissue =
+      presentation::heartTissueFor(posed.state(), view, context.samples, context.progress, context.threads);
   stage.presenter().update(scene);
   if (!fromSide && view.camera)
     presentation::lookFrom(*view.camera, stage.view());

@@ -79,7 +79,9 @@ void ConductionPicture::draw(const Scene& scene, const Moment& moment) {
     }
     for (std::size_t i = 0; i < organ.ways.size(); ++i) {
       const geometry::NamedWay& way = organ.ways[i];
-      addKept({carrier.lines[i].at(*surface.first), way.widthMm,
+      Points places;
+      carrier.lines[i].at(*surface.first, places);
+      addKept({std::move(places), way.widthMm,
                way.reachedMs.unaryExpr([now](double reached) { return lightOf(reached, now); })},
               moment.cut, lines);
     }

@@ -13,6 +13,7 @@
 #include "conduction_picture.h"
 #include "cut_picture.h"
 #include "handle_picture.h"
+#include "heart_picture.h"
 #include "organ_picture.h"
 #include "seen_document.h"
 #include "standing_picture.h"
@@ -80,8 +81,8 @@ OrgansSeen organsSeenIn(const Scene& scene) {
 struct Presenter::Parts {
   Parts(scene::OrganView& viewIn, Threads threads, Translate translateIn)
       : view(viewIn), translate(translateIn ? std::move(translateIn) : untranslated), organs(viewIn, threads),
-        handles(viewIn), stress(viewIn), cut(viewIn), valves(viewIn), conduction(viewIn), labels(viewIn),
-        measurements(viewIn), standing(viewIn, threads) {}
+        handles(viewIn), stress(viewIn), heart(viewIn, threads), cut(viewIn), valves(viewIn),
+        conduction(viewIn), labels(viewIn), measurements(viewIn), standing(viewIn, threads) {}
 
   scene::OrganView& view;
   Translate translate;
@@ -89,6 +90,7 @@ struct Presenter::Parts {
   OrganPicture organs;
   HandlePicture handles;
   StressPicture stress;
+  HeartPicture heart;
   CutPicture cut;
   ValvePicture valves;
   ConductionPicture conduction;
@@ -111,6 +113,9 @@ struct Presenter::Parts {
 
   void update(const Scene& scene);
   void updateInfluence(const Scene& scene);
+  const SurfaceMap* mapOf(const Scene& scene) const;
+  void updateLooks(const Scene& scene, std::map<document::OrganId, Appearance>& appearances,
+                   const MapColors& colors);
   void updateColors(const Scene& scene);
   void updateLegend(std::optional<LegendText> wanted);
   void updateRegions(const Scene& scene);
@@ -155,23 +160,36 @@ void Presenter::Parts::updateInfluence(const Scene& scene) {
   influence.unit = "%";
 }
 
+/// The numbers that organs show as colours; null: their own colours, or the stress.
+const SurfaceMap* Presenter::Parts::mapOf(const Scene& scene) const {
+  if (scene.map)
+    return scene.map;
+  return influence.values.empty() ? nullptr : &influence;
+}
+
+void Presenter::Parts::updateLooks(const Scene& scene, std::map<document::OrganId, Appearance>& appearances,
+                                   const MapColors& colors) {
+  cut.apply(scene, appearances);
+  heart.apply(appearances);
+  organs.updateLooks(scene, appearances, colors);
+  if (heart.opened() && cut.plane())
+    heart.updateLook(*organs.actorOf(heart.opened()->heart.outer->id), *cut.plane());
+}
+
 /// Whatever colours the organs: a map that is given, the stress, an influence, or their own looks.
 void Presenter::Parts::updateColors(const Scene& scene) {
-  updateInfluence(scene);
-  const SurfaceMap* map = scene.map ? scene.map : influence.values.empty() ? nullptr : &influence;
+  const SurfaceMap* map = mapOf(scene);
   auto appearances = stress.appearances(scene);
   if (!map || !appearances.empty()) {
     valves.apply(scene, appearances);
     conduction.apply(scene, appearances);
-    cut.apply(scene, appearances);
-    organs.updateLooks(scene, appearances, stress.colors());
+    updateLooks(scene, appearances, stress.colors());
     return updateLegend(stressLegend(scene));
   }
   for (const auto& [id, values] : map->values)
     if (const auto organ = scene.state.organ(id))
       appearances[id] = {organ->look.visible, organ->look.opacity, std::nullopt, values};
-  cut.apply(scene, appearances);
-  organs.updateLooks(scene, appearances, {map->colors, map->range, mapsMade});
+  updateLooks(scene, appearances, {map->colors, map->range, mapsMade});
   updateLegend(LegendText{map->title, map->unit, map->mark, map->colors, map->range});
 }
 
@@ -312,15 +330,18 @@ Presenter::~Presenter() {
 void Presenter::update(const Scene& scene) {
   parts_->update({parts_->seen.of(scene.state, organsSeenIn(scene)), scene.organs, scene.view, scene.systems,
                   scene.stress, scene.map, scene.measuring, scene.transient, scene.parts, scene.warping,
-                  scene.valves, scene.stressRange, scene.stressLegend, scene.pointedOrgan, scene.clock});
+                  scene.valves, scene.stressRange, scene.stressLegend, scene.pointedOrgan, scene.clock,
+                  scene.heartTissue});
 }
 
 void Presenter::Parts::update(const Scene& scene) {
   const bool others = organs.updateOrgans(scene);
   organs.updateTransientSurfaces(scene.transient ? *scene.transient : std::vector<TransientSurface>());
   stress.update(scene);
-  cut.update(scene);
-  valves.update(scene, cut.plane());
+  updateInfluence(scene);
+  heart.update(scene, mapOf(scene) != nullptr);
+  cut.update(scene, heart);
+  valves.update(scene, cut.plane(), heart.opened() && !heart.opened()->blood);
   conduction.update(scene, cut.plane());
   updateColors(scene);
   handles.update(scene, stress.shownWhere(scene));
@@ -339,6 +360,9 @@ document::OrganId Presenter::organOf(const scene::OrganActor* actor) const {
 }
 std::shared_ptr<scene::OrganActor> Presenter::actorOf(document::OrganId organ) const {
   return parts_->organs.actorOf(organ);
+}
+const scene::OrganActor* Presenter::heartTissue() const {
+  return parts_->heart.actor();
 }
 const scene::OrganLabels& Presenter::labels() const {
   return parts_->labels;
@@ -416,9 +440,7 @@ Vec3 shownColor(const Vec3& color) {
   return (middle + (color.array() - middle) * (document::kMostVivid / vivid)).matrix();
 }
 
-namespace {
-
-} // namespace
+namespace {} // namespace
 
 std::string labelOf(const document::Organ& organ, const Presenter::Translate& translate) {
   const Presenter::Translate& say = translate ? translate : Presenter::Translate(untranslated);

@@ -159,12 +159,13 @@ OrganCut cutFrom(const JsonReader& json, const ordered_json& item, const std::st
   if (item.contains("normal"))
     cut.normal = unit(json.valueOf<Vec3>(item, "normal", place));
   json.readIfThere(item, "offset", place, cut.offset);
+  json.readIfThere(item, "blood", place, cut.blood);
   cut.offset = std::clamp(std::isfinite(cut.offset) ? cut.offset : 0.0, -1.0, 1.0);
   return cut;
 }
 
 ordered_json cutJson(const OrganCut& cut) {
-  return {{"on", cut.on}, {"normal", jsonOf(cut.normal)}, {"offset", cut.offset}};
+  return {{"on", cut.on}, {"normal", jsonOf(cut.normal)}, {"offset", cut.offset}, {"blood", cut.blood}};
 }
 
 ordered_json organsJson(const OrgansSeen& organs) {

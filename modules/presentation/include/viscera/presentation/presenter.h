@@ -13,6 +13,7 @@
 #include "viscera/document/measured_values.h"
 #include "viscera/heart/beating_heart.h"
 #include "viscera/heart/heart_valves.h"
+#include "viscera/live/heart_tissue.h"
 #include "viscera/live/posed_organs.h"
 #include "viscera/live/stress_frame.h"
 #include "viscera/live/stress_marks_reader.h"
@@ -84,6 +85,8 @@ struct Scene {
                                        ///< all handles look alike.
   /// The instant of the beat that is shown; empty: none is known.
   std::optional<heart::BeatClock> clock = std::nullopt;
+  /// The tissue of the sample heart, which the cut shows (`openedHeart`); null: not there, or not yet.
+  std::shared_ptr<const live::HeartTissue> heartTissue = nullptr;
 };
 
 /// Draws a document in a 3D view: creates the actors of organs, handles, ghosts, regions, cages, influence
@@ -118,6 +121,9 @@ public:
   /// The organ that an actor of the view shows, or none; the actor that shows an organ, or null.
   document::OrganId organOf(const scene::OrganActor* actor) const;
   std::shared_ptr<scene::OrganActor> actorOf(document::OrganId organ) const;
+
+  /// The actor of the tissue of a sample heart that is cut open; null while the heart's surfaces are drawn.
+  const scene::OrganActor* heartTissue() const;
 
   const scene::OrganLabels& labels() const;
   const scene::MeasurementGlyphs& measurements() const;

@@ -103,6 +103,7 @@ struct OrganCut {
   Vec3 normal = Vec3::UnitY(); ///< Unit, towards the part that stays; by default the anterior part is cut
                                ///< away.
   double offset = 0;           ///< -1 to 1, of the radius of the ball around the visible organs at rest.
+  bool blood = false;          ///< The sample heart's chambers are full of blood, else empty.
 
   bool operator==(const OrganCut&) const = default;
 };
