@@ -6967,6 +6967,62 @@
         <source>Study date</source>
         <translation>Data de l’estudi</translation>
     </message>
+    <message>
+        <source>Sinoatrial node</source>
+        <translation>Node sinoauricular</translation>
+    </message>
+    <message>
+        <source>Anterior internodal pathway</source>
+        <translation>Via internodal anterior</translation>
+    </message>
+    <message>
+        <source>Middle internodal pathway</source>
+        <translation>Via internodal mitjana</translation>
+    </message>
+    <message>
+        <source>Posterior internodal pathway</source>
+        <translation>Via internodal posterior</translation>
+    </message>
+    <message>
+        <source>Bachmann&apos;s bundle</source>
+        <translation>Feix de Bachmann</translation>
+    </message>
+    <message>
+        <source>Left atrial muscle</source>
+        <translation>Múscul de l&apos;aurícula esquerra</translation>
+    </message>
+    <message>
+        <source>Atrioventricular node</source>
+        <translation>Node auriculoventricular</translation>
+    </message>
+    <message>
+        <source>Bundle of His</source>
+        <translation>Feix de His</translation>
+    </message>
+    <message>
+        <source>Left bundle branch</source>
+        <translation>Branca esquerra del feix de His</translation>
+    </message>
+    <message>
+        <source>Left anterior fascicle</source>
+        <translation>Fascicle anterior esquerre</translation>
+    </message>
+    <message>
+        <source>Left posterior fascicle</source>
+        <translation>Fascicle posterior esquerre</translation>
+    </message>
+    <message>
+        <source>Left septal fascicle</source>
+        <translation>Fascicle septal esquerre</translation>
+    </message>
+    <message>
+        <source>Right bundle branch</source>
+        <translation>Branca dreta del feix de His</translation>
+    </message>
+    <message>
+        <source>Purkinje fibres</source>
+        <translation>Fibres de Purkinje</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app</name>

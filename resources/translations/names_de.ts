@@ -6967,6 +6967,62 @@
         <source>Study date</source>
         <translation>Untersuchungsdatum</translation>
     </message>
+    <message>
+        <source>Sinoatrial node</source>
+        <translation>Sinusknoten</translation>
+    </message>
+    <message>
+        <source>Anterior internodal pathway</source>
+        <translation>Vordere Internodalbahn</translation>
+    </message>
+    <message>
+        <source>Middle internodal pathway</source>
+        <translation>Mittlere Internodalbahn</translation>
+    </message>
+    <message>
+        <source>Posterior internodal pathway</source>
+        <translation>Hintere Internodalbahn</translation>
+    </message>
+    <message>
+        <source>Bachmann&apos;s bundle</source>
+        <translation>Bachmann-Bündel</translation>
+    </message>
+    <message>
+        <source>Left atrial muscle</source>
+        <translation>Muskel des linken Vorhofs</translation>
+    </message>
+    <message>
+        <source>Atrioventricular node</source>
+        <translation>Atrioventrikularknoten</translation>
+    </message>
+    <message>
+        <source>Bundle of His</source>
+        <translation>His-Bündel</translation>
+    </message>
+    <message>
+        <source>Left bundle branch</source>
+        <translation>Linker Tawara-Schenkel</translation>
+    </message>
+    <message>
+        <source>Left anterior fascicle</source>
+        <translation>Linksanteriorer Faszikel</translation>
+    </message>
+    <message>
+        <source>Left posterior fascicle</source>
+        <translation>Linksposteriorer Faszikel</translation>
+    </message>
+    <message>
+        <source>Left septal fascicle</source>
+        <translation>Linksseptaler Faszikel</translation>
+    </message>
+    <message>
+        <source>Right bundle branch</source>
+        <translation>Rechter Tawara-Schenkel</translation>
+    </message>
+    <message>
+        <source>Purkinje fibres</source>
+        <translation>Purkinje-Fasern</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app</name>

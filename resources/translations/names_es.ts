@@ -6967,6 +6967,62 @@
         <source>Study date</source>
         <translation>Fecha del estudio</translation>
     </message>
+    <message>
+        <source>Sinoatrial node</source>
+        <translation>Nodo sinoauricular</translation>
+    </message>
+    <message>
+        <source>Anterior internodal pathway</source>
+        <translation>Vía internodal anterior</translation>
+    </message>
+    <message>
+        <source>Middle internodal pathway</source>
+        <translation>Vía internodal media</translation>
+    </message>
+    <message>
+        <source>Posterior internodal pathway</source>
+        <translation>Vía internodal posterior</translation>
+    </message>
+    <message>
+        <source>Bachmann&apos;s bundle</source>
+        <translation>Haz de Bachmann</translation>
+    </message>
+    <message>
+        <source>Left atrial muscle</source>
+        <translation>Músculo de la aurícula izquierda</translation>
+    </message>
+    <message>
+        <source>Atrioventricular node</source>
+        <translation>Nodo auriculoventricular</translation>
+    </message>
+    <message>
+        <source>Bundle of His</source>
+        <translation>Haz de His</translation>
+    </message>
+    <message>
+        <source>Left bundle branch</source>
+        <translation>Rama izquierda del haz de His</translation>
+    </message>
+    <message>
+        <source>Left anterior fascicle</source>
+        <translation>Fascículo anterior izquierdo</translation>
+    </message>
+    <message>
+        <source>Left posterior fascicle</source>
+        <translation>Fascículo posterior izquierdo</translation>
+    </message>
+    <message>
+        <source>Left septal fascicle</source>
+        <translation>Fascículo septal izquierdo</translation>
+    </message>
+    <message>
+        <source>Right bundle branch</source>
+        <translation>Rama derecha del haz de His</translation>
+    </message>
+    <message>
+        <source>Purkinje fibres</source>
+        <translation>Fibras de Purkinje</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app</name>

@@ -6967,6 +6967,62 @@
         <source>Study date</source>
         <translation>Date de l’examen</translation>
     </message>
+    <message>
+        <source>Sinoatrial node</source>
+        <translation>Nœud sinusal</translation>
+    </message>
+    <message>
+        <source>Anterior internodal pathway</source>
+        <translation>Voie internodale antérieure</translation>
+    </message>
+    <message>
+        <source>Middle internodal pathway</source>
+        <translation>Voie internodale moyenne</translation>
+    </message>
+    <message>
+        <source>Posterior internodal pathway</source>
+        <translation>Voie internodale postérieure</translation>
+    </message>
+    <message>
+        <source>Bachmann&apos;s bundle</source>
+        <translation>Faisceau de Bachmann</translation>
+    </message>
+    <message>
+        <source>Left atrial muscle</source>
+        <translation>Muscle de l&apos;oreillette gauche</translation>
+    </message>
+    <message>
+        <source>Atrioventricular node</source>
+        <translation>Nœud atrio-ventriculaire</translation>
+    </message>
+    <message>
+        <source>Bundle of His</source>
+        <translation>Faisceau de His</translation>
+    </message>
+    <message>
+        <source>Left bundle branch</source>
+        <translation>Branche gauche du faisceau de His</translation>
+    </message>
+    <message>
+        <source>Left anterior fascicle</source>
+        <translation>Faisceau antérieur gauche</translation>
+    </message>
+    <message>
+        <source>Left posterior fascicle</source>
+        <translation>Faisceau postérieur gauche</translation>
+    </message>
+    <message>
+        <source>Left septal fascicle</source>
+        <translation>Faisceau septal gauche</translation>
+    </message>
+    <message>
+        <source>Right bundle branch</source>
+        <translation>Branche droite du faisceau de His</translation>
+    </message>
+    <message>
+        <source>Purkinje fibres</source>
+        <translation>Fibres de Purkinje</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app</name>

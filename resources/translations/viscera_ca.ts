@@ -692,6 +692,14 @@ N: noms, H: tiradors, X: paret, R: restableix, T: clar o fosc, Inici: principi</
         <source>Distance of the cut from the middle of the organs, in per cent of the distance to their edge</source>
         <translation>Distància de la secció al centre dels òrgans, en percentatge de la distància fins a la vora</translation>
     </message>
+    <message>
+        <source>Blood</source>
+        <translation>Sang</translation>
+    </message>
+    <message>
+        <source>Fill the chambers of the heart with blood. Without it they are empty and show walls, papillary muscles and valves</source>
+        <translation>Omple de sang les cavitats del cor. Sense sang són buides i mostren parets, músculs papil·lars i vàlvules</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::DeformMode</name>
@@ -1839,6 +1847,13 @@ Moveu el lliscador de dalt per col·locar-ne, o feu clic a l’òrgan en el mode
             <numerusform>%1 ms, %n fil</numerusform>
             <numerusform>%1 ms, %n fils</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::HeartOpener</name>
+    <message>
+        <source>Opening the heart</source>
+        <translation>S&apos;està obrint el cor</translation>
     </message>
 </context>
 <context>
@@ -5249,6 +5264,14 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
     <message>
         <source>Give each triangle of an organ one shade, in place of a smooth surface</source>
         <translation>Dona a cada triangle d’un òrgan un sol to, en lloc d’una superfície llisa</translation>
+    </message>
+    <message>
+        <source>Co&amp;nduction system</source>
+        <translation>Sistema de co&amp;nducció</translation>
+    </message>
+    <message>
+        <source>In the sample heart: sinus node, atrioventricular node, bundles and branches, lit where the excitation of the beat is; names of parts name them</source>
+        <translation>En el cor de mostra: node sinoauricular, node auriculoventricular, feixos i branques, il·luminats on hi ha l&apos;excitació del batec; els noms de les parts els anomenen</translation>
     </message>
 </context>
 <context>

@@ -692,6 +692,14 @@ N: Namen, H: Griffe, X: Wand, R: zurück, T: hell oder dunkel, Pos1: Anfang</tra
         <source>Distance of the cut from the middle of the organs, in per cent of the distance to their edge</source>
         <translation>Abstand des Schnitts von der Mitte der Organe, in Prozent des Abstands bis zu ihrem Rand</translation>
     </message>
+    <message>
+        <source>Blood</source>
+        <translation>Blut</translation>
+    </message>
+    <message>
+        <source>Fill the chambers of the heart with blood. Without it they are empty and show walls, papillary muscles and valves</source>
+        <translation>Die Kammern des Herzens mit Blut füllen. Ohne Blut sind sie leer und zeigen Wände, Papillarmuskeln und Klappen</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::DeformMode</name>
@@ -1839,6 +1847,13 @@ Bewegen Sie den Regler oben, um welche zu setzen, oder klicken Sie im Modus Grif
             <numerusform>%1 ms, %n Thread</numerusform>
             <numerusform>%1 ms, %n Threads</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::HeartOpener</name>
+    <message>
+        <source>Opening the heart</source>
+        <translation>Das Herz wird geöffnet</translation>
     </message>
 </context>
 <context>
@@ -5249,6 +5264,14 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
     <message>
         <source>Give each triangle of an organ one shade, in place of a smooth surface</source>
         <translation>Jedes Dreieck eines Organs in einem einheitlichen Ton zeigen, statt einer glatten Oberfläche</translation>
+    </message>
+    <message>
+        <source>Co&amp;nduction system</source>
+        <translation>Er&amp;regungsleitungssystem</translation>
+    </message>
+    <message>
+        <source>In the sample heart: sinus node, atrioventricular node, bundles and branches, lit where the excitation of the beat is; names of parts name them</source>
+        <translation>Im Beispielherzen: Sinusknoten, Atrioventrikularknoten, Bündel und Schenkel, hell, wo die Erregung des Schlags ist; Namen der Teile benennen sie</translation>
     </message>
 </context>
 <context>

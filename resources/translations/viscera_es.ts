@@ -692,6 +692,14 @@ N: nombres, H: tiradores, X: pared, R: restablecer, T: claro u oscuro, Inicio: p
         <source>Distance of the cut from the middle of the organs, in per cent of the distance to their edge</source>
         <translation>Distancia de la sección al centro de los órganos, en porcentaje de la distancia hasta su borde</translation>
     </message>
+    <message>
+        <source>Blood</source>
+        <translation>Sangre</translation>
+    </message>
+    <message>
+        <source>Fill the chambers of the heart with blood. Without it they are empty and show walls, papillary muscles and valves</source>
+        <translation>Llenar de sangre las cavidades del corazón. Sin ella están vacías y muestran paredes, músculos papilares y válvulas</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::DeformMode</name>
@@ -1839,6 +1847,13 @@ Mueva el control de arriba para colocar algunos o haga clic en el órgano en el 
             <numerusform>%1 ms, %n hilo</numerusform>
             <numerusform>%1 ms, %n hilos</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::HeartOpener</name>
+    <message>
+        <source>Opening the heart</source>
+        <translation>Abriendo el corazón</translation>
     </message>
 </context>
 <context>
@@ -5249,6 +5264,14 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
     <message>
         <source>Give each triangle of an organ one shade, in place of a smooth surface</source>
         <translation>Dar a cada triángulo de un órgano un solo tono, en lugar de una superficie lisa</translation>
+    </message>
+    <message>
+        <source>Co&amp;nduction system</source>
+        <translation>Sistema de co&amp;nducción</translation>
+    </message>
+    <message>
+        <source>In the sample heart: sinus node, atrioventricular node, bundles and branches, lit where the excitation of the beat is; names of parts name them</source>
+        <translation>En el corazón de muestra: nodo sinoauricular, nodo auriculoventricular, haces y ramas, iluminados donde está la excitación del latido; los nombres de las partes los nombran</translation>
     </message>
 </context>
 <context>

@@ -692,6 +692,14 @@ N&#xa0;: noms, H&#xa0;: poignées, X&#xa0;: paroi, R&#xa0;: rétablir, T&#xa0;: 
         <source>Distance of the cut from the middle of the organs, in per cent of the distance to their edge</source>
         <translation>Distance de la section au milieu des organes, en pourcentage de la distance jusqu’à leur bord</translation>
     </message>
+    <message>
+        <source>Blood</source>
+        <translation>Sang</translation>
+    </message>
+    <message>
+        <source>Fill the chambers of the heart with blood. Without it they are empty and show walls, papillary muscles and valves</source>
+        <translation>Remplir de sang les cavités du cœur. Sans lui, elles sont vides et montrent parois, muscles papillaires et valves</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::DeformMode</name>
@@ -1839,6 +1847,13 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez sur l’organe en mode
             <numerusform>%1 ms, %n thread</numerusform>
             <numerusform>%1 ms, %n threads</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::HeartOpener</name>
+    <message>
+        <source>Opening the heart</source>
+        <translation>Ouverture du cœur</translation>
     </message>
 </context>
 <context>
@@ -5249,6 +5264,14 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     <message>
         <source>Give each triangle of an organ one shade, in place of a smooth surface</source>
         <translation>Donner à chaque triangle d’un organe une seule teinte, au lieu d’une surface lisse</translation>
+    </message>
+    <message>
+        <source>Co&amp;nduction system</source>
+        <translation>Système de co&amp;nduction</translation>
+    </message>
+    <message>
+        <source>In the sample heart: sinus node, atrioventricular node, bundles and branches, lit where the excitation of the beat is; names of parts name them</source>
+        <translation>Dans le cœur d&apos;exemple : nœud sinusal, nœud atrio-ventriculaire, faisceaux et branches, éclairés là où se trouve l&apos;excitation du battement ; les noms des parties les nomment</translation>
     </message>
 </context>
 <context>
