@@ -12,6 +12,9 @@ namespace {
 constexpr double kPaler = 0.25;
 /// The face of blood lies that far behind that of the tissue, mm, which so is seen where both are.
 constexpr double kBloodBehind = 0.2;
+/// Corners of a face that lie that near to the line without them are left out, mm: filling a face takes most
+/// of a frame, and more than in proportion to its corners.
+constexpr double kStraightMm = 0.05;
 
 bool cutWanted(const Scene& scene) {
   return scene.view.cut.on && !scene.view.shown.stress && !scene.state.organs->empty();
@@ -34,6 +37,56 @@ Vec3 faceColor(const document::Organ& organ) {
   return (1 - kPaler) * shownColor(organ.look.color) + kPaler * Vec3::Ones();
 }
 
+/// A cavity's paint is its blood's; without paint, that is the colour of the organ.
+Vec3 bloodColor(const document::Organ& cavity) {
+  const Colors& paint = cavity.mesh->colors;
+  if (!cavity.look.vertexColors || paint.rows() == 0)
+    return shownColor(cavity.look.color);
+  constexpr double kLargestByte = 255;
+  return paint.cast<double>().colwise().mean().transpose() / kLargestByte;
+}
+
+double distanceToSegment(const Vec3& point, const Vec3& from, const Vec3& to) {
+  const Vec3 along = to - from;
+  const double length = along.squaredNorm();
+  const double part = length > 0 ? std::clamp((point - from).dot(along) / length, 0.0, 1.0) : 0.0;
+  return (from + part * along - point).norm();
+}
+
+/// The corners that a closed line keeps: from each the next one as far as all between lie on the way.
+std::vector<Eigen::Index> cornersOf(const Points& points, Eigen::Index begin, Eigen::Index end) {
+  std::vector<Eigen::Index> kept = {begin};
+  for (Eigen::Index next = begin + 2; next <= end; ++next) {
+    const Vec3 from = points.row(kept.back()), to = points.row(next < end ? next : begin);
+    bool straight = true;
+    for (Eigen::Index between = kept.back() + 1; straight && between < next; ++between)
+      straight = distanceToSegment(points.row(between), from, to) <= kStraightMm;
+    if (!straight)
+      kept.push_back(next - 1);
+  }
+  return kept;
+}
+
+/// The closed lines of a cut with fewer corners.
+geometry::PlaneCut withoutStraightCorners(const geometry::PlaneCut& cut) {
+  constexpr std::size_t kFewest = 3;
+  geometry::PlaneCut few;
+  std::vector<Vec3> corners;
+  few.first = {0};
+  for (std::size_t line = 0; line < cut.lines(); ++line) {
+    const auto kept = cornersOf(cut.points, cut.first[line], cut.first[line + 1]);
+    if (!cut.closed[line] || kept.size() < kFewest)
+      continue;
+    for (const Eigen::Index corner : kept)
+      corners.push_back(cut.points.row(corner).transpose());
+    few.first.push_back(static_cast<std::int32_t>(corners.size()));
+    few.closed.push_back(true);
+  }
+  few.points = pointsOf(corners);
+  few.lengthMm = cut.lengthMm;
+  return few;
+}
+
 bool isIn(const document::Organ& organ, const live::SampleHeartOrgans& heart) {
   const auto same = [&](const auto& other) { return other->id == organ.id; };
   return same(heart.outer) || std::any_of(heart.cavities.begin(), heart.cavities.end(), same);
@@ -49,11 +102,13 @@ std::vector<scene::CutCaps::Face> CutPicture::facesOf(const Scene& scene, const 
   };
   std::vector<scene::CutCaps::Face> faces;
   if (const auto& opened = heart.opened()) {
-    faces.push_back({geometry::cutSurface(heart.surface(), plane), {}, faceColor(*opened->heart.outer)});
+    faces.push_back({withoutStraightCorners(geometry::cutSurface(heart.surface(), plane)),
+                     {},
+                     faceColor(*opened->heart.outer)});
     const geometry::Plane behind{plane.origin + kBloodBehind * plane.normal, plane.normal};
     for (const auto& cavity : opened->heart.cavities)
       if (opened->blood && cavity->look.visible && cavity->closed())
-        faces.push_back({cutOf(*cavity, behind), {}, shownColor(cavity->look.color)});
+        faces.push_back({cutOf(*cavity, behind), {}, bloodColor(*cavity)});
   }
   for (const auto& organ : *scene.state.organs) {
     if (!organ->look.visible || !organ->closed() || hollow(*organ, scene.state) ||
