@@ -6,13 +6,14 @@
 #include <string_view>
 #include <utility>
 
+#include "sample_heart.h"
+
 namespace viscera::live {
 namespace {
 
 using Mesh = std::shared_ptr<const geometry::TriangleMesh>;
 
-constexpr const char *kHeart = "heart", *kOuter = "outer", *kTissue = "tissue";
-constexpr std::string_view kHeartAt = "heart@";
+constexpr const char *kOuter = "outer", *kTissue = "tissue";
 constexpr std::array<std::string_view, 4> kCavities = {"lv", "rv", "la", "ra"};
 /// Making the outer surface, which is in the cache as a rule, and then the tissue.
 constexpr double kOuterPart = 0.1;
@@ -54,8 +55,7 @@ Points verticesOf(const std::vector<Mesh>& meshes) {
 std::optional<SampleHeartOrgans> sampleHeartIn(const document::DocumentState& state) {
   SampleHeartOrgans heart;
   for (const auto& organ : *state.organs)
-    if (organ->look.visible && organ->origin.sample.starts_with(kHeartAt) &&
-        organ->origin.surface == kOuter) {
+    if (organ->look.visible && organ->origin.surface == kOuter && heartResolutionOf(organ->origin)) {
       heart.outer = organ;
       break;
     }
@@ -87,13 +87,11 @@ void HeartTissue::at(const SampleHeartOrgans& heart, const PosedOrgans& organs, 
 std::shared_ptr<const HeartTissue> makeHeartTissue(const SampleHeartOrgans& heart,
                                                    const sample_organs::SampleLibrary& library,
                                                    Progress& progress, Threads threads) {
-  const auto resolution =
-      sample_organs::resolutionFromName(heart.outer->origin.sample.substr(kHeartAt.size()));
+  const auto resolution = heartResolutionOf(heart.outer->origin).value();
   const auto surface = [&](const char* name, double from, double to) {
     Mesh mesh;
-    runPart(progress, from, to, [&](Progress& part) {
-      mesh = sample_organs::sampleSurface(library, kHeart, name, resolution, part, threads).mesh;
-    });
+    runPart(progress, from, to,
+            [&](Progress& part) { mesh = heartSurface(library, name, resolution, part, threads); });
     return mesh;
   };
   if (!sameSurface(*surface(kOuter, 0, kOuterPart), *heart.outer->mesh))

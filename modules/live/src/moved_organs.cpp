@@ -1,7 +1,6 @@
 #include "viscera/live/moved_organs.h"
 
-#include <string_view>
-
+#include "sample_heart.h"
 #include "viscera/core/error.h"
 #include "viscera/document/rig.h"
 #include "viscera/sample_organs/sample_organ.h"
@@ -10,9 +9,8 @@ namespace viscera::live {
 namespace {
 
 constexpr double kSecondsOfMinute = 60;
-/// The sample heart, its left ventricle's cavity and that one's wall.
-constexpr const char *kHeart = "heart", *kLeftVentricle = "lv", *kOwnWall = "lv_wall";
-constexpr std::string_view kHeartAt = "heart@";
+/// The cavity of the sample heart's left ventricle and that one's wall.
+constexpr const char *kLeftVentricle = "lv", *kOwnWall = "lv_wall";
 
 coordinates::HandleSet handlesOf(const SequenceFile& file) {
   coordinates::HandleSet handles;
@@ -83,13 +81,11 @@ MovedOrgans movedOrgans(MotionRunner& runner, const coordinates::Registry& syste
 
 void addOwnWall(const document::DocumentState& state, Progress& progress, MovedOrgans& moved) {
   for (const auto& organ : *state.organs) {
-    const document::OrganOrigin& origin = organ->origin;
-    if (origin.surface != kLeftVentricle || !origin.sample.starts_with(kHeartAt))
+    const auto resolution = heartResolutionOf(organ->origin);
+    if (!resolution || organ->origin.surface != kLeftVentricle)
       continue;
-    const auto resolution = sample_organs::resolutionFromName(origin.sample.substr(kHeartAt.size()));
-    const auto wall = sample_organs::sampleSurface(sample_organs::standardLibrary(), kHeart, kOwnWall,
-                                                   resolution, progress);
-    moved.wall = SequenceOrgan{kOwnWall, wall.mesh};
+    moved.wall = SequenceOrgan{
+        kOwnWall, heartSurface(sample_organs::standardLibrary(), kOwnWall, *resolution, progress)};
     return;
   }
 }

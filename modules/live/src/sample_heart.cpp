@@ -1,6 +1,7 @@
 #include "sample_heart.h"
 
 #include <algorithm>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -12,6 +13,9 @@ namespace {
 
 using sample_organs::SampleLibrary;
 
+constexpr const char* kHeart = "heart";
+constexpr std::string_view kHeartAt = "heart@"; ///< Before the resolution.
+
 sequences::AnatomySurface leastOf(std::vector<sequences::AnatomySurface> surfaces) {
   return [surfaces = std::move(surfaces)](const Vec3& point) {
     double least = surfaces.front()(point);
@@ -22,7 +26,7 @@ sequences::AnatomySurface leastOf(std::vector<sequences::AnatomySurface> surface
 }
 
 heart::HeartAnatomy anatomyOf(const SampleLibrary& library) {
-  const auto node = [&](const char* name) { return sample_organs::implicitSurface(library, "heart", name); };
+  const auto node = [&](const char* name) { return sample_organs::implicitSurface(library, kHeart, name); };
   heart::SampleHeartSurfaces surfaces;
   surfaces.ventricles = node("ventricles");
   surfaces.rightCavity = node("surf rv");
@@ -40,6 +44,18 @@ SampleHeart sampleHeart(const SampleLibrary& library, Threads threads) {
   Points rest = motion.rig().restHandles();
   sequences::PoseCompensation compensation = compensationFor(rest, system, threads);
   return {std::move(system), std::move(motion), std::move(rest), std::move(compensation)};
+}
+
+std::optional<sample_organs::Resolution> heartResolutionOf(const document::OrganOrigin& origin) {
+  if (!origin.sample.starts_with(kHeartAt))
+    return std::nullopt;
+  return sample_organs::resolutionFromName(origin.sample.substr(kHeartAt.size()));
+}
+
+std::shared_ptr<const geometry::TriangleMesh> heartSurface(const SampleLibrary& library, const char* name,
+                                                           sample_organs::Resolution resolution,
+                                                           Progress& progress, Threads threads) {
+  return sample_organs::sampleSurface(library, kHeart, name, resolution, progress, threads).mesh;
 }
 
 } // namespace viscera::live
