@@ -146,6 +146,46 @@ TEST_F(CliStrain, OfTheTextbookBeatAgreesWithWhatTheWallGaugeMeasures) {
   EXPECT_GT(std::ifstream(png, std::ios::ate).tellg(), 10000);
 }
 
+/// A pose that makes everything smaller by a tenth shortens and thins each segment by that.
+TEST_F(CliStrain, OfAPoseIsDrawnOnTheOrgan) {
+  const std::string rest = path("rest.mrk.json"), pose = path("pose.mrk.json");
+  runJson({"handles", "sample:heart@low", "-o", rest});
+  json handles = json::parse(contents(rest));
+  for (json& list : handles["markups"])
+    for (json& point : list["controlPoints"])
+      for (json& coordinate : point["position"])
+        coordinate = 0.9 * coordinate.get<double>();
+  std::ofstream(pose, std::ios::binary) << handles;
+  const auto drawn = [&](const std::string& name, const std::vector<std::string>& more) {
+    std::vector<std::string> arguments = {"render", "sample:heart@low", rest,     "-o", path(name),
+                                          "--size", "320x200",          "--pose", pose};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return runJson(arguments);
+  };
+  drawn("posed.png", {});
+  for (const char* direction : {"longitudinal", "circumferential", "radial"}) {
+    const json found = drawn(direction + std::string(".png"), {"--strain", direction});
+    ASSERT_EQ(found["strain"].size(), 1U);
+    EXPECT_EQ(found["strain"][0]["direction"], direction);
+    ASSERT_EQ(found["strain"][0]["segments"].size(), 17U);
+    int known = 0;
+    for (const json& segment : found["strain"][0]["segments"])
+      if (!segment["percent"].is_null()) {
+        EXPECT_NEAR(segment["percent"].get<double>(), -10, 1e-6) << direction << ' ' << segment["number"];
+        ++known;
+      }
+    EXPECT_GE(known, 16) << direction;
+    EXPECT_NE(contents(path(direction + std::string(".png"))), contents(path("posed.png"))) << direction;
+  }
+  expectFailure({"render", "sample:heart@low", rest, "-o", path("x.png"), "--strain", "radial"}, kUsage,
+                "--pose");
+  expectFailure({"render", "sample:heart@low", rest, "-o", path("x.png"), "--pose", pose, "--strain", "x"},
+                kUsage, "--strain");
+  expectFailure(
+      {"render", "sample:stomach@low", rest, "-o", path("x.png"), "--pose", pose, "--strain", "radial"},
+      kBadData, "left ventricle");
+}
+
 TEST_F(CliStrain, SaysWhatItLacks) {
   expectFailure({"strain", "liver.sequence.json"}, kNoInput, "liver.sequence.json");
   expectFailure({"strain", "heartbeat", "--reference", "900", "--instants", "8", "--witnesses", "2000"},
