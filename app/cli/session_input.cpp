@@ -270,6 +270,8 @@ SessionPicture sessionPicture(const document::OpenedSession& opened, const Stage
   if (view.shown.stress)
     if (const Text missing = posed.makeStress(view, context); !missing.empty())
       picture.leftOut.push_back("the stress map (" + missing.english() + ")");
+  if (view.strain.onOrgan && !view.shown.stress && (view.mode == "play" || view.mode == "deform"))
+    picture.leftOut.emplace_back("the segments on the organ (--strain draws those of a pose)");
   const live::StressFrame frame = posed.stress().frame();
   std::optional<presentation::Warping> warping;
   if (state.scan && view.scan.warped && (view.scan.standing || !state.measurements->empty()))

@@ -11,11 +11,15 @@
 #include <numbers>
 #include <vector>
 
+#include <vtkImageData.h>
+#include <vtkSmartPointer.h>
+
 #include "viscera/document/rig_commands.h"
 #include "viscera/presentation/strain_figure.h"
 #include "viscera/presentation/view_state.h"
 #include "viscera/scene/picture.h"
 #include "viscera/strain/aha_segments.h"
+#include "window/compare/comparison.h"
 #include "window/movie/movie_plan.h"
 #include "window/strain/axis_picker.h"
 #include "window/strain/strain_panel.h"
@@ -252,6 +256,54 @@ TEST_F(PlayedStrain, OnTheOrganIsInMovies) {
   ASSERT_EQ(frames.size(), 8);
   const auto frame = scene::readPng((plan.file + QLatin1Char('/') + frames[4]).toStdString());
   EXPECT_LE(scene::comparePictures(grab(window()), frame, 8).differing, 0.005) << "half a beat";
+}
+
+/// The left or the right half of a movie's frame.
+vtkSmartPointer<vtkImageData> halfOf(vtkImageData* frame, bool right) {
+  const int* size = frame->GetDimensions();
+  const int width = size[0] / 2, bytes = frame->GetNumberOfScalarComponents();
+  auto half = vtkSmartPointer<vtkImageData>::New();
+  half->SetDimensions(width, size[1], 1);
+  half->AllocateScalars(VTK_UNSIGNED_CHAR, bytes);
+  for (int y = 0; y < size[1]; ++y)
+    std::copy_n(static_cast<unsigned char*>(frame->GetScalarPointer(right ? width : 0, y, 0)), bytes * width,
+                static_cast<unsigned char*>(half->GetScalarPointer(0, y, 0)));
+  return half;
+}
+
+/// The same heart in both views has the same colours in the window and in a movie.
+TEST_F(PlayedStrain, OnTheOrganIsInBothViewsAndBothHalvesOfMovies) {
+  app::Comparison& comparison = parts().comparison();
+  comparison.showSameOrgan();
+  window().actions()["play.strainOnOrgan"]->trigger();
+  window().viewModel().change([](presentation::ViewState& state) {
+    state.strain.moment = live::StrainMoment::instant;
+    state.heartSigns = {false, false, false, false, false}; // Nothing stands below the picture.
+  });
+  window().playback().seek(0.5);
+  const auto colouredInSecond = [&] {
+    for (const auto& each : comparison.workspace().document().organs())
+      if (const auto actor = comparison.picture().actorOf(each->id); each->name == "LV" && actor)
+        return actor->scalarsShown();
+    return false;
+  };
+  ASSERT_TRUE(waitUntil(colouredInSecond));
+  ASSERT_TRUE(waitUntil([this] { return atPeace(window()); }));
+  app::MoviePlan plan;
+  plan.format = app::MovieFormat::pictures;
+  plan.file = path(QStringLiteral("halves"));
+  plan.size = {1280, 480};
+  plan.framesPerSecond = 10;
+  plan.caption = false;
+  ASSERT_TRUE(parts().record(plan));
+  ASSERT_TRUE(waitUntil([this] { return !parts().recorder().running(); }));
+  const QStringList frames = QDir(plan.file).entryList(QDir::Files, QDir::Name);
+  ASSERT_EQ(frames.size(), 8);
+  const auto frame = scene::readPng((plan.file + QLatin1Char('/') + frames[4]).toStdString());
+  EXPECT_LE(scene::comparePictures(halfOf(frame, false), halfOf(frame, true), 8).differing, 0.005);
+  window().actions()["play.strainOnOrgan"]->trigger();
+  settle();
+  EXPECT_FALSE(colouredInSecond());
 }
 
 TEST_F(PlayedStrain, OfTwoViewsShowsBothAndTheirDifference) {

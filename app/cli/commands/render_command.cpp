@@ -17,6 +17,7 @@
 #include "cli/inputs.h"
 #include "cli/listing.h"
 #include "cli/number_bounds.h"
+#include "cli/pose_strain.h"
 #include "cli/session_input.h"
 #include "cli/slice_picture.h"
 #include "cli/stage_options.h"
@@ -189,6 +190,15 @@ public:
     options.add_flag("--stress", stress_, "Colour the organs by the rotational stress of the pose")
         ->needs(pose)
         ->excludes(influence);
+    options
+        .add_option("--strain", strain_,
+                    "Colour the left ventricle's wall by the strain of its 17 segments in the pose, against "
+                    "rest")
+        ->type_name("DIRECTION")
+        ->check(CLI::IsMember(strainDirectionNames()))
+        ->needs(pose)
+        ->excludes(influence)
+        ->excludes("--stress");
     options.add_option("--color-map", colors_, "Colours of the influence or of the stress")
         ->check(CLI::IsMember(colorMapNames()));
     options
@@ -268,7 +278,8 @@ public:
     for (Shown& one : all) {
       context.progress.throwIfCancelled();
       one.range = range;
-      const Pictures drawn = draw(one, contents, stage_.size.width / static_cast<int>(all.size()), context);
+      const Pictures drawn =
+          draw(one, contents, stage_.size.width / static_cast<int>(all.size()), context, outcome);
       pictures.insert(pictures.end(), drawn.begin(), drawn.end());
     }
     const auto sheet = scene::contactSheet(pictures, static_cast<int>(pictures.size()));
@@ -278,7 +289,7 @@ public:
     else
       scene::writePng(output_, sheet);
     outcome.text = Listing().add("picture", output_).text();
-    outcome.warnings = std::move(contents.warnings);
+    outcome.warnings.insert(outcome.warnings.begin(), contents.warnings.begin(), contents.warnings.end());
     return outcome;
   }
 
@@ -294,8 +305,9 @@ private:
 
   using Pictures = std::vector<vtkSmartPointer<vtkImageData>>;
 
-  /// One picture a side that is asked for.
-  Pictures draw(const Shown& shown, const Contents& contents, int width, CommandContext& context) const {
+  /// One picture a side that is asked for; adds to `outcome` what was measured for it.
+  Pictures draw(const Shown& shown, const Contents& contents, int width, CommandContext& context,
+                Outcome& outcome) const {
     std::vector<document::Organ> seen = contents.organs;
     for (document::Organ& organ : seen)
       organ.look.opacity = opacity_;
@@ -317,6 +329,13 @@ private:
       showPose(organs, contents, *shown.system, shown.options, progress);
       if (stress_)
         map = stressOf(organs, contents, *shown.system, shown.options, colors_, progress);
+      if (!strain_.empty()) {
+        PoseStrain strain = strainOfPose(organs, *contents.rig, *contents.pose, shown.system, shown.options,
+                                         strain_, progress);
+        map = std::move(strain.map);
+        outcome.json["strain"].push_back(std::move(strain.json));
+        outcome.warnings.insert(outcome.warnings.end(), strain.warnings.begin(), strain.warnings.end());
+      }
     }
     StageOptions options = stage_;
     options.size.width = width;
@@ -437,6 +456,7 @@ private:
   scene::LayoutParts parts_{.regions = false};
   std::string pose_;
   bool stress_ = false;
+  std::string strain_; ///< The direction; empty: it is not asked for.
   std::string colors_ = scene::viridis().name;
   std::string slice_;
   double level_ = 0;

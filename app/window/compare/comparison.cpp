@@ -100,7 +100,7 @@ ViewWidget& Comparison::view() {
   return *second_->view;
 }
 
-const Picture& Comparison::picture() const {
+Picture& Comparison::picture() const {
   return *second_->picture;
 }
 

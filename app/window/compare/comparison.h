@@ -78,7 +78,7 @@ public:
   Workspace& workspace();
   Playback& playback();
   ViewWidget& view();
-  const Picture& picture() const;
+  Picture& picture() const;
   /// The other coordinates of the second view, or null.
   ComparedSystem* comparedSystem() const;
   /// The colours of the differences of both views, while other coordinates or poses are compared, else null.

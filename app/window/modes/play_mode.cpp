@@ -21,6 +21,7 @@
 #include "window/sample_loader.h"
 #include "window/status_line.h"
 #include "window/strain/axis_picker.h"
+#include "window/strain/heart_segments.h"
 #include "window/view/view_area.h"
 
 namespace viscera::app {
@@ -278,8 +279,14 @@ void PlayMode::makeStrainActions(Actions& actions) {
   connect(&parts_.view, &ViewModel::changed, this, &PlayMode::syncStrain);
   connect(comparison_.get(), &Comparison::toggled, this, [this](bool on) {
     secondStrain_.reset();
-    if (on)
+    if (on) {
       secondStrain_ = std::make_unique<StrainModel>(comparison_->workspace(), comparison_->playback());
+      connect(secondStrain_.get(), &StrainModel::changed, this, &PlayMode::syncSegments);
+      connect(&comparison_->playback(), &Playback::advanced, secondStrain_.get(), [this] {
+        if (parts_.view.state().strain.moment == live::StrainMoment::instant)
+          syncSegments();
+      });
+    }
     if (strainPanel_)
       strainPanel_->setSecond(secondStrain_.get());
     syncStrain();
@@ -302,51 +309,33 @@ void PlayMode::syncStrain() {
   strain_->setWanted(look.chart || look.onOrgan);
   if (secondStrain_) {
     secondStrain_->choose(choice);
-    secondStrain_->setWanted(look.chart);
+    secondStrain_->setWanted(look.chart || look.onOrgan);
   }
   syncSegments();
 }
 
-/// A surface that was exchanged has no segments until they are found anew.
-SegmentsOfOrgans PlayMode::segments() const {
-  SegmentsOfOrgans found;
-  for (const auto& organ : parts_.workspace.document().organs())
-    if (const std::vector<int>* segments = strain_->segmentsOn(organ->id);
-        segments && static_cast<Eigen::Index>(segments->size()) == organ->mesh->points.rows())
-      found[organ->id] = *segments;
-  return found;
-}
-
 /// Only the modes that move the heart have the switch, and so the colours.
-bool PlayMode::segmentsShown() const {
+bool PlayMode::segmentsWanted() const {
   const presentation::ViewState& view = parts_.view.state();
   const bool moves = view.mode == "play" || view.mode == "deform";
-  return view.strain.onOrgan && moves && !view.shown.stress && (strain_->pose() || strain_->cycle());
-}
-
-presentation::SurfaceMap PlayMode::segmentsNow() const {
-  const presentation::StrainLook& look = parts_.view.state().strain;
-  const StrainModel::Reading pose = strain_->pose();
-  const scene::BullsEyeFigure figure =
-      pose
-          ? presentation::strainBullsEye(*pose, look.direction, live::StrainMoment::instant, 1)
-          : presentation::strainBullsEye(*strain_->cycle(), look.direction, look.moment, strain_->phaseNow());
-  return segmentMap(figure, segments(), look.segment, inWords(figure.title).toStdString());
+  return view.strain.onOrgan && moves && !view.shown.stress;
 }
 
 void PlayMode::syncSegments() {
-  parts_.picture.setSegments(segmentsShown() ? std::optional(segmentsNow()) : std::nullopt);
+  const auto colors = [this](const HeartSegments& heart) {
+    return segmentsWanted() && heart.known() ? std::optional(heart.now(parts_.view.state().strain))
+                                             : std::nullopt;
+  };
+  parts_.picture.setSegments(colors({*strain_, parts_.playback}));
+  if (secondStrain_ && comparison_->on())
+    comparison_->picture().setSegments(colors({*secondStrain_, comparison_->playback()}));
 }
 
-std::function<presentation::SurfaceMap(double)> PlayMode::segmentsOverTime() const {
-  if (!segmentsShown())
+std::function<presentation::SurfaceMap(double)> PlayMode::segmentsOverTime(const StrainModel* strain,
+                                                                           const Playback& playback) const {
+  if (!strain || !segmentsWanted())
     return nullptr;
-  if (!strain_->cycle())
-    return [still = segmentsNow()](double) { return still; };
-  return [movie = SegmentMovie(strain_->cycle(), parts_.view.state().strain, segments(),
-                               parts_.playback.player().periodSeconds())](double seconds) {
-    return movie.at(seconds);
-  };
+  return HeartSegments(*strain, playback).overTime(parts_.view.state().strain);
 }
 
 void PlayMode::click(const ClickedPlace* place) {
@@ -567,9 +556,10 @@ void PlayMode::retractKey() {
 
 bool PlayMode::record(const MoviePlan& plan) {
   std::vector<MovieStage::Source> sources = {
-      {parts_.workspace, parts_.playback, parts_.picture, segmentsOverTime()}};
+      {parts_.workspace, parts_.playback, parts_.picture, segmentsOverTime(strain_.get(), parts_.playback)}};
   if (comparison_->on())
-    sources.push_back({comparison_->workspace(), comparison_->playback(), comparison_->picture(), nullptr});
+    sources.push_back({comparison_->workspace(), comparison_->playback(), comparison_->picture(),
+                       segmentsOverTime(secondStrain_.get(), comparison_->playback())});
   const bool begun = recorder_->start(
       plan, sources,
       MovieSigns::of(shownSigns(parts_.playback, *circulation_, parts_.view.state().heartSigns,

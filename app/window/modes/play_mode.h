@@ -6,6 +6,7 @@
 #include <map>
 #include <memory>
 
+#include "viscera/presentation/presenter.h"
 #include "window/actions.h"
 #include "window/circulation/circulation_model.h"
 #include "window/circulation/circulation_panel.h"
@@ -13,7 +14,6 @@
 #include "window/key_sequence/key_sequence_playback.h"
 #include "window/modes/mode.h"
 #include "window/movie/movie_recorder.h"
-#include "window/strain/segment_map.h"
 #include "window/strain/strain_model.h"
 #include "window/strain/strain_panel.h"
 #include "window/timeline/volume_monitor.h"
@@ -87,10 +87,10 @@ private:
   void chooseStrainFile();
   void syncStrain();
   void syncSegments();
-  bool segmentsShown() const;
-  presentation::SurfaceMap segmentsNow() const;
-  SegmentsOfOrgans segments() const;
-  std::function<presentation::SurfaceMap(double seconds)> segmentsOverTime() const;
+  bool segmentsWanted() const;
+  /// For a movie; null where none are shown.
+  std::function<presentation::SurfaceMap(double seconds)> segmentsOverTime(const StrainModel* strain,
+                                                                           const Playback& playback) const;
   void makeValvesAction(Actions& actions);
   QString whyNoValves() const;
   void syncValves();

@@ -9,20 +9,6 @@
 
 namespace viscera::app {
 
-presentation::SurfaceMap segmentMap(const scene::BullsEyeFigure& figure, const SegmentsOfOrgans& segments,
-                                    int chosen, const std::string& title) {
-  presentation::SurfaceMap map;
-  map.colors = figure.colors;
-  map.range = figure.range;
-  map.title = title;
-  map.unit = figure.unit;
-  map.glassAround = true;
-  for (const auto& [organ, ofVertices] : segments)
-    map.values[organ] =
-        std::make_shared<const Values>(presentation::strainOnSurface(figure, ofVertices, chosen));
-  return map;
-}
-
 std::size_t strainPhaseAt(const live::StrainReading& reading, double seconds, double period) {
   const auto apart = [seconds, period](double other) {
     const double straight = std::abs(std::remainder(other - seconds, period));
@@ -35,7 +21,7 @@ std::size_t strainPhaseAt(const live::StrainReading& reading, double seconds, do
 }
 
 SegmentMovie::SegmentMovie(std::shared_ptr<const live::StrainReading> reading,
-                           const presentation::StrainLook& look, SegmentsOfOrgans segments,
+                           const presentation::StrainLook& look, presentation::SegmentsOfOrgans segments,
                            double periodSeconds)
     : reading_(std::move(reading)), look_(look), segments_(std::move(segments)), period_(periodSeconds),
       title_(inWords(std::string(presentation::titleOf(look.direction))).toStdString()) {}
@@ -43,7 +29,7 @@ SegmentMovie::SegmentMovie(std::shared_ptr<const live::StrainReading> reading,
 presentation::SurfaceMap SegmentMovie::at(double seconds) const {
   const scene::BullsEyeFigure figure = presentation::strainBullsEye(
       *reading_, look_.direction, look_.moment, strainPhaseAt(*reading_, seconds, period_));
-  return segmentMap(figure, segments_, look_.segment, title_);
+  return presentation::segmentMap(figure, segments_, look_.segment, title_);
 }
 
 } // namespace viscera::app

@@ -117,10 +117,13 @@ private:
 ClosedSurface closeHoles(const TriangleMesh& mesh) {
   OpenEdges open = openEdges(mesh.triangles);
   Caps caps(mesh);
-  int holes = 0;
-  for (; !open.empty(); ++holes)
-    caps.add(takeLoop(open));
-  return {holes > 0 ? caps.closed() : mesh, holes};
+  std::vector<Loop> rims;
+  while (!open.empty()) {
+    rims.push_back(takeLoop(open));
+    caps.add(rims.back());
+  }
+  const auto holes = static_cast<int>(rims.size());
+  return {holes > 0 ? caps.closed() : mesh, holes, std::move(rims)};
 }
 
 } // namespace viscera::geometry

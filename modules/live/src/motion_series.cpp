@@ -60,16 +60,33 @@ void warnOf(const tracking::TidySeries& tidy, MotionSeries& series) {
         name, inFixed(tidy.mergedApartMm, 2)));
 }
 
+/// Of the rims of each surface only those that are the same opening in every phase.
+void keepCommonRims(MotionSeries& series) {
+  if (series.rims.empty())
+    return;
+  for (std::size_t i = 0; i < series.names.size(); ++i) {
+    std::vector<tracking::RimmedSurface> phases;
+    for (std::size_t phase = 0; phase < series.meshes.size(); ++phase)
+      phases.push_back({series.meshes[phase][i].get(), &series.rims[phase][i]});
+    const auto common = tracking::commonRims(phases);
+    for (std::size_t phase = 0; phase < series.meshes.size(); ++phase)
+      series.rims[phase][i] = common.empty() ? std::vector<tracking::Rim>() : common[phase];
+  }
+}
+
 /// Surfaces of which each phase has triangles of its own.
 void readFreeMeshes(const SeriesFiles& files, MotionSeries& series, Progress& progress) {
   series.meshes.assign(files.phases, {});
+  series.rims.assign(files.phases, {});
   for (const auto& [name, list] : files.files)
     for (std::size_t phase = 0; phase < list.size(); ++phase) {
       progress.throwIfCancelled();
       geometry::TriangleMesh mesh = medical_io::readSurface(list[phase]).mesh;
       geometry::faceOutward(mesh);
-      mesh = geometry::closeHoles(mesh).mesh;
+      geometry::ClosedSurface closed = geometry::closeHoles(mesh);
+      mesh = std::move(closed.mesh);
       geometry::faceOutward(mesh);
+      series.rims[phase].push_back(std::move(closed.rims));
       series.meshes[phase].push_back(std::make_shared<const geometry::TriangleMesh>(std::move(mesh)));
     }
 }
@@ -315,6 +332,8 @@ void dropPhase(MotionSeries& series, std::size_t phase) {
     surface.phases.erase(surface.phases.begin() + at);
   if (!series.meshes.empty())
     series.meshes.erase(series.meshes.begin() + at);
+  if (!series.rims.empty())
+    series.rims.erase(series.rims.begin() + at);
   if (!series.masks.empty())
     series.masks.erase(series.masks.begin() + at);
   series.volumesMl.erase(series.volumesMl.begin() + at);
@@ -395,6 +414,8 @@ void putOuterFirst(MotionSeries& series) {
   toFront(series.corresponding);
   for (auto& phase : series.meshes)
     toFront(phase);
+  for (auto& phase : series.rims)
+    toFront(phase);
   for (auto& phase : series.masks)
     toFront(phase);
   for (auto& phase : series.volumesMl)
@@ -426,6 +447,7 @@ MotionSeries readOnePhase(const SeriesRequest& request, Progress& progress) {
   series.outer = outerOf(series);
   series.times = tracking::PhaseTimes::even(1, 1);
   putOuterFirst(series);
+  keepCommonRims(series);
   requireCavitiesInside(series);
   return series;
 }
@@ -463,6 +485,7 @@ MotionSeries readMotionSeries(const SeriesRequest& request, Progress& progress) 
   series.times = timesOf(request, given, stated, series.volumesMl.size());
   leaveOut(series, request.leftOut);
   requirePhases(series.phases());
+  keepCommonRims(series);
   requireOneSpace(series);
   requireCavitiesInside(series);
   requireClosedLoop(series);

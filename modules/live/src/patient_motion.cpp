@@ -137,6 +137,9 @@ tracking::PhaseTargets targetsOf(const MotionSeries& series, std::size_t phase) 
       targets.distances.push_back(std::make_shared<const tracking::MeshDistance>(series.meshes[phase][i]));
     else
       targets.distances.push_back(std::make_shared<const tracking::MaskDistance>(series.masks[phase][i]));
+    if (!series.rims.empty())
+      for (const tracking::Rim& rim : series.rims[phase][i])
+        targets.rims.push_back(tracking::pointsOf(rim, series.meshes[phase][i]->points));
   }
   return targets;
 }
@@ -153,6 +156,14 @@ MotionFit fitted(const MotionSeries& series, const MotionRig& rig, const TrackOp
   fit.fit.smoothing = options.smoothing.value_or(kDistanceSmoothing);
   fit.fit.keepVolumes = options.keepVolumes;
   fit.robustMm = options.robustMm;
+  if (!series.rims.empty())
+    for (std::size_t i = 0; i < series.names.size(); ++i)
+      for (const tracking::Rim& rim : series.rims.front()[i]) {
+        tracking::RimRows& own = fit.rims.emplace_back();
+        own.surface = i;
+        for (const std::int32_t vertex : rim)
+          own.rows.push_back(rig.firstRow(i) + vertex);
+      }
   const auto make = [&](std::size_t phase) { return targetsOf(series, phase); };
   return tracking::fitDistances(rig, make, series.times, fit, progress, threads);
 }

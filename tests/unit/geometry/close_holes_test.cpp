@@ -40,6 +40,12 @@ TEST(CloseHoles, AMissingSideOfABoxIsFlatAgainAndTheVolumeExact) {
   EXPECT_TRUE(report.closed());
   EXPECT_TRUE(report.manifold());
   EXPECT_NEAR(report.volumeMm3, 24, 1e-13);
+  ASSERT_EQ(closed.rims.size(), 1U);
+  double around = 0;
+  const std::vector<std::int32_t>& rim = closed.rims.front();
+  for (std::size_t i = 0; i < rim.size(); ++i)
+    around += (box.points.row(rim[(i + 1) % rim.size()]) - box.points.row(rim[i])).norm();
+  EXPECT_NEAR(around, 10, 1e-13) << "the sides of the missing one, 2 by 3, in their order";
 }
 
 TEST(CloseHoles, AMissingTriangleComesBackWithoutANewPoint) {

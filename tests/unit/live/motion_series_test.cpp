@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "beating_labels.h"
+#include "open_balls.h"
 #include "shapes.h"
 #include "temporary_folder.h"
 #include "viscera/core/error.h"
@@ -185,6 +186,29 @@ TEST(MotionSeries, TakesSurfacesOfOtherTrianglesByTheirDistances) {
   ASSERT_EQ(found.meshes.size(), 11U);
   EXPECT_NE(found.warnings.front().english().find("outer has other triangles in phase 3 than in the first"),
             std::string::npos);
+}
+
+TEST(MotionSeries, KnowsTheRimsThatSurfacesOfOtherTrianglesHaveInEveryPhase) {
+  const std::vector<double> openings = {0.75, 0.77, 0.79, 0.8, 0.78, 0.76};
+  Series series;
+  for (std::size_t phase = 0; phase < openings.size(); ++phase) {
+    const int around = 24 + static_cast<int>(phase);
+    geometry::TriangleMesh ball = tests::openBall(openings[phase], 14, around).mesh;
+    ball.points.conservativeResize(ball.points.rows() - 1, 3); // Without its cap.
+    ball.triangles.conservativeResize(ball.triangles.rows() - around, 3);
+    series.put("outer_" + std::to_string(phase) + ".obj", objOf(ball));
+  }
+  SeriesRequest request = series.request();
+  request.leftOut = {1};
+  const MotionSeries found = read(request);
+  ASSERT_EQ(found.rims.size(), 5U);
+  for (std::size_t phase = 0; phase < 5; ++phase) {
+    ASSERT_EQ(found.rims[phase].size(), 1U);
+    ASSERT_EQ(found.rims[phase][0].size(), 1U) << "its valve, in phase " << phase;
+    const Points rim = tracking::pointsOf(found.rims[phase][0][0], found.meshes[phase][0]->points);
+    const double height = tests::kOpenBallMm * std::cos(openings[phase < 1 ? phase : phase + 1]);
+    EXPECT_LT((rim.col(2).array() - height).abs().maxCoeff(), 1e-4) << phase;
+  }
 }
 
 TEST(MotionSeriesRefuses, FewerThanFourPhases) {

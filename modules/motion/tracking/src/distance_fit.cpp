@@ -9,6 +9,8 @@
 #include <Eigen/Cholesky>
 
 #include "viscera/core/phrase.h"
+#include "viscera/tracking/rims.h"
+#include "viscera/tracking/surface_series.h"
 
 namespace viscera::tracking {
 namespace {
@@ -43,6 +45,53 @@ Offsets offsetsAt(const MotionRig& rig, const PhaseTargets& targets, const Point
   return offsets;
 }
 
+/// The vertices of a rig's rims, one below the other.
+class RigRims {
+public:
+  RigRims(const MotionRig& rig, const DistanceFitOptions& options) {
+    Eigen::Index count = 0;
+    for (const RimRows& rim : options.rims)
+      count += static_cast<Eigen::Index>(rim.rows.size());
+    weights_.resize(count, rig.handles());
+    shares_.resize(count);
+    const double width = options.rimMm > 0 ? options.rimMm : softnessFor(rig.rest(), 0, 1);
+    count = 0;
+    for (std::size_t i = 0; i < options.rims.size(); ++i) {
+      const RimRows& rim = options.rims[i];
+      const auto size = static_cast<Eigen::Index>(rim.rows.size());
+      weights_.middleRows(count, size) = rig.weights()(rim.rows, Eigen::all);
+      const geometry::TriangleMesh& surface = rig.surfaces()[rim.surface];
+      const double area = vertexAreas(surface.points, surface.triangles).sum();
+      const Values lengths = lengthsAlong(rig.vertices(rig.rest())(rim.rows, Eigen::all));
+      shares_.segment(count, size) = width / (area * static_cast<double>(rig.surfaces().size())) * lengths;
+      of_.insert(of_.end(), rim.rows.size(), i);
+      count += size;
+    }
+  }
+
+  bool empty() const { return of_.empty(); }
+  const Eigen::MatrixXd& weights() const { return weights_; } ///< `k x n`.
+  const Values& shares() const { return shares_; }            ///< `k`.
+
+  /// How far each vertex is from its line, and the direction of that line.
+  void from(const std::vector<Points>& lines, const Points& pose, Points& away, Points& along) const {
+    const Points points = weights_ * pose;
+    away.resize(points.rows(), 3);
+    along.resize(points.rows(), 3);
+    for (Eigen::Index v = 0; v < points.rows(); ++v) {
+      const Vec3 point = points.row(v);
+      const PlaceOnRim place = nearestOnRim(lines[of_[static_cast<std::size_t>(v)]], point);
+      away.row(v) = (point - place.point).transpose();
+      along.row(v) = place.direction.transpose();
+    }
+  }
+
+private:
+  std::vector<std::size_t> of_;
+  Eigen::MatrixXd weights_;
+  Values shares_;
+};
+
 /// Where a phase is to be in time, and how much that counts.
 struct Pull {
   Points to;
@@ -53,7 +102,7 @@ struct Pull {
 class PhaseFit {
 public:
   PhaseFit(const MotionRig& rig, const DistanceFitOptions& options, Threads threads)
-      : rig_(rig), options_(options), threads_(threads) {}
+      : rig_(rig), options_(options), threads_(threads), rims_(rig, options) {}
 
   /// Steps until nothing moves; how many were made.
   int run(const PhaseTargets& targets, double bending, const Pull& pull, int most, Points& pose,
@@ -62,13 +111,18 @@ public:
       progress.throwIfCancelled();
       const Offsets offsets = offsetsAt(rig_, targets, pose, threads_);
       const Values weights = weightsOf(offsets);
+      if (!rims_.empty())
+        rims_.from(targets.rims, pose, awayFromRim_, alongRim_);
       factorise(offsets, weights, bending, pull.weight);
-      // Right side of the step: -(W^T (w d n) + bending B P + pull (P - to)), with coordinates W, distances d
-      // along unit normals n, weights w and the pose P.
+      // Right side of the step: -(W^T (w d n) + bending B P + pull (P - to) + W_r^T w_r (W_r P - c)), with
+      // coordinates W, distances d along unit normals n, weights w, the pose P, and c the places on rims that
+      // are nearest to a rig's own rims W_r P.
       const Points pushed = weights.cwiseProduct(offsets.distance).asDiagonal() * offsets.normal;
       Points gradient = -(rig_.weights().transpose() * pushed) - bending * (rig_.bending() * pose);
       if (pull.weight > 0)
         gradient -= pull.weight * (pose - pull.to);
+      if (!rims_.empty())
+        gradient -= rims_.weights().transpose() * (rims_.shares().asDiagonal() * awayFromRim_);
       const Points change = solve(gradient);
       pose += change;
       const double largest = std::sqrt(rig_.vertices(change).rowwise().squaredNorm().maxCoeff());
@@ -95,6 +149,14 @@ private:
     return (rig_.shares().array() * options_.robustMm / far).matrix();
   }
 
+  /// What holds the vertices of rims: everything across the rim, little along it.
+  Values rimScale(Eigen::Index row, Eigen::Index column) const {
+    Values scale = (options_.sliding - 1) * alongRim_.col(row).cwiseProduct(alongRim_.col(column));
+    if (row == column)
+      scale.array() += 1;
+    return scale.cwiseProduct(rims_.shares());
+  }
+
   void factorise(const Offsets& offsets, const Values& weights, double bending, double pull) {
     static constexpr std::array<std::pair<int, int>, 6> kBlocks = {
         {{0, 0}, {1, 0}, {1, 1}, {2, 0}, {2, 1}, {2, 2}}};
@@ -112,6 +174,9 @@ private:
       const Eigen::MatrixXd scaled = scale.asDiagonal() * rig_.weights();
       Eigen::MatrixXd half(n, n);
       half.triangularView<Eigen::Lower>() = rig_.weights().transpose() * scaled;
+      if (!rims_.empty())
+        half.triangularView<Eigen::Lower>() +=
+            rims_.weights().transpose() * rimScale(row, column).asDiagonal() * rims_.weights();
       Eigen::MatrixXd block = half.selfadjointView<Eigen::Lower>();
       if (row == column) {
         block += bending * rig_.bending();
@@ -125,6 +190,8 @@ private:
   const MotionRig& rig_;
   const DistanceFitOptions& options_;
   Threads threads_;
+  RigRims rims_;
+  Points awayFromRim_, alongRim_; ///< At the last pose.
   Eigen::MatrixXd matrix_;
   Eigen::LLT<Eigen::MatrixXd> solver_;
 };
@@ -168,6 +235,8 @@ std::size_t PhaseTargets::bytes() const {
   std::size_t sum = 0;
   for (const auto& distance : distances)
     sum += distance->bytes();
+  for (const Points& rim : rims)
+    sum += sizeof(double) * static_cast<std::size_t>(rim.size());
   return sum;
 }
 

@@ -147,6 +147,18 @@ TEST(HeartStrain, ThickeningIsTheChangeOfTheThicknessAgainstTheReference) {
   }
 }
 
+/// What becomes smaller by three tenths in each direction has 0.49 of its area.
+TEST(HeartStrain, AreaStrainIsTheChangeOfTheAreaOfEachSegmentAndSurface) {
+  const HeartStrain strain =
+      BeatingHeart({.narrowing = 0.3, .shortening = 0.3, .twist = 0}).measured(Vec3(-10, -20, 40));
+  tests::HeldValue areas("area strain of all segments and surfaces of a heart that becomes smaller", 1e-9);
+  for (int number = 1; number <= 16; ++number)
+    areas.add(strain.segment(number).area[4] - (0.49 - 1));
+  ASSERT_EQ(strain.areas.size(), 2U);
+  for (const ContourStrain& surface : strain.areas)
+    areas.add(surface.curve[4] - (0.49 - 1));
+}
+
 /// A reader that has closed a surface knows its caps.
 TEST(HeartStrain, TakesCapsThatAreKnown) {
   BeatingHeart beating({.narrowing = 0.2, .shortening = 0.1, .twist = 0.1});

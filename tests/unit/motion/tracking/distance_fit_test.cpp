@@ -3,11 +3,13 @@
 #include <gtest/gtest.h>
 
 #include "beating_shell.h"
+#include "open_balls.h"
 #include "viscera/core/error.h"
 #include "viscera/geometry/volume.h"
 #include "viscera/tracking/distance_fit.h"
 #include "viscera/tracking/fit_quality.h"
 #include "viscera/tracking/mask_distance.h"
+#include "viscera/tracking/rims.h"
 
 namespace viscera::tracking {
 namespace {
@@ -100,6 +102,61 @@ TEST(FitDistances, TakesSurfacesOfAnyTriangles) {
       EXPECT_TRUE(fit.volumes[phase].met);
     }
   }
+}
+
+/// How far down the ball the opening reaches in a phase of four.
+double openingAt(std::size_t phase) {
+  return (0.75 + 0.1 * (1 - std::cos(0.5 * std::numbers::pi * static_cast<double>(phase))));
+}
+
+/// The change of the length of the wall from its rim to the ball's bottom in the third phase, where the
+/// opening is widest: as fitted to balls of other triangles, and how far the rim is from where it should be,
+/// mm.
+struct GlidingWall {
+  static constexpr int kRings = 14, kAround = 24;
+  double lengthening = 0, rimMm = 0;
+
+  explicit GlidingWall(bool withRims) {
+    const geometry::ClosedSurface rest = tests::openBall(openingAt(0), kRings, kAround);
+    const Points at = placeMotionHandles({rest.mesh}, 0, {}).rest;
+    Progress progress;
+    const MotionRig rig({rest.mesh}, at, 3, softnessFor(at, 8, 1.5), progress);
+    DistanceFitOptions options;
+    if (withRims)
+      options.rims.push_back({0, {rest.rims.front().begin(), rest.rims.front().end()}});
+    const auto targets = [withRims](std::size_t phase) {
+      const auto ball = tests::openBall(openingAt(phase), phase == 0 ? kRings : 17, phase == 0 ? kAround : 31,
+                                        phase == 0 ? 0 : 0.07);
+      auto mesh = std::make_shared<const geometry::TriangleMesh>(ball.mesh);
+      PhaseTargets found{{std::make_shared<const MeshDistance>(mesh)}, Values(1)};
+      found.volumesMl[0] = geometry::volume(mesh->points, mesh->triangles) / 1000;
+      if (withRims)
+        found.rims.push_back(pointsOf(ball.rims.front(), ball.mesh.points));
+      return found;
+    };
+    const MotionFit fit = fitDistances(rig, targets, PhaseTimes::even(4, 1), options, progress);
+    const Points points = rig.vertices(fit.poses[2]);
+    const auto lengthOf = [](const Points& of, int place) {
+      double length = (of.row(kRings * kAround) - of.row((kRings - 1) * kAround + place)).norm();
+      for (int ring = 1; ring < kRings; ++ring)
+        length += (of.row(ring * kAround + place) - of.row((ring - 1) * kAround + place)).norm();
+      return length;
+    };
+    for (int place = 0; place < kAround; ++place) {
+      lengthening += (lengthOf(points, place) / lengthOf(rest.mesh.points, place) - 1) / kAround;
+      const double down = std::acos(points(place, 2) / points.row(place).norm());
+      rimMm += tests::kOpenBallMm * std::abs(down - openingAt(2)) / kAround;
+    }
+  }
+};
+
+TEST(FitDistances, KeepsTheRimOfAnOpeningOnItsRimWhereTheWallGlides) {
+  const double wall = std::numbers::pi - openingAt(0), truth = (openingAt(0) - openingAt(2)) / wall;
+  ASSERT_LT(truth, -0.08) << "the wall shortens by 8 %";
+  const GlidingWall with(true), without(false);
+  EXPECT_NEAR(with.lengthening, truth, 0.01);
+  EXPECT_LT(with.rimMm, 0.45);
+  EXPECT_GT(without.rimMm, 0.7) << "distances alone let it slip: else this test holds nothing";
 }
 
 TEST(FitDistances, DoesNotDependOnTheNumberOfThreads) {

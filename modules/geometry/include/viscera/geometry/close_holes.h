@@ -1,5 +1,8 @@
 #pragma once
 
+#include <cstdint>
+#include <vector>
+
 #include "viscera/geometry/triangle_mesh.h"
 
 namespace viscera::geometry {
@@ -8,6 +11,8 @@ namespace viscera::geometry {
 struct ClosedSurface {
   TriangleMesh mesh; ///< The given points first, unchanged; then one for the middle of every larger hole.
   int holes = 0;     ///< How many were filled.
+  /// The vertices of each hole's rim in their order along it, the first not repeated.
+  std::vector<std::vector<std::int32_t>> rims = {};
 };
 
 /// Fills every hole of an open surface by a cap: one triangle where three edges are open, else a fan around

@@ -12,6 +12,7 @@
 #include "viscera/geometry/triangle_mesh.h"
 #include "viscera/tracking/mask.h"
 #include "viscera/tracking/phase_times.h"
+#include "viscera/tracking/rims.h"
 #include "viscera/tracking/surface_series.h"
 
 /// Reads a patient's organ over time from a series of files.
@@ -46,6 +47,10 @@ struct MotionSeries {
   std::vector<tracking::SurfaceSeries> corresponding;
   /// Surfaces without correspondence, `[phase][surface]`; else empty.
   std::vector<std::vector<std::shared_ptr<const geometry::TriangleMesh>>> meshes;
+  /// The rims of the openings of `meshes` that every phase has, each filled by a cap:
+  /// `[phase][surface][rim]`, the same opening at the same place of each list. Empty where there are no
+  /// `meshes`.
+  std::vector<std::vector<std::vector<tracking::Rim>>> rims;
   /// Voxels of label maps, `[phase][surface]`; else empty.
   std::vector<std::vector<tracking::Mask>> masks;
   std::vector<std::vector<double>> volumesMl; ///< Measured, `[phase][surface]`.
