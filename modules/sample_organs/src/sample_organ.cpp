@@ -79,7 +79,7 @@ public:
       cache_.store(key, *mesh);
     }
     return {surface.name, std::make_shared<const geometry::TriangleMesh>(std::move(*mesh)), surface.color,
-            surface.places, surface.organ};
+            surface.places, surface.organ, surface.hidden};
   }
 
 private:

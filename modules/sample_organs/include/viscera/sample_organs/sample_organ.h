@@ -29,6 +29,7 @@ struct SampleSurface {
   /// Of an organ of its own, its name: "Liver". Empty for the one surface of an organ, and for cavities in
   /// it.
   std::string organ = {};
+  bool hidden = false; ///< Not shown until someone switches it on: it covers other organs.
 };
 
 struct SampleOrgan {
