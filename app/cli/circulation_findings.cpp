@@ -111,6 +111,11 @@ nlohmann::ordered_json responseJson(const circulation::ResponsePoint& point) {
   return row;
 }
 
+presentation::ShownCirculation shownOf(const Text& name, const circulation::Parameters& parameters,
+                                       const circulation::PeriodicState& state) {
+  return {name, parameters, state.beat, circulation::indicesOf(parameters, state.beat)};
+}
+
 void writeCurves(const std::filesystem::path& file, const std::vector<circulation::NamedCurve>& curves) {
   writeAtomically(file, [&](std::ostream& out) {
     for (std::size_t i = 0; i < curves.size(); ++i)

@@ -41,6 +41,20 @@ document::Organ organOf(const sample_organs::SampleOrgan& sample,
   return document::organFrom(surface, outer ? sample.name : sample.name + "/" + surface.name);
 }
 
+/// A surface of a sample that is none of its organs, such as the heart's tissue; nothing where the definition
+/// has none of that name.
+std::optional<document::Organ> furtherSurface(const SampleReference& reference,
+                                              const sample_organs::SampleLibrary& samples,
+                                              Progress& progress) {
+  try {
+    const sample_organs::SampleSurface surface = sample_organs::sampleSurface(
+        samples, reference.organ, reference.surface, reference.resolution, progress);
+    return document::organFrom(surface, reference.organ + "/" + surface.name);
+  } catch (const UsageError&) {
+    return std::nullopt;
+  }
+}
+
 /// A label map and the labels to read from it.
 struct LabelReference {
   std::filesystem::path file;
@@ -189,6 +203,9 @@ std::vector<document::Organ> organInputs(const std::string& organ,
       if (reference.surface == surface.name) // Whoever names what is hidden at first wants to see it.
         result.back().look.visible = true;
     }
+    if (result.empty())
+      if (auto further = furtherSurface(reference, samples, progress))
+        result.push_back(std::move(*further));
     if (result.empty())
       throw UsageError("It has no surface \"" + reference.surface + "\"", organ, "it has " + listed(names));
   }

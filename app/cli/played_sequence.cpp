@@ -154,26 +154,35 @@ void bindAll(PlayedSequence& played, Surfaces surfaces, const document::SystemCh
   }
 }
 
-/// The sequence itself, or the heart that follows a circulation.
-live::SequenceSetup setUpFor(const PlayRequest& request, sample_organs::Resolution resolution,
-                             CommandContext& context) {
+/// The circulation of the scenario that is asked for; empty: none is.
+std::optional<DrivingCirculation> scenarioOf(const PlayRequest& request) {
   if (request.scenario.empty())
+    return std::nullopt;
+  DrivingCirculation driving{named(circulation::scenario(request.scenario).name),
+                             circulation::scenarioParameters(request.scenario)};
+  if (request.ratePerMinute > 0)
+    circulation::setParameter(driving.parameters, "rate", request.ratePerMinute);
+  return driving;
+}
+
+/// The sequence itself, or the heart that follows a circulation.
+live::SequenceSetup setUpFor(const PlayRequest& request, const std::optional<DrivingCirculation>& driving,
+                             sample_organs::Resolution resolution, CommandContext& context) {
+  if (!driving)
     return live::setUpSequence(context.samples, request.sequence, resolution, context.progress,
                                context.threads);
-  circulation::Parameters parameters = circulation::scenarioParameters(request.scenario);
-  if (request.ratePerMinute > 0)
-    circulation::setParameter(parameters, "rate", request.ratePerMinute);
-  return live::circulatingHeart(context.samples, named(circulation::scenario(request.scenario).name),
-                                parameters, resolution, context.progress, context.threads);
+  return live::circulatingHeart(context.samples, driving->name, driving->parameters, resolution,
+                                context.progress, context.threads);
 }
 
 /// A shipped sequence on its own organ, or on one of that organ's surfaces.
 PlayedSequence onOwnOrgan(const PlayRequest& request, CommandContext& context) {
   const std::optional<sample_organs::Resolution> resolution =
       resolutionOf(request.organ, ownOrgan(request.sequence));
-  const live::SequenceSetup setup =
-      setUpFor(request, resolution.value_or(sample_organs::Resolution::medium), context);
   PlayedSequence played;
+  played.driving = scenarioOf(request);
+  const live::SequenceSetup setup =
+      setUpFor(request, played.driving, resolution.value_or(sample_organs::Resolution::medium), context);
   played.sequence = setup.sequence;
   played.rig = setup.rig;
   Surfaces surfaces;
@@ -336,6 +345,7 @@ PlayedSequence fromSession(const PlayRequest& request, CommandContext& context) 
     played.ratePerMinute = std::clamp(view.playing->ratePerMinute, played.sequence->lowestRatePerMinute(),
                                       played.sequence->highestRatePerMinute());
   played.prescribed = prescribedOf(state, view);
+  played.driving = drivingOf(state, view);
   played.document = std::make_unique<BoundDocument>(state, context);
   const std::vector<std::string> names = columnNames(*state.organs);
   for (std::size_t i = 0; i < names.size(); ++i) {

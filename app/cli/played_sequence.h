@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "cli/command.h"
+#include "cli/heart_signs.h"
 #include "viscera/core/phrase.h"
 #include "viscera/document/undo_stack.h"
 #include "viscera/live/live_binding.h"
@@ -65,6 +66,7 @@ struct PlayedSequence {
   bool ofSession = false;
   double ratePerMinute = 0;                         ///< Rate of the session; 0: the sequence's standard rate.
   std::optional<live::PrescribedVolume> prescribed; ///< The volume that the session prescribes.
+  std::optional<DrivingCirculation> driving; ///< The circulation that moves the heart; empty: none does.
   /// What was computed when the organ is not the sequence's own.
   std::optional<live::RetargetedSequence> retargeted;
 

@@ -20,6 +20,7 @@
 #include "viscera/live/live_stress.h"
 #include "viscera/live/motion_copy.h"
 #include "viscera/live/motion_recipe.h"
+#include "viscera/presentation/opened_heart.h"
 #include "viscera/presentation/presenter.h"
 #include "viscera/presentation/space_parts.h"
 #include "viscera/presentation/unsuited_motion.h"
@@ -73,17 +74,20 @@ presentation::ViewState viewOf(const document::OpenedSession& opened, bool fromS
   }
 }
 
-/// The valves of the sample heart at the instant that the view shows.
-std::optional<heart::ValveInstants> valvesOf(const document::DocumentState& state,
-                                             const presentation::ViewState& view) {
+/// Sets the valves and the clock of the sample heart at the instant that the view shows.
+void setInstant(presentation::Scene& scene) {
+  const presentation::ViewState& view = scene.view;
   if (!view.playing || !view.playing->shown)
-    return std::nullopt;
+    return;
   const auto chosen = static_cast<std::size_t>(view.playing->motion);
   if (view.playing->motion < 0 || chosen >= view.motions.size())
-    return std::nullopt;
+    return;
   Progress quiet;
-  return live::heartValves(view.motions[chosen].recipe, *state.circulation, view.playing->fraction,
-                           view.playing->ratePerMinute, quiet);
+  const std::string& recipe = view.motions[chosen].recipe;
+  const double fraction = view.playing->fraction, rate = view.playing->ratePerMinute;
+  scene.valves = live::heartValves(recipe, *scene.state.circulation, fraction, rate, quiet);
+  if (view.conduction)
+    scene.clock = live::heartClock(recipe, *scene.state.circulation, fraction, rate, quiet);
 }
 
 } // namespace
@@ -96,6 +100,18 @@ std::optional<live::PrescribedVolume> prescribedOf(const document::DocumentState
   return live::PrescribedVolume{prescribed.organ, sequences::volumeCurve(prescribed.curve), prescribed.file};
 }
 
+std::optional<DrivingCirculation> drivingOf(const document::DocumentState& state,
+                                            const presentation::ViewState& view) {
+  const int motion = presentation::motionOf(view);
+  const auto chosen = static_cast<std::size_t>(motion);
+  if (motion < 0 || chosen >= view.motions.size() || !state.organ(view.motions[chosen].organ))
+    return std::nullopt;
+  const document::CirculationChoice& circulation = *state.circulation;
+  if (!circulation.drives || !live::sampleHeartOf(view.motions[chosen].recipe))
+    return std::nullopt;
+  return DrivingCirculation{document::nameOf(circulation), circulation.parameters};
+}
+
 std::shared_ptr<const sequences::Sequence> sequenceOf(const document::DocumentState& state,
                                                       const presentation::ViewState& view,
                                                       CommandContext& context) {
@@ -104,10 +120,9 @@ std::shared_ptr<const sequences::Sequence> sequenceOf(const document::DocumentSt
   if (motion >= 0 && chosen < view.motions.size())
     if (const auto organ = state.organ(view.motions[chosen].organ)) {
       const std::string& recipe = view.motions[chosen].recipe;
-      const document::CirculationChoice& circulation = *state.circulation;
-      if (const auto resolution = live::sampleHeartOf(recipe); resolution && circulation.drives)
-        return live::circulatingHeart(context.samples, document::nameOf(circulation), circulation.parameters,
-                                      *resolution, context.progress, context.threads)
+      if (const std::optional<DrivingCirculation> driving = drivingOf(state, view))
+        return live::circulatingHeart(context.samples, driving->name, driving->parameters,
+                                      *live::sampleHeartOf(recipe), context.progress, context.threads)
             .sequence;
       return live::makeMotion(recipe, *organ, context.samples, context.progress);
     }
@@ -218,6 +233,18 @@ Outcome describeSession(const std::string& file, CommandContext& context) {
   return outcome;
 }
 
+std::optional<ShownBeat> shownBeat(const document::OpenedSession& opened, CommandContext& context) {
+  const document::DocumentState& state = opened.contents.state;
+  const presentation::ViewState view = viewOf(opened, false);
+  if (!view.playing || !view.playing->shown)
+    return std::nullopt;
+  const auto sequence = sequenceOf(state, view, context);
+  if (!sequence)
+    return std::nullopt;
+  return ShownBeat{toldBeat(*sequence, drivingOf(state, view), view.playing->ratePerMinute),
+                   view.playing->fraction};
+}
+
 SliceOutcome sessionSlice(const document::OpenedSession& opened, const SliceRequest& slice, double level,
                           double width, const StageOptions& options, CommandContext& context) {
   presentation::ViewState view = viewOf(opened, true);
@@ -251,7 +278,9 @@ SessionPicture sessionPicture(const document::OpenedSession& opened, const Stage
   presentation::Stage stage = stageFor(options, context.threads);
   presentation::Scene scene{posed.state(), posed.organs(), view, context.systems, &frame};
   scene.warping = warping ? &*warping : nullptr;
-  scene.valves = valvesOf(state, view);
+  setInstant(scene);
+  scene.heartTissue =
+      presentation::heartTissueFor(posed.state(), view, context.samples, context.progress, context.threads);
   stage.presenter().update(scene);
   if (!fromSide && view.camera)
     presentation::lookFrom(*view.camera, stage.view());

@@ -8,6 +8,7 @@
 #include <vtkSmartPointer.h>
 
 #include "cli/command.h"
+#include "cli/heart_signs.h"
 #include "cli/slice_picture.h"
 #include "cli/stage_options.h"
 #include "viscera/core/job_queue.h"
@@ -35,6 +36,10 @@ Outcome describeSession(const std::string& file, CommandContext& context);
 std::shared_ptr<const sequences::Sequence> sequenceOf(const document::DocumentState& state,
                                                       const presentation::ViewState& view,
                                                       CommandContext& context);
+
+/// The circulation with which the sample heart of a session's motion beats; empty: with none.
+std::optional<DrivingCirculation> drivingOf(const document::DocumentState& state,
+                                            const presentation::ViewState& view);
 
 /// The volume that the session prescribes while its sequence moves the organs; none where it does not, and
 /// where the organ is missing. Throws `DataError` for one that is no curve of volumes.
@@ -82,6 +87,15 @@ struct SessionPicture {
 /// the stress map, and the camera, unless `fromSide` asks for the side of `options`.
 SessionPicture sessionPicture(const document::OpenedSession& opened, const StageOptions& options,
                               bool fromSide, CommandContext& context);
+
+/// A beat with the instant that is shown of it.
+struct ShownBeat {
+  ToldBeat beat;
+  double fraction = 0; ///< The part of the cycle that has passed, 0 to 1.
+};
+/// The beat in whose pose the session's organs were saved; empty when they were in another pose. Makes the
+/// sequence again. Throws what reading the view throws.
+std::optional<ShownBeat> shownBeat(const document::OpenedSession& opened, CommandContext& context);
 
 /// A slice of the session's scan and organs in the pose that the window showed, with its looks; warped along
 /// when it was. `width` 0: level and width are the session's too. Throws as `slicePicture` and what binding

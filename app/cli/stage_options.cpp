@@ -41,9 +41,12 @@ void addStageOptions(CLI::App& options, StageOptions& stage, std::string& size) 
       ->capture_default_str();
 }
 
+scene::Theme themeOf(const StageOptions& options) {
+  return options.theme == "light" ? scene::lightTheme() : scene::darkTheme();
+}
+
 presentation::Stage stageFor(const StageOptions& options, Threads threads) {
-  return {options.size.width, options.size.height,
-          options.theme == "light" ? scene::lightTheme() : scene::darkTheme(), threads};
+  return {options.size.width, options.size.height, themeOf(options), threads};
 }
 
 } // namespace viscera::app::cli

@@ -32,6 +32,9 @@ struct StageOptions {
 /// Adds `--size`, `--view` and `--theme`. The size is text until the command runs `pictureSize`.
 void addStageOptions(CLI::App& options, StageOptions& stage, std::string& size);
 
+/// The colours of `--theme`.
+scene::Theme themeOf(const StageOptions& options);
+
 /// A stage of that size and theme. Throws as `presentation::Stage`.
 presentation::Stage stageFor(const StageOptions& options, Threads threads);
 

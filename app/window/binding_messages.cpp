@@ -33,7 +33,13 @@ BindingMessages::~BindingMessages() {
     bar_->retract(shown_);
 }
 
+void BindingMessages::followMotion() {
+  if (moving_ != moved_())
+    sync();
+}
+
 void BindingMessages::sync() {
+  moving_ = moved_();
   using State = live::BindingStatus::State;
   double seconds = 0;
   QStringList notes;
@@ -112,6 +118,12 @@ Message BindingMessages::messageFor(const document::Organ& organ, const live::Bi
     message.offers.push_back({tr("Add enclosing group"), [this, id = organ.id, vertices = status.inNoRegion] {
                                 repaired_.perform(document::addEnclosingGroup(id, vertices));
                               }});
+    return message;
+  }
+  if (status.outsideHull > 0 && moving_) {
+    message.text = tr("%n vertices of %1 lie outside the handles of the motion, so %1 stays at rest.",
+                      nullptr, status.outsideHull)
+                       .arg(inWords(presentation::labelOf(organ)));
     return message;
   }
   if (status.outsideHull > 0) {

@@ -3,6 +3,8 @@
 #include <QObject>
 #include <QPointer>
 
+#include <functional>
+#include <utility>
 #include <vector>
 
 #include "window/widgets/message_bar.h"
@@ -22,6 +24,11 @@ public:
                   Workspace* repaired = nullptr);
   ~BindingMessages() override;
 
+  /// Says whether a motion moves the handles: to add others would stop it, so that no message offers that.
+  void setMoved(std::function<bool()> moved) { moved_ = std::move(moved); }
+  /// Call it where that may have changed.
+  void followMotion();
+
 Q_SIGNALS:
   /// All organs were bound anew, in so many seconds.
   void bound(double seconds);
@@ -36,6 +43,8 @@ private:
   Workspace& workspace_;
   Workspace& repaired_;
   QPointer<MessageBar> bar_;
+  std::function<bool()> moved_ = [] { return false; };
+  bool moving_ = false; ///< As the message says.
   QString shown_;
   QStringList notes_; ///< Of the bindings in use.
   std::vector<Subscription> subscriptions_;

@@ -138,11 +138,15 @@ std::optional<double> numberIn(const QString& typed) {
   return number ? std::optional(plain) : std::nullopt;
 }
 
-QString inWords(const Text& text) {
+Wording wording() {
   const auto translate = [](const std::string& pattern, std::optional<int> number) {
     return QCoreApplication::translate(kNames, pattern.c_str(), nullptr, number.value_or(-1)).toStdString();
   };
-  return QString::fromStdString(viscera::inWords(text, {translate, std::string(1, decimalMark())}));
+  return {translate, std::string(1, decimalMark())};
+}
+
+QString inWords(const Text& text) {
+  return QString::fromStdString(viscera::inWords(text, wording()));
 }
 
 QString inWords(const std::string& name) {

@@ -55,6 +55,9 @@ private:
   std::vector<std::unique_ptr<QTranslator>> translators_;
 };
 
+/// How the language of the window says texts. For any thread.
+Wording wording();
+
 /// A text in the language of the window: its pattern, and those of its parts that have a translation; numbers
 /// have the decimal mark of the language. English where there is no translation.
 QString inWords(const Text& text);

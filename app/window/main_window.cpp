@@ -68,11 +68,14 @@ MainWindow::MainWindow(Settings& settings, coordinates::Registry registry, live:
   setCentralWidget(viewArea_);
   picture_ = std::make_unique<Picture>(workspace_, view_, *viewArea_->view());
   picture_->setValves([this] { return playback_.valves(); });
+  picture_->setClock([this] { return playback_.clock(); });
   handles_ = std::make_unique<HandleController>(workspace_, poses_, view_, *picture_);
   imports_ = std::make_unique<ImportController>(workspace_, *files_, *picture_, nullptr);
   arriving_ = new ArrivingSurfaces(playback_, *picture_, this);
   files_->setArrivingSurfaces(arriving_);
   bindingMessages_ = new BindingMessages(workspace_, viewArea_->messages(), this);
+  bindingMessages_->setMoved([this] { return playback_.player().movable(); });
+  connect(&playback_, &Playback::stateChanged, bindingMessages_, &BindingMessages::followMotion);
   slices_ = std::make_unique<SlicePanes>(workspace_, view_, *picture_, *viewArea_, *scans_->sliceMenu());
   handleGrip_ = std::make_unique<HandleGrip>(*slices_, *picture_);
   slices_->addGrip(*handleGrip_);

@@ -152,8 +152,9 @@ void Menus::makeViewMenu() {
   view->addSeparator();
   fill(view->addMenu(icon("camera"), tr("&Look from")),
        {"view.anterior", "view.posterior", "view.left", "view.right", "view.superior", "view.inferior"});
-  fill(view, {"view.focus", "", "view.handles", "view.ghost", "view.cut", "view.cube", "view.scale",
-              "view.shading", "view.edges", "view.flat", "view.measurements", "view.parts", ""});
+  fill(view,
+       {"view.focus", "", "view.handles", "view.ghost", "view.cut", "view.cube", "view.scale", "view.shading",
+        "view.edges", "view.flat", "view.measurements", "view.parts", "view.conduction", ""});
   fill(view->addMenu(icon("stress"), tr("St&ress map")), parts_.modes.find("stress").actions());
   fill(view->addMenu(icon("compare"), tr("&Compare")),
        {"play.compare", "play.compareSystems", "play.comparePose", "play.compareFiles",

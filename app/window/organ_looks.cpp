@@ -3,7 +3,9 @@
 #include <QCoreApplication>
 
 #include <algorithm>
+#include <optional>
 
+#include "viscera/anatomy/part.h"
 #include "viscera/document/organ_commands.h"
 
 namespace viscera::app {
@@ -24,6 +26,40 @@ void changeLooks(Workspace& workspace, const QString& name, const std::vector<do
   document::Command all = document::combined(name.toStdString(), std::move(commands));
   all.mergeKey = key;
   workspace.perform(all);
+}
+
+namespace {
+
+/// The colour of textbooks that an organ has not; none where its name tells none.
+std::optional<Vec3> otherTextbookColor(const document::Organ& organ) {
+  const std::optional<Vec3> usual = anatomy::colorNamed(organ.name);
+  const bool has = usual && *usual == organ.look.color && !organ.look.vertexColors;
+  return has ? std::nullopt : usual;
+}
+
+} // namespace
+
+std::vector<document::OrganId> withoutTextbookColors(const Workspace& workspace,
+                                                     const std::vector<document::OrganId>& organs) {
+  std::vector<document::OrganId> others;
+  for (const document::OrganId id : organs)
+    if (const auto organ = workspace.document().organ(id); organ && otherTextbookColor(*organ))
+      others.push_back(id);
+  return others;
+}
+
+void giveTextbookColors(Workspace& workspace, const QString& name,
+                        const std::vector<document::OrganId>& organs) {
+  std::vector<document::Command> commands;
+  for (const document::OrganId id : withoutTextbookColors(workspace, organs)) {
+    const auto organ = workspace.document().organ(id);
+    document::OrganLook look = organ->look;
+    look.color = *otherTextbookColor(*organ);
+    look.vertexColors = false;
+    commands.push_back(document::setOrganLook(id, look));
+  }
+  if (!commands.empty())
+    workspace.perform(document::combined(name.toStdString(), std::move(commands)));
 }
 
 void showWhere(Workspace& workspace, const QString& name,

@@ -75,9 +75,12 @@ void StatusLine::setHint(const QString& hint) {
 }
 
 void StatusLine::syncVolume() {
-  const auto organ = workspace_.currentOrgan();
-  if (!organ)
-    return volume_->setText(tr("No organ"));
+  const auto organ = workspace_.describedOrgan();
+  if (!organ) {
+    const auto count = static_cast<int>(workspace_.document().organs().size());
+    volume_->setToolTip({});
+    return volume_->setText(count == 0 ? tr("No organ") : tr("%n organs", nullptr, count));
+  }
   const live::OrganVolume volume = workspace_.live().volume(organ->id);
   const QString whole = inWords(presentation::labelOf(*organ));
   const QString name = shortenedName(whole, *volume_);
@@ -103,7 +106,7 @@ QString StatusLine::bindingText() const {
     case live::BindingStatus::State::binding:
       return line + tr(", binding...");
     case live::BindingStatus::State::failed:
-      return line + tr(", not bound");
+      return line + tr(", %1 not bound").arg(inWords(presentation::labelOf(*organ)));
     case live::BindingStatus::State::stale:
       return line + tr(", binding cancelled");
     case live::BindingStatus::State::unbound:

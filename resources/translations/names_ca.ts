@@ -1501,6 +1501,54 @@
         <translation>Ronyó esquerre</translation>
     </message>
     <message>
+        <source>Vertebra</source>
+        <translation>Vèrtebra</translation>
+    </message>
+    <message>
+        <source>Left rib</source>
+        <translation>Costella esquerra</translation>
+    </message>
+    <message>
+        <source>Right rib</source>
+        <translation>Costella dreta</translation>
+    </message>
+    <message>
+        <source>Upper lobe of the left lung</source>
+        <translation>Lòbul superior del pulmó esquerre</translation>
+    </message>
+    <message>
+        <source>Lower lobe of the left lung</source>
+        <translation>Lòbul inferior del pulmó esquerre</translation>
+    </message>
+    <message>
+        <source>Upper lobe of the right lung</source>
+        <translation>Lòbul superior del pulmó dret</translation>
+    </message>
+    <message>
+        <source>Middle lobe of the right lung</source>
+        <translation>Lòbul mitjà del pulmó dret</translation>
+    </message>
+    <message>
+        <source>Lower lobe of the right lung</source>
+        <translation>Lòbul inferior del pulmó dret</translation>
+    </message>
+    <message>
+        <source>Left deep back muscles</source>
+        <translation>Músculs profunds de l’esquena esquerres</translation>
+    </message>
+    <message>
+        <source>Right deep back muscles</source>
+        <translation>Músculs profunds de l’esquena drets</translation>
+    </message>
+    <message>
+        <source>Left iliopsoas muscle</source>
+        <translation>Múscul iliopsoes esquerre</translation>
+    </message>
+    <message>
+        <source>Right iliopsoas muscle</source>
+        <translation>Múscul iliopsoes dret</translation>
+    </message>
+    <message>
         <source>Left lobe</source>
         <translation>Lòbul esquerre</translation>
     </message>
@@ -6918,6 +6966,62 @@
     <message>
         <source>Study date</source>
         <translation>Data de l’estudi</translation>
+    </message>
+    <message>
+        <source>Sinoatrial node</source>
+        <translation>Node sinoauricular</translation>
+    </message>
+    <message>
+        <source>Anterior internodal pathway</source>
+        <translation>Via internodal anterior</translation>
+    </message>
+    <message>
+        <source>Middle internodal pathway</source>
+        <translation>Via internodal mitjana</translation>
+    </message>
+    <message>
+        <source>Posterior internodal pathway</source>
+        <translation>Via internodal posterior</translation>
+    </message>
+    <message>
+        <source>Bachmann&apos;s bundle</source>
+        <translation>Feix de Bachmann</translation>
+    </message>
+    <message>
+        <source>Left atrial muscle</source>
+        <translation>Múscul de l&apos;aurícula esquerra</translation>
+    </message>
+    <message>
+        <source>Atrioventricular node</source>
+        <translation>Node auriculoventricular</translation>
+    </message>
+    <message>
+        <source>Bundle of His</source>
+        <translation>Feix de His</translation>
+    </message>
+    <message>
+        <source>Left bundle branch</source>
+        <translation>Branca esquerra del feix de His</translation>
+    </message>
+    <message>
+        <source>Left anterior fascicle</source>
+        <translation>Fascicle anterior esquerre</translation>
+    </message>
+    <message>
+        <source>Left posterior fascicle</source>
+        <translation>Fascicle posterior esquerre</translation>
+    </message>
+    <message>
+        <source>Left septal fascicle</source>
+        <translation>Fascicle septal esquerre</translation>
+    </message>
+    <message>
+        <source>Right bundle branch</source>
+        <translation>Branca dreta del feix de His</translation>
+    </message>
+    <message>
+        <source>Purkinje fibres</source>
+        <translation>Fibres de Purkinje</translation>
     </message>
 </context>
 <context>

@@ -1501,6 +1501,54 @@
         <translation>Linke Niere</translation>
     </message>
     <message>
+        <source>Vertebra</source>
+        <translation>Wirbel</translation>
+    </message>
+    <message>
+        <source>Left rib</source>
+        <translation>Linke Rippe</translation>
+    </message>
+    <message>
+        <source>Right rib</source>
+        <translation>Rechte Rippe</translation>
+    </message>
+    <message>
+        <source>Upper lobe of the left lung</source>
+        <translation>Oberlappen der linken Lunge</translation>
+    </message>
+    <message>
+        <source>Lower lobe of the left lung</source>
+        <translation>Unterlappen der linken Lunge</translation>
+    </message>
+    <message>
+        <source>Upper lobe of the right lung</source>
+        <translation>Oberlappen der rechten Lunge</translation>
+    </message>
+    <message>
+        <source>Middle lobe of the right lung</source>
+        <translation>Mittellappen der rechten Lunge</translation>
+    </message>
+    <message>
+        <source>Lower lobe of the right lung</source>
+        <translation>Unterlappen der rechten Lunge</translation>
+    </message>
+    <message>
+        <source>Left deep back muscles</source>
+        <translation>Linke autochthone Rückenmuskeln</translation>
+    </message>
+    <message>
+        <source>Right deep back muscles</source>
+        <translation>Rechte autochthone Rückenmuskeln</translation>
+    </message>
+    <message>
+        <source>Left iliopsoas muscle</source>
+        <translation>Linker Iliopsoas</translation>
+    </message>
+    <message>
+        <source>Right iliopsoas muscle</source>
+        <translation>Rechter Iliopsoas</translation>
+    </message>
+    <message>
         <source>Left lobe</source>
         <translation>Linker Lappen</translation>
     </message>
@@ -6918,6 +6966,62 @@
     <message>
         <source>Study date</source>
         <translation>Untersuchungsdatum</translation>
+    </message>
+    <message>
+        <source>Sinoatrial node</source>
+        <translation>Sinusknoten</translation>
+    </message>
+    <message>
+        <source>Anterior internodal pathway</source>
+        <translation>Vordere Internodalbahn</translation>
+    </message>
+    <message>
+        <source>Middle internodal pathway</source>
+        <translation>Mittlere Internodalbahn</translation>
+    </message>
+    <message>
+        <source>Posterior internodal pathway</source>
+        <translation>Hintere Internodalbahn</translation>
+    </message>
+    <message>
+        <source>Bachmann&apos;s bundle</source>
+        <translation>Bachmann-Bündel</translation>
+    </message>
+    <message>
+        <source>Left atrial muscle</source>
+        <translation>Muskel des linken Vorhofs</translation>
+    </message>
+    <message>
+        <source>Atrioventricular node</source>
+        <translation>Atrioventrikularknoten</translation>
+    </message>
+    <message>
+        <source>Bundle of His</source>
+        <translation>His-Bündel</translation>
+    </message>
+    <message>
+        <source>Left bundle branch</source>
+        <translation>Linker Tawara-Schenkel</translation>
+    </message>
+    <message>
+        <source>Left anterior fascicle</source>
+        <translation>Linksanteriorer Faszikel</translation>
+    </message>
+    <message>
+        <source>Left posterior fascicle</source>
+        <translation>Linksposteriorer Faszikel</translation>
+    </message>
+    <message>
+        <source>Left septal fascicle</source>
+        <translation>Linksseptaler Faszikel</translation>
+    </message>
+    <message>
+        <source>Right bundle branch</source>
+        <translation>Rechter Tawara-Schenkel</translation>
+    </message>
+    <message>
+        <source>Purkinje fibres</source>
+        <translation>Purkinje-Fasern</translation>
     </message>
 </context>
 <context>

@@ -1501,6 +1501,54 @@
         <translation>Riñón izquierdo</translation>
     </message>
     <message>
+        <source>Vertebra</source>
+        <translation>Vértebra</translation>
+    </message>
+    <message>
+        <source>Left rib</source>
+        <translation>Costilla izquierda</translation>
+    </message>
+    <message>
+        <source>Right rib</source>
+        <translation>Costilla derecha</translation>
+    </message>
+    <message>
+        <source>Upper lobe of the left lung</source>
+        <translation>Lóbulo superior del pulmón izquierdo</translation>
+    </message>
+    <message>
+        <source>Lower lobe of the left lung</source>
+        <translation>Lóbulo inferior del pulmón izquierdo</translation>
+    </message>
+    <message>
+        <source>Upper lobe of the right lung</source>
+        <translation>Lóbulo superior del pulmón derecho</translation>
+    </message>
+    <message>
+        <source>Middle lobe of the right lung</source>
+        <translation>Lóbulo medio del pulmón derecho</translation>
+    </message>
+    <message>
+        <source>Lower lobe of the right lung</source>
+        <translation>Lóbulo inferior del pulmón derecho</translation>
+    </message>
+    <message>
+        <source>Left deep back muscles</source>
+        <translation>Músculos profundos de la espalda izquierdos</translation>
+    </message>
+    <message>
+        <source>Right deep back muscles</source>
+        <translation>Músculos profundos de la espalda derechos</translation>
+    </message>
+    <message>
+        <source>Left iliopsoas muscle</source>
+        <translation>Músculo iliopsoas izquierdo</translation>
+    </message>
+    <message>
+        <source>Right iliopsoas muscle</source>
+        <translation>Músculo iliopsoas derecho</translation>
+    </message>
+    <message>
         <source>Left lobe</source>
         <translation>Lóbulo izquierdo</translation>
     </message>
@@ -6918,6 +6966,62 @@
     <message>
         <source>Study date</source>
         <translation>Fecha del estudio</translation>
+    </message>
+    <message>
+        <source>Sinoatrial node</source>
+        <translation>Nodo sinoauricular</translation>
+    </message>
+    <message>
+        <source>Anterior internodal pathway</source>
+        <translation>Vía internodal anterior</translation>
+    </message>
+    <message>
+        <source>Middle internodal pathway</source>
+        <translation>Vía internodal media</translation>
+    </message>
+    <message>
+        <source>Posterior internodal pathway</source>
+        <translation>Vía internodal posterior</translation>
+    </message>
+    <message>
+        <source>Bachmann&apos;s bundle</source>
+        <translation>Haz de Bachmann</translation>
+    </message>
+    <message>
+        <source>Left atrial muscle</source>
+        <translation>Músculo de la aurícula izquierda</translation>
+    </message>
+    <message>
+        <source>Atrioventricular node</source>
+        <translation>Nodo auriculoventricular</translation>
+    </message>
+    <message>
+        <source>Bundle of His</source>
+        <translation>Haz de His</translation>
+    </message>
+    <message>
+        <source>Left bundle branch</source>
+        <translation>Rama izquierda del haz de His</translation>
+    </message>
+    <message>
+        <source>Left anterior fascicle</source>
+        <translation>Fascículo anterior izquierdo</translation>
+    </message>
+    <message>
+        <source>Left posterior fascicle</source>
+        <translation>Fascículo posterior izquierdo</translation>
+    </message>
+    <message>
+        <source>Left septal fascicle</source>
+        <translation>Fascículo septal izquierdo</translation>
+    </message>
+    <message>
+        <source>Right bundle branch</source>
+        <translation>Rama derecha del haz de His</translation>
+    </message>
+    <message>
+        <source>Purkinje fibres</source>
+        <translation>Fibras de Purkinje</translation>
     </message>
 </context>
 <context>

@@ -1501,6 +1501,54 @@
         <translation>Rein gauche</translation>
     </message>
     <message>
+        <source>Vertebra</source>
+        <translation>Vertèbre</translation>
+    </message>
+    <message>
+        <source>Left rib</source>
+        <translation>Côte gauche</translation>
+    </message>
+    <message>
+        <source>Right rib</source>
+        <translation>Côte droite</translation>
+    </message>
+    <message>
+        <source>Upper lobe of the left lung</source>
+        <translation>Lobe supérieur du poumon gauche</translation>
+    </message>
+    <message>
+        <source>Lower lobe of the left lung</source>
+        <translation>Lobe inférieur du poumon gauche</translation>
+    </message>
+    <message>
+        <source>Upper lobe of the right lung</source>
+        <translation>Lobe supérieur du poumon droit</translation>
+    </message>
+    <message>
+        <source>Middle lobe of the right lung</source>
+        <translation>Lobe moyen du poumon droit</translation>
+    </message>
+    <message>
+        <source>Lower lobe of the right lung</source>
+        <translation>Lobe inférieur du poumon droit</translation>
+    </message>
+    <message>
+        <source>Left deep back muscles</source>
+        <translation>Muscles profonds du dos à gauche</translation>
+    </message>
+    <message>
+        <source>Right deep back muscles</source>
+        <translation>Muscles profonds du dos à droite</translation>
+    </message>
+    <message>
+        <source>Left iliopsoas muscle</source>
+        <translation>Muscle ilio-psoas gauche</translation>
+    </message>
+    <message>
+        <source>Right iliopsoas muscle</source>
+        <translation>Muscle ilio-psoas droit</translation>
+    </message>
+    <message>
         <source>Left lobe</source>
         <translation>Lobe gauche</translation>
     </message>
@@ -6918,6 +6966,62 @@
     <message>
         <source>Study date</source>
         <translation>Date de l’examen</translation>
+    </message>
+    <message>
+        <source>Sinoatrial node</source>
+        <translation>Nœud sinusal</translation>
+    </message>
+    <message>
+        <source>Anterior internodal pathway</source>
+        <translation>Voie internodale antérieure</translation>
+    </message>
+    <message>
+        <source>Middle internodal pathway</source>
+        <translation>Voie internodale moyenne</translation>
+    </message>
+    <message>
+        <source>Posterior internodal pathway</source>
+        <translation>Voie internodale postérieure</translation>
+    </message>
+    <message>
+        <source>Bachmann&apos;s bundle</source>
+        <translation>Faisceau de Bachmann</translation>
+    </message>
+    <message>
+        <source>Left atrial muscle</source>
+        <translation>Muscle de l&apos;oreillette gauche</translation>
+    </message>
+    <message>
+        <source>Atrioventricular node</source>
+        <translation>Nœud atrio-ventriculaire</translation>
+    </message>
+    <message>
+        <source>Bundle of His</source>
+        <translation>Faisceau de His</translation>
+    </message>
+    <message>
+        <source>Left bundle branch</source>
+        <translation>Branche gauche du faisceau de His</translation>
+    </message>
+    <message>
+        <source>Left anterior fascicle</source>
+        <translation>Faisceau antérieur gauche</translation>
+    </message>
+    <message>
+        <source>Left posterior fascicle</source>
+        <translation>Faisceau postérieur gauche</translation>
+    </message>
+    <message>
+        <source>Left septal fascicle</source>
+        <translation>Faisceau septal gauche</translation>
+    </message>
+    <message>
+        <source>Right bundle branch</source>
+        <translation>Branche droite du faisceau de His</translation>
+    </message>
+    <message>
+        <source>Purkinje fibres</source>
+        <translation>Fibres de Purkinje</translation>
     </message>
 </context>
 <context>

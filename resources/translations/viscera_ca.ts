@@ -475,6 +475,13 @@ N: noms, H: tiradors, X: paret, R: restableix, T: clar o fosc, Inici: principi</
             <numerusform>%n vèrtexs de %1 són fora de l’envolupant dels tiradors.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n vertices of %1 lie outside the handles of the motion, so %1 stays at rest.</source>
+        <translation>
+            <numerusform>%n vèrtex de %1 és fora dels tiradors del moviment; %1 queda en repòs.</numerusform>
+            <numerusform>%n vèrtexs de %1 són fora dels tiradors del moviment; %1 queda en repòs.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::CirculationBox</name>
@@ -684,6 +691,14 @@ N: noms, H: tiradors, X: paret, R: restableix, T: clar o fosc, Inici: principi</
     <message>
         <source>Distance of the cut from the middle of the organs, in per cent of the distance to their edge</source>
         <translation>Distància de la secció al centre dels òrgans, en percentatge de la distància fins a la vora</translation>
+    </message>
+    <message>
+        <source>Blood</source>
+        <translation>Sang</translation>
+    </message>
+    <message>
+        <source>Fill the chambers of the heart with blood. Without it they are empty and show walls, papillary muscles and valves</source>
+        <translation>Omple de sang les cavitats del cor. Sense sang són buides i mostren parets, músculs papil·lars i vàlvules</translation>
     </message>
 </context>
 <context>
@@ -1835,6 +1850,13 @@ Moveu el lliscador de dalt per col·locar-ne, o feu clic a l’òrgan en el mode
     </message>
 </context>
 <context>
+    <name>viscera::app::HeartOpener</name>
+    <message>
+        <source>Opening the heart</source>
+        <translation>S&apos;està obrint el cor</translation>
+    </message>
+</context>
+<context>
     <name>viscera::app::Help</name>
     <message>
         <source>&amp;Mouse and keys</source>
@@ -2329,10 +2351,6 @@ Moveu el lliscador de dalt per col·locar-ne, o feu clic a l’òrgan en el mode
         <translation>Valor</translation>
     </message>
     <message>
-        <source>Place in the pose, in the patient&apos;s axes: positive towards the left, the back and the head</source>
-        <translation>Lloc en la postura, en els eixos del pacient: positiu cap a l’esquerra, l’esquena i el cap</translation>
-    </message>
-    <message>
         <source>%1: at rest %2 mm</source>
         <translation>%1: en repòs %2 mm</translation>
     </message>
@@ -2347,6 +2365,10 @@ Moveu el lliscador de dalt per col·locar-ne, o feu clic a l’òrgan en el mode
     <message>
         <source>Profile along the line between two probes; the value is the largest</source>
         <translation>Perfil al llarg de la línia entre dues sondes; el valor és el més gran</translation>
+    </message>
+    <message>
+        <source>Place in the pose: towards the right (R) or left (L), front (A) or back (P), foot (I) or head (S)</source>
+        <translation>Lloc en la posa: cap a la dreta (R) o l’esquerra (L), el davant (A) o el darrere (P), els peus (I) o el cap (S)</translation>
     </message>
 </context>
 <context>
@@ -2926,6 +2948,10 @@ Moveu el lliscador de dalt per col·locar-ne, o feu clic a l’òrgan en el mode
     <message>
         <source>No handle moves the organ</source>
         <translation>Cap tirador no mou l’òrgan</translation>
+    </message>
+    <message>
+        <source>Textbook colours</source>
+        <translation>Colors dels manuals</translation>
     </message>
 </context>
 <context>
@@ -3511,10 +3537,6 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
 <context>
     <name>viscera::app::ProbeCard</name>
     <message>
-        <source>In the patient&apos;s axes, mm: positive towards the left, the back and the head</source>
-        <translation>En els eixos del pacient, mm: positiu cap a l’esquerra, l’esquena i el cap</translation>
-    </message>
-    <message>
         <source>Surface point %1</source>
         <translation>Punt de superfície %1</translation>
     </message>
@@ -3533,6 +3555,10 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
     <message>
         <source>At rest %1 mm</source>
         <translation>En repòs %1 mm</translation>
+    </message>
+    <message>
+        <source>Towards the right (R) or left (L), front (A) or back (P), foot (I) or head (S), mm</source>
+        <translation>Cap a la dreta (R) o l’esquerra (L), el davant (A) o el darrere (P), els peus (I) o el cap (S), mm</translation>
     </message>
 </context>
 <context>
@@ -4415,10 +4441,6 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
         <translation>, es vincula...</translation>
     </message>
     <message>
-        <source>, not bound</source>
-        <translation>, no vinculat</translation>
-    </message>
-    <message>
         <source>, binding cancelled</source>
         <translation>, vinculació cancel·lada</translation>
     </message>
@@ -4429,6 +4451,17 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
     <message>
         <source>%1, %2 of tissue folded by the pose</source>
         <translation>%1, %2 de teixit plegats per la postura</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n organs</source>
+        <translation>
+            <numerusform>%n òrgan</numerusform>
+            <numerusform>%n òrgans</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>, %1 not bound</source>
+        <translation>, %1 sense vincular</translation>
     </message>
 </context>
 <context>
@@ -4898,10 +4931,6 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
         <source>Nothing is deformed: drag a handle, or play a sequence (Space).</source>
         <translation>Res no està deformat: arrossegueu un tirador o reproduïu una seqüència (Espai).</translation>
     </message>
-    <message>
-        <source>Volume ratios from %1 to %2: living tissue, mostly water, hardly changes its volume. The coordinates do not know that; a smaller motion, more handles or a locked volume help.</source>
-        <translation>Raons de volum de %1 a %2: el teixit viu, gairebé tot aigua, amb prou feines canvia de volum. Les coordenades no ho saben; ajuden un moviment més petit, més tiradors o un volum bloquejat.</translation>
-    </message>
 </context>
 <context>
     <name>viscera::app::SystemBox</name>
@@ -5235,6 +5264,14 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
     <message>
         <source>Give each triangle of an organ one shade, in place of a smooth surface</source>
         <translation>Dona a cada triangle d’un òrgan un sol to, en lloc d’una superfície llisa</translation>
+    </message>
+    <message>
+        <source>Co&amp;nduction system</source>
+        <translation>Sistema de co&amp;nducció</translation>
+    </message>
+    <message>
+        <source>In the sample heart: sinus node, atrioventricular node, bundles and branches, lit where the excitation of the beat is; names of parts name them</source>
+        <translation>En el cor de mostra: node sinoauricular, node auriculoventricular, feixos i branques, il·luminats on hi ha l&apos;excitació del batec; els noms de les parts els anomenen</translation>
     </message>
 </context>
 <context>

@@ -475,6 +475,13 @@ N: Namen, H: Griffe, X: Wand, R: zurück, T: hell oder dunkel, Pos1: Anfang</tra
             <numerusform>%n Eckpunkte von %1 liegen außerhalb der Hülle der Griffe.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n vertices of %1 lie outside the handles of the motion, so %1 stays at rest.</source>
+        <translation>
+            <numerusform>%n Eckpunkt von %1 liegt außerhalb der Griffe der Bewegung; %1 bleibt in Ruhe.</numerusform>
+            <numerusform>%n Eckpunkte von %1 liegen außerhalb der Griffe der Bewegung; %1 bleibt in Ruhe.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::CirculationBox</name>
@@ -684,6 +691,14 @@ N: Namen, H: Griffe, X: Wand, R: zurück, T: hell oder dunkel, Pos1: Anfang</tra
     <message>
         <source>Distance of the cut from the middle of the organs, in per cent of the distance to their edge</source>
         <translation>Abstand des Schnitts von der Mitte der Organe, in Prozent des Abstands bis zu ihrem Rand</translation>
+    </message>
+    <message>
+        <source>Blood</source>
+        <translation>Blut</translation>
+    </message>
+    <message>
+        <source>Fill the chambers of the heart with blood. Without it they are empty and show walls, papillary muscles and valves</source>
+        <translation>Die Kammern des Herzens mit Blut füllen. Ohne Blut sind sie leer und zeigen Wände, Papillarmuskeln und Klappen</translation>
     </message>
 </context>
 <context>
@@ -1835,6 +1850,13 @@ Bewegen Sie den Regler oben, um welche zu setzen, oder klicken Sie im Modus Grif
     </message>
 </context>
 <context>
+    <name>viscera::app::HeartOpener</name>
+    <message>
+        <source>Opening the heart</source>
+        <translation>Das Herz wird geöffnet</translation>
+    </message>
+</context>
+<context>
     <name>viscera::app::Help</name>
     <message>
         <source>&amp;Mouse and keys</source>
@@ -2329,10 +2351,6 @@ Bewegen Sie den Regler oben, um welche zu setzen, oder klicken Sie im Modus Grif
         <translation>Wert</translation>
     </message>
     <message>
-        <source>Place in the pose, in the patient&apos;s axes: positive towards the left, the back and the head</source>
-        <translation>Ort in der Pose, in den Achsen des Patienten: positiv nach links, zum Rücken und zum Kopf</translation>
-    </message>
-    <message>
         <source>%1: at rest %2 mm</source>
         <translation>%1: in Ruhe %2 mm</translation>
     </message>
@@ -2347,6 +2365,10 @@ Bewegen Sie den Regler oben, um welche zu setzen, oder klicken Sie im Modus Grif
     <message>
         <source>Profile along the line between two probes; the value is the largest</source>
         <translation>Profil entlang der Linie zwischen zwei Sonden; der Wert ist der größte</translation>
+    </message>
+    <message>
+        <source>Place in the pose: towards the right (R) or left (L), front (A) or back (P), foot (I) or head (S)</source>
+        <translation>Ort in der Pose: nach rechts (R) oder links (L), vorn (A) oder hinten (P), zum Fuß (I) oder Kopf (S)</translation>
     </message>
 </context>
 <context>
@@ -2926,6 +2948,10 @@ Bewegen Sie den Regler oben, um welche zu setzen, oder klicken Sie im Modus Grif
     <message>
         <source>No handle moves the organ</source>
         <translation>Kein Griff bewegt das Organ</translation>
+    </message>
+    <message>
+        <source>Textbook colours</source>
+        <translation>Lehrbuchfarben</translation>
     </message>
 </context>
 <context>
@@ -3511,10 +3537,6 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
 <context>
     <name>viscera::app::ProbeCard</name>
     <message>
-        <source>In the patient&apos;s axes, mm: positive towards the left, the back and the head</source>
-        <translation>In den Achsen des Patienten, mm: positiv nach links, zum Rücken und zum Kopf</translation>
-    </message>
-    <message>
         <source>Surface point %1</source>
         <translation>Oberflächenpunkt %1</translation>
     </message>
@@ -3533,6 +3555,10 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
     <message>
         <source>At rest %1 mm</source>
         <translation>In Ruhe %1 mm</translation>
+    </message>
+    <message>
+        <source>Towards the right (R) or left (L), front (A) or back (P), foot (I) or head (S), mm</source>
+        <translation>Nach rechts (R) oder links (L), vorn (A) oder hinten (P), zum Fuß (I) oder Kopf (S), mm</translation>
     </message>
 </context>
 <context>
@@ -4415,10 +4441,6 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
         <translation>, wird gebunden...</translation>
     </message>
     <message>
-        <source>, not bound</source>
-        <translation>, nicht gebunden</translation>
-    </message>
-    <message>
         <source>, binding cancelled</source>
         <translation>, Binden abgebrochen</translation>
     </message>
@@ -4429,6 +4451,17 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
     <message>
         <source>%1, %2 of tissue folded by the pose</source>
         <translation>%1, %2 Gewebe von der Pose gefaltet</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n organs</source>
+        <translation>
+            <numerusform>%n Organ</numerusform>
+            <numerusform>%n Organe</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>, %1 not bound</source>
+        <translation>, %1 nicht gebunden</translation>
     </message>
 </context>
 <context>
@@ -4898,10 +4931,6 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
         <source>Nothing is deformed: drag a handle, or play a sequence (Space).</source>
         <translation>Nichts ist verformt: Ziehen Sie an einem Griff, oder spielen Sie eine Sequenz ab (Leertaste).</translation>
     </message>
-    <message>
-        <source>Volume ratios from %1 to %2: living tissue, mostly water, hardly changes its volume. The coordinates do not know that; a smaller motion, more handles or a locked volume help.</source>
-        <translation>Volumenverhältnisse von %1 bis %2: Lebendes Gewebe, meist Wasser, ändert sein Volumen kaum. Die Koordinaten wissen das nicht; eine kleinere Bewegung, mehr Griffe oder ein gesperrtes Volumen helfen.</translation>
-    </message>
 </context>
 <context>
     <name>viscera::app::SystemBox</name>
@@ -5235,6 +5264,14 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
     <message>
         <source>Give each triangle of an organ one shade, in place of a smooth surface</source>
         <translation>Jedes Dreieck eines Organs in einem einheitlichen Ton zeigen, statt einer glatten Oberfläche</translation>
+    </message>
+    <message>
+        <source>Co&amp;nduction system</source>
+        <translation>Er&amp;regungsleitungssystem</translation>
+    </message>
+    <message>
+        <source>In the sample heart: sinus node, atrioventricular node, bundles and branches, lit where the excitation of the beat is; names of parts name them</source>
+        <translation>Im Beispielherzen: Sinusknoten, Atrioventrikularknoten, Bündel und Schenkel, hell, wo die Erregung des Schlags ist; Namen der Teile benennen sie</translation>
     </message>
 </context>
 <context>

@@ -24,6 +24,13 @@
             <numerusform>%n vertices of %1 lie outside the handles&apos; hull.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n vertices of %1 lie outside the handles of the motion, so %1 stays at rest.</source>
+        <translation>
+            <numerusform>%n vertex of %1 lies outside the handles of the motion, so %1 stays at rest.</numerusform>
+            <numerusform>%n vertices of %1 lie outside the handles of the motion, so %1 stays at rest.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::DeformPage</name>
@@ -346,6 +353,13 @@
         <translation>
             <numerusform>%n handle</numerusform>
             <numerusform>%n handles</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n organs</source>
+        <translation>
+            <numerusform>%n organ</numerusform>
+            <numerusform>%n organs</numerusform>
         </translation>
     </message>
 </context>

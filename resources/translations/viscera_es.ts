@@ -475,6 +475,13 @@ N: nombres, H: tiradores, X: pared, R: restablecer, T: claro u oscuro, Inicio: p
             <numerusform>%n vértices de %1 están fuera de la envolvente de los tiradores.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n vertices of %1 lie outside the handles of the motion, so %1 stays at rest.</source>
+        <translation>
+            <numerusform>%n vértice de %1 está fuera de los tiradores del movimiento; %1 queda en reposo.</numerusform>
+            <numerusform>%n vértices de %1 están fuera de los tiradores del movimiento; %1 queda en reposo.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::CirculationBox</name>
@@ -684,6 +691,14 @@ N: nombres, H: tiradores, X: pared, R: restablecer, T: claro u oscuro, Inicio: p
     <message>
         <source>Distance of the cut from the middle of the organs, in per cent of the distance to their edge</source>
         <translation>Distancia de la sección al centro de los órganos, en porcentaje de la distancia hasta su borde</translation>
+    </message>
+    <message>
+        <source>Blood</source>
+        <translation>Sangre</translation>
+    </message>
+    <message>
+        <source>Fill the chambers of the heart with blood. Without it they are empty and show walls, papillary muscles and valves</source>
+        <translation>Llenar de sangre las cavidades del corazón. Sin ella están vacías y muestran paredes, músculos papilares y válvulas</translation>
     </message>
 </context>
 <context>
@@ -1835,6 +1850,13 @@ Mueva el control de arriba para colocar algunos o haga clic en el órgano en el 
     </message>
 </context>
 <context>
+    <name>viscera::app::HeartOpener</name>
+    <message>
+        <source>Opening the heart</source>
+        <translation>Abriendo el corazón</translation>
+    </message>
+</context>
+<context>
     <name>viscera::app::Help</name>
     <message>
         <source>&amp;Mouse and keys</source>
@@ -2329,10 +2351,6 @@ Mueva el control de arriba para colocar algunos o haga clic en el órgano en el 
         <translation>Valor</translation>
     </message>
     <message>
-        <source>Place in the pose, in the patient&apos;s axes: positive towards the left, the back and the head</source>
-        <translation>Lugar en la pose, en los ejes del paciente: positivo hacia la izquierda, la espalda y la cabeza</translation>
-    </message>
-    <message>
         <source>%1: at rest %2 mm</source>
         <translation>%1: en reposo %2 mm</translation>
     </message>
@@ -2347,6 +2365,10 @@ Mueva el control de arriba para colocar algunos o haga clic en el órgano en el 
     <message>
         <source>Profile along the line between two probes; the value is the largest</source>
         <translation>Perfil a lo largo de la línea entre dos sondas; el valor es el mayor</translation>
+    </message>
+    <message>
+        <source>Place in the pose: towards the right (R) or left (L), front (A) or back (P), foot (I) or head (S)</source>
+        <translation>Lugar en la pose: hacia la derecha (R) o la izquierda (L), delante (A) o detrás (P), los pies (I) o la cabeza (S)</translation>
     </message>
 </context>
 <context>
@@ -2926,6 +2948,10 @@ Mueva el control de arriba para colocar algunos o haga clic en el órgano en el 
     <message>
         <source>No handle moves the organ</source>
         <translation>Ningún tirador mueve el órgano</translation>
+    </message>
+    <message>
+        <source>Textbook colours</source>
+        <translation>Colores de los manuales</translation>
     </message>
 </context>
 <context>
@@ -3511,10 +3537,6 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
 <context>
     <name>viscera::app::ProbeCard</name>
     <message>
-        <source>In the patient&apos;s axes, mm: positive towards the left, the back and the head</source>
-        <translation>En los ejes del paciente, mm: positivo hacia la izquierda, la espalda y la cabeza</translation>
-    </message>
-    <message>
         <source>Surface point %1</source>
         <translation>Punto de superficie %1</translation>
     </message>
@@ -3533,6 +3555,10 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
     <message>
         <source>At rest %1 mm</source>
         <translation>En reposo %1 mm</translation>
+    </message>
+    <message>
+        <source>Towards the right (R) or left (L), front (A) or back (P), foot (I) or head (S), mm</source>
+        <translation>Hacia la derecha (R) o la izquierda (L), delante (A) o detrás (P), los pies (I) o la cabeza (S), mm</translation>
     </message>
 </context>
 <context>
@@ -4415,10 +4441,6 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
         <translation>, vinculando...</translation>
     </message>
     <message>
-        <source>, not bound</source>
-        <translation>, sin vincular</translation>
-    </message>
-    <message>
         <source>, binding cancelled</source>
         <translation>, vinculación cancelada</translation>
     </message>
@@ -4429,6 +4451,17 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
     <message>
         <source>%1, %2 of tissue folded by the pose</source>
         <translation>%1, %2 de tejido plegados por la pose</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n organs</source>
+        <translation>
+            <numerusform>%n órgano</numerusform>
+            <numerusform>%n órganos</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>, %1 not bound</source>
+        <translation>, %1 sin vincular</translation>
     </message>
 </context>
 <context>
@@ -4898,10 +4931,6 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
         <source>Nothing is deformed: drag a handle, or play a sequence (Space).</source>
         <translation>Nada está deformado: arrastre un tirador o reproduzca una secuencia (Espacio).</translation>
     </message>
-    <message>
-        <source>Volume ratios from %1 to %2: living tissue, mostly water, hardly changes its volume. The coordinates do not know that; a smaller motion, more handles or a locked volume help.</source>
-        <translation>Razones de volumen de %1 a %2: el tejido vivo, casi todo agua, apenas cambia de volumen. Las coordenadas no lo saben; ayudan un movimiento menor, más tiradores o un volumen bloqueado.</translation>
-    </message>
 </context>
 <context>
     <name>viscera::app::SystemBox</name>
@@ -5235,6 +5264,14 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
     <message>
         <source>Give each triangle of an organ one shade, in place of a smooth surface</source>
         <translation>Dar a cada triángulo de un órgano un solo tono, en lugar de una superficie lisa</translation>
+    </message>
+    <message>
+        <source>Co&amp;nduction system</source>
+        <translation>Sistema de co&amp;nducción</translation>
+    </message>
+    <message>
+        <source>In the sample heart: sinus node, atrioventricular node, bundles and branches, lit where the excitation of the beat is; names of parts name them</source>
+        <translation>En el corazón de muestra: nodo sinoauricular, nodo auriculoventricular, haces y ramas, iluminados donde está la excitación del latido; los nombres de las partes los nombran</translation>
     </message>
 </context>
 <context>

@@ -475,6 +475,13 @@ N&#xa0;: noms, H&#xa0;: poignées, X&#xa0;: paroi, R&#xa0;: rétablir, T&#xa0;: 
             <numerusform>%n sommets de %1 sont hors de l’enveloppe des poignées.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n vertices of %1 lie outside the handles of the motion, so %1 stays at rest.</source>
+        <translation>
+            <numerusform>%n sommet de %1 est hors des poignées du mouvement ; %1 reste au repos.</numerusform>
+            <numerusform>%n sommets de %1 sont hors des poignées du mouvement ; %1 reste au repos.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::CirculationBox</name>
@@ -684,6 +691,14 @@ N&#xa0;: noms, H&#xa0;: poignées, X&#xa0;: paroi, R&#xa0;: rétablir, T&#xa0;: 
     <message>
         <source>Distance of the cut from the middle of the organs, in per cent of the distance to their edge</source>
         <translation>Distance de la section au milieu des organes, en pourcentage de la distance jusqu’à leur bord</translation>
+    </message>
+    <message>
+        <source>Blood</source>
+        <translation>Sang</translation>
+    </message>
+    <message>
+        <source>Fill the chambers of the heart with blood. Without it they are empty and show walls, papillary muscles and valves</source>
+        <translation>Remplir de sang les cavités du cœur. Sans lui, elles sont vides et montrent parois, muscles papillaires et valves</translation>
     </message>
 </context>
 <context>
@@ -1835,6 +1850,13 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez sur l’organe en mode
     </message>
 </context>
 <context>
+    <name>viscera::app::HeartOpener</name>
+    <message>
+        <source>Opening the heart</source>
+        <translation>Ouverture du cœur</translation>
+    </message>
+</context>
+<context>
     <name>viscera::app::Help</name>
     <message>
         <source>&amp;Mouse and keys</source>
@@ -2329,10 +2351,6 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez sur l’organe en mode
         <translation>Valeur</translation>
     </message>
     <message>
-        <source>Place in the pose, in the patient&apos;s axes: positive towards the left, the back and the head</source>
-        <translation>Lieu dans la pose, dans les axes du patient&#xa0;: positif vers la gauche, le dos et la tête</translation>
-    </message>
-    <message>
         <source>%1: at rest %2 mm</source>
         <translation>%1&#xa0;: au repos %2 mm</translation>
     </message>
@@ -2347,6 +2365,10 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez sur l’organe en mode
     <message>
         <source>Profile along the line between two probes; the value is the largest</source>
         <translation>Profil le long de la ligne entre deux sondes&#x202f;; la valeur est la plus grande</translation>
+    </message>
+    <message>
+        <source>Place in the pose: towards the right (R) or left (L), front (A) or back (P), foot (I) or head (S)</source>
+        <translation>Lieu dans la pose&#xa0;: vers la droite (R) ou la gauche (L), l’avant (A) ou l’arrière (P), les pieds (I) ou la tête (S)</translation>
     </message>
 </context>
 <context>
@@ -2927,6 +2949,10 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez sur l’organe en mode
         <source>No handle moves the organ</source>
         <translation>Aucune poignée ne bouge l’organe</translation>
     </message>
+    <message>
+        <source>Textbook colours</source>
+        <translation>Couleurs des manuels</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::OrganPanel</name>
@@ -3339,7 +3365,7 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     </message>
     <message>
         <source>Colour the heart&apos;s wall by the strain of its segments; a click chooses one</source>
-        <translation>Colorer la paroi du cœur selon la déformation de ses segments ; un clic en choisit un</translation>
+        <translation>Colorer la paroi du cœur selon la déformation de ses segments&#x202f;; un clic en choisit un</translation>
     </message>
 </context>
 <context>
@@ -3511,10 +3537,6 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
 <context>
     <name>viscera::app::ProbeCard</name>
     <message>
-        <source>In the patient&apos;s axes, mm: positive towards the left, the back and the head</source>
-        <translation>Dans les axes du patient, mm&#xa0;: positif vers la gauche, le dos et la tête</translation>
-    </message>
-    <message>
         <source>Surface point %1</source>
         <translation>Point de surface %1</translation>
     </message>
@@ -3533,6 +3555,10 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     <message>
         <source>At rest %1 mm</source>
         <translation>Au repos %1 mm</translation>
+    </message>
+    <message>
+        <source>Towards the right (R) or left (L), front (A) or back (P), foot (I) or head (S), mm</source>
+        <translation>Vers la droite (R) ou la gauche (L), l’avant (A) ou l’arrière (P), les pieds (I) ou la tête (S), mm</translation>
     </message>
 </context>
 <context>
@@ -4415,10 +4441,6 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
         <translation>, liaison...</translation>
     </message>
     <message>
-        <source>, not bound</source>
-        <translation>, non lié</translation>
-    </message>
-    <message>
         <source>, binding cancelled</source>
         <translation>, liaison annulée</translation>
     </message>
@@ -4430,12 +4452,23 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
         <source>%1, %2 of tissue folded by the pose</source>
         <translation>%1, %2 de tissu repliés par la pose</translation>
     </message>
+    <message numerus="yes">
+        <source>%n organs</source>
+        <translation>
+            <numerusform>%n organe</numerusform>
+            <numerusform>%n organes</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>, %1 not bound</source>
+        <translation>, %1 non lié</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::StrainModel</name>
     <message>
         <source>Choose a motion, or drag a handle: strain is the change of the heart&apos;s wall.</source>
-        <translation>Choisissez un mouvement ou tirez une poignée : la déformation est le changement de la paroi du cœur.</translation>
+        <translation>Choisissez un mouvement ou tirez une poignée&#xa0;: la déformation est le changement de la paroi du cœur.</translation>
     </message>
 </context>
 <context>
@@ -4898,10 +4931,6 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
         <source>Nothing is deformed: drag a handle, or play a sequence (Space).</source>
         <translation>Rien n’est déformé : tirez une poignée, ou lancez une séquence (Espace).</translation>
     </message>
-    <message>
-        <source>Volume ratios from %1 to %2: living tissue, mostly water, hardly changes its volume. The coordinates do not know that; a smaller motion, more handles or a locked volume help.</source>
-        <translation>Rapports de volume de %1 à %2&#xa0;: un tissu vivant, surtout de l’eau, change à peine de volume. Les coordonnées ne le savent pas&#xa0;; un mouvement plus petit, plus de poignées ou un volume verrouillé aident.</translation>
-    </message>
 </context>
 <context>
     <name>viscera::app::SystemBox</name>
@@ -5235,6 +5264,14 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     <message>
         <source>Give each triangle of an organ one shade, in place of a smooth surface</source>
         <translation>Donner à chaque triangle d’un organe une seule teinte, au lieu d’une surface lisse</translation>
+    </message>
+    <message>
+        <source>Co&amp;nduction system</source>
+        <translation>Système de co&amp;nduction</translation>
+    </message>
+    <message>
+        <source>In the sample heart: sinus node, atrioventricular node, bundles and branches, lit where the excitation of the beat is; names of parts name them</source>
+        <translation>Dans le cœur d&apos;exemple : nœud sinusal, nœud atrio-ventriculaire, faisceaux et branches, éclairés là où se trouve l&apos;excitation du battement ; les noms des parties les nomment</translation>
     </message>
 </context>
 <context>

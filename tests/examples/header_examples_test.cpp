@@ -33,6 +33,7 @@
 #include "viscera/core/phrase.h"
 #include "viscera/deformation/deformer.h"
 #include "viscera/deformation/stiff_bodies.h"
+#include "viscera/geometry/carried_points.h"
 #include "viscera/geometry/coarse_triangles.h"
 #include "viscera/geometry/median_tree.h"
 #include "viscera/geometry/surface_gap.h"
@@ -409,6 +410,16 @@ TEST(HeaderExamples, MedianTree) {
   const auto searchItems = [&](int begin, int end) { compare(tree.order(), begin, end); };
   tree.searchNearestFirst(distanceToBox, isFartherThanTheBest, searchItems);
   EXPECT_EQ(best, (points.rowwise() - wanted.transpose()).rowwise().norm().minCoeff());
+}
+
+TEST(HeaderExamples, CarriedPoints) {
+  using namespace geometry;
+  const TriangleMesh outer = tests::sphere(3, 40), inner = tests::sphere(3, 30);
+  const Points outerNow = outer.points.rowwise() + Eigen::RowVector3d(1, 2, 3);
+  const CarriedPoints carried(inner.points, outer.points);
+  Points now;
+  carried.at(outerNow, now);
+  EXPECT_LT((now - inner.points).rowwise().norm().maxCoeff(), 4);
 }
 
 TEST(HeaderExamples, Plugin) {

@@ -232,7 +232,7 @@ TEST_F(Import, OneOfSeveralIsLeftOutAndTheMirroredPatientIsPutRight) {
   settle();
   EXPECT_FALSE(window().imports().draft().arrangement);
   for (QCheckBox* box : panel().findChildren<QCheckBox*>(QStringLiteral("included")))
-    if (box->isVisible() && box->text() == QStringLiteral("speck"))
+    if (box->isVisible() && box->text() == QStringLiteral("Speck"))
       box->click();
   settle();
   EXPECT_FALSE(window().imports().draft().questionable());
@@ -253,13 +253,13 @@ TEST_F(Import, ManyOrgansAreFilteredLeftOutTogetherAndGetOneUnitOfLength) {
   for (const document::DraftOrgan& organ : window().imports().draft().organs)
     EXPECT_GT(organ.assessment.sizeMm.x(), 50) << organ.name;
 
-  panel().findChild<QLineEdit*>(QStringLiteral("importFilter"))->setText(QStringLiteral("kid"));
+  panel().findChild<QLineEdit*>(QStringLiteral("importFilter"))->setText(QStringLiteral("kidney_"));
   QStringList shown;
   for (const QCheckBox* box : panel().findChildren<QCheckBox*>(QStringLiteral("included")))
     if (box->isVisible())
       shown += box->text();
   shown.sort();
-  EXPECT_EQ(shown, QStringList({QStringLiteral("kidney_left"), QStringLiteral("kidney_right")}));
+  EXPECT_EQ(shown, QStringList({QStringLiteral("Left kidney"), QStringLiteral("Right kidney")}));
   press(panel().findChild<QPushButton*>(QStringLiteral("importNone")));
   EXPECT_EQ(importButton()->text(), QStringLiteral("Import 5 organs"));
   press(panel().findChild<QPushButton*>(QStringLiteral("importAll")));

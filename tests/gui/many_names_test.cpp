@@ -11,6 +11,7 @@
 
 #include "many_organs.h"
 #include "window/timeline/volume_monitor.h"
+#include "window/timeline/volume_panel.h"
 
 namespace viscera::tests {
 namespace {
@@ -26,6 +27,21 @@ TEST_F(ManyOrgans, AreNamedAsPeopleWriteThem) {
   EXPECT_TRUE(find<QLabel>("statusVolume").text().startsWith(QStringLiteral("Left kidney")))
       << find<QLabel>("statusVolume").text().toStdString();
   EXPECT_EQ(organ("kidney_left").name, "kidney_left") << "its own name stays";
+}
+
+TEST_F(ManyOrgans, AreCountedInTheStatusBarUntilOneIsChosen) {
+  window().workspace().selection().setOrgan({});
+  settle();
+  EXPECT_EQ(find<QLabel>("statusVolume").text(), QStringLiteral("16 organs"));
+}
+
+TEST_F(ManyOrgans, ShowTheNormalRangeOfTheChosenOne) {
+  for (const char* chosen : {"liver", "spleen", "liver"}) {
+    window().workspace().selection().setOrgan(organ(chosen).id);
+    settle();
+    const QString range = window().findChild<app::VolumePanel*>()->normalsText();
+    EXPECT_TRUE(range.contains(QString::fromLatin1(chosen), Qt::CaseInsensitive)) << range.toStdString();
+  }
 }
 
 TEST_F(ManyOrgans, HaveCurvesOfTheChosenAndTheLargestWhereTheyAreVisible) {

@@ -18,6 +18,7 @@
 #include "atlas_window.h"
 #include "many_organs.h"
 #include "screen_check.h"
+#include "viscera/anatomy/part.h"
 #include "viscera/document/organ_commands.h"
 #include "viscera/scene/vtkVisceraHandleSetRepresentation.h"
 #include "window/panels/organ_panel.h"
@@ -366,6 +367,23 @@ TEST_F(ManyOrgans, ThatAreChosenAreLockedAndUnlockedInOneStepEach) {
   lock.trigger();
   EXPECT_FALSE(organ("spleen").volumeLocked);
   EXPECT_FALSE(organ("aorta").volumeLocked);
+}
+
+/// Tables of label maps often have colours by number.
+TEST_F(ManyOrgans, ThatAreChosenGetTheColoursOfTextbooksInOneStep) {
+  choose({QStringLiteral("spleen"), QStringLiteral("liver"), QStringLiteral("label 699")});
+  document::OrganLook green = organ("liver").look;
+  const Vec3 unknown = organ("label 699").look.color;
+  green.color = Vec3(0, 1, 0);
+  ASSERT_TRUE(window().workspace().perform(document::setOrganLook(organ("liver").id, green)));
+  const std::size_t done = steps();
+  find<QAction>("organTextbookColors").trigger();
+  EXPECT_EQ(organ("liver").look.color, *anatomy::colorNamed("liver"));
+  EXPECT_EQ(organ("spleen").look.color, *anatomy::colorNamed("spleen"));
+  EXPECT_EQ(organ("label 699").look.color, unknown);
+  EXPECT_EQ(steps(), done + 1);
+  key(Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_EQ(organ("liver").look.color, green.color);
 }
 
 TEST_F(ManyOrgans, TheMenuInTheViewHasWhatTheListHas) {

@@ -6,10 +6,12 @@
 #include <QFile>
 #include <QLabel>
 #include <QListWidget>
+#include <QPushButton>
 #include <QTableWidget>
 #include <QTest>
 
 #include "viscera/document/key_sequence_commands.h"
+#include "viscera/document/organ_commands.h"
 #include "viscera/document/rig_commands.h"
 #include "viscera/medical_io/surface_file.h"
 #include "viscera/scene/vtkVisceraHandleSetRepresentation.h"
@@ -21,6 +23,7 @@
 #include "window/widgets/page.h"
 
 #include "beating_labels.h"
+#include "session_fixture.h"
 #include "shapes.h"
 
 namespace viscera::tests {
@@ -304,6 +307,25 @@ TEST_F(SequencesThatFit, APatientsOrganIsAskedForAndNotReplaced) {
   EXPECT_FALSE(find<QLabel>("ejectionFraction").isVisible()) << "a liver ejects nothing";
   EXPECT_FALSE(find<QLabel>("cardiacOutput").isVisible());
   EXPECT_TRUE(find<QTableWidget>("cycleTable").isVisible());
+}
+
+/// More handles around the others would not be those of the motion any more.
+TEST_F(SequencesThatFit, AnOrganBeyondTheHandlesOfAMotionIsSaidToStayWithoutARemedyThatStopsIt) {
+  key(Qt::Key_N, Qt::ControlModifier);
+  open(sphereFile(QStringLiteral("liver.stl"), 70));
+  const document::OrganId liver = document().organs().front()->id;
+  ASSERT_TRUE(window().workspace().perform(document::addOrgans({ball("spleen", 40, 2, Vec3(400, 0, 0))})));
+  key(Qt::Key_5);
+  window().workspace().selection().setOrgan(liver);
+  chooseSequence("breathing");
+  press("offerFit");
+  ASSERT_TRUE(waitUntil([this] { return message().contains(QStringLiteral("stays at rest")); }))
+      << message().toStdString();
+  EXPECT_TRUE(message().contains(QStringLiteral("Spleen"))) << message().toStdString();
+  EXPECT_FALSE(message().contains(QStringLiteral("Liver"))) << message().toStdString();
+  for (const auto* button : window().viewArea().messages()->findChildren<QPushButton*>())
+    EXPECT_NE(button->text(), QStringLiteral("Add enclosing handles"));
+  EXPECT_TRUE(find<QLabel>("statusBinding").text().contains(QStringLiteral("Spleen not bound")));
 }
 
 TEST_F(SequencesThatFit, AStomachIsToldThatItHasNoHeartbeat) {

@@ -20,6 +20,7 @@
 #include "viscera/document/key_sequence_commands.h"
 #include "viscera/document/organ_commands.h"
 #include "viscera/document/session_file.h"
+#include "viscera/heart/beating_heart.h"
 #include "viscera/heart/cardiac_times.h"
 #include "viscera/presentation/view_state.h"
 #include "viscera/sample_organs/sample_organ.h"
@@ -363,6 +364,31 @@ TEST_F(PlayMode, WavesTravelDownTheStomachAndUndoBringsBackTheHeartWithItsMotion
   EXPECT_EQ(window().playback().sequence(), first);
   key(Qt::Key_Space);
   EXPECT_TRUE(window().playback().player().playing());
+}
+
+TEST_F(PlayMode, TheConductionSystemIsSwitchedInTheViewMenuAndLitByTheBeat) {
+  auto& action = find<QAction>("view.conduction");
+  const auto& glyphs = window().picture().presenter().conduction();
+  settle();
+  EXPECT_FALSE(action.isChecked());
+  EXPECT_TRUE(glyphs.lines().empty());
+  action.trigger();
+  const auto brightest = [&](double fraction) {
+    window().playback().seek(fraction);
+    settle();
+    double most = 0;
+    for (const auto& line : glyphs.lines())
+      most = std::max(most, line.lit.maxCoeff());
+    return most;
+  };
+  EXPECT_TRUE(window().viewModel().state().conduction);
+  const auto beat = window().playback().sequence()->heart()->textbookBeat(75);
+  EXPECT_GT(brightest(beat->left().inletShuts / beat->times().cycle), 0.3) << "the ventricles contract";
+  EXPECT_GT(glyphs.lines().size(), 20u);
+  EXPECT_LT(brightest(0.75), 0.05) << "all is at rest in diastole";
+  action.trigger();
+  settle();
+  EXPECT_TRUE(glyphs.lines().empty());
 }
 
 TEST_F(PlayMode, ValvesAreOfferedOnlyWhereTheyAreDrawnAndTheWishForThemStays) {

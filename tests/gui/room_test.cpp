@@ -15,6 +15,7 @@
 #include <vtkRenderer.h>
 
 #include "play_fixture.h"
+#include "signs/beat_drawing.h"
 #include "window/modes/stress_mode.h"
 #include "window/timeline/phase_scrubber.h"
 #include "window/widgets/elided_label.h"

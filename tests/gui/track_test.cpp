@@ -13,6 +13,7 @@
 #include <QTest>
 
 #include "beating_labels.h"
+#include "cut_texts.h"
 #include "viscera/document/key_sequence_commands.h"
 #include "viscera/document/rig_commands.h"
 #include "viscera/geometry/winding_number.h"
@@ -103,6 +104,15 @@ TEST_F(Track, ALabelSeriesBecomesARecordedSequenceWithWhatWasMeasured) {
   ASSERT_TRUE(indices);
   EXPECT_NEAR(indices->ejectionFraction, measured().present()->motion->indices.at("LV").ejectionFraction,
               5e-3);
+}
+
+TEST_F(Track, TheTableOfTheFitCutsNothingInANarrowWindow) {
+  window().resize(1280, 800);
+  findMotion();
+  CutTexts cut;
+  collectCutHeads(*residuals().parentWidget(), "fit", cut);
+  collectCutEntries(residuals(), "fit", cut);
+  EXPECT_EQ(cut, CutTexts());
 }
 
 TEST_F(Track, TheMeasuredSurfaceAndTheDistancesStandInTheViewWhileItIsShown) {

@@ -114,11 +114,6 @@ nlohmann::ordered_json fitJson(const circulation::MeasuredVentricle& measured,
           {"atLimit", fit.atLimit}};
 }
 
-presentation::ShownCirculation shownOf(const std::string& name, const Parameters& parameters,
-                                       const PeriodicState& state) {
-  return {name, parameters, state.beat, circulation::indicesOf(parameters, state.beat)};
-}
-
 void drawPicture(const std::string& file, const presentation::ShownCirculation& shown,
                  const presentation::ShownCirculation* before, const PictureSize& size) {
   scene::SurfacelessWindow window(size.width, size.height);

@@ -11,6 +11,7 @@
 #include <vtkImageData.h>
 
 #include "cli/cardiac_keys.h"
+#include "cli/heart_signs.h"
 #include "cli/listing.h"
 #include "cli/number_bounds.h"
 #include "cli/played_sequence.h"
@@ -40,12 +41,14 @@ constexpr double kLowestRate = 0.1;   ///< Frames a second that a sheet of a slo
 constexpr double kHighestRate = 240;  ///< Frames a second that a movie is good for.
 constexpr double kDrawingShare = 0.9; ///< Of the progress; the rest is closing the movie.
 
-/// The surfaces on a stage, and the writers that take the pictures.
+/// The surfaces on a stage, with or without signs below them, and the writers that take the pictures.
 class FrameRenderer {
 public:
-  FrameRenderer(const PlayedSequence& played, const StageOptions& options, double room,
+  /// `signs` may be null; else it lives longer.
+  FrameRenderer(const PlayedSequence& played, const StageOptions& options, double room, SignsBelow* signs,
                 const CommandContext& context)
-      : systems_(context.systems), played_(*played.document), stage_(stageFor(options, context.threads)) {
+      : systems_(context.systems), played_(*played.document), signs_(signs),
+        stage_(stageFor(signs ? signs->above() : options, context.threads)) {
     show(std::nullopt);
     stage_.compose(scene::standardViewFromName(options.view), room);
   }
@@ -55,10 +58,12 @@ public:
         target, scene::MovieOptions{.framesPerSecond = framesPerSecond}));
   }
 
-  /// The pose that is shown, with these valves.
-  void addFrame(const std::optional<heart::ValveInstants>& valves) {
+  /// The pose that is shown, with these valves, at a fraction of the cycle in [0, 1].
+  void addFrame(const std::optional<heart::ValveInstants>& valves, double fraction) {
     show(valves);
-    const vtkSmartPointer<vtkImageData> picture = stage_.picture();
+    vtkSmartPointer<vtkImageData> picture = stage_.picture();
+    if (signs_)
+      picture = signs_->below(picture, fraction);
     for (const auto& writer : writers_)
       writer->add(picture);
     if (keep_)
@@ -83,6 +88,7 @@ private:
 
   const coordinates::Registry& systems_;
   BoundDocument& played_;
+  SignsBelow* signs_;
   presentation::ViewState view_;
   presentation::Stage stage_;
   std::vector<std::unique_ptr<scene::MovieWriter>> writers_;
@@ -266,12 +272,16 @@ public:
     options.add_option("--columns", columns_, "Frames beside each other on the sheet")
         ->check(wholeBetween(1, kMostColumns))
         ->capture_default_str();
+    signs_.addTo(options);
     addStageOptions(options, stage_, size_);
   }
 
   Outcome run(CommandContext& context) override {
     const auto begin = std::chrono::steady_clock::now();
     stage_.size = pictureSize(size_);
+    if (signs_.given() && !draws())
+      throw UsageError("There is no picture to draw them below", signs_.text(),
+                       "ask for one with --movie, --frames or --sheet");
     if (!csv_.empty())
       const AtomicFile writable(csv_); // Fails before the work, not after it.
     request_.ratePerMinute = rate_;
@@ -292,6 +302,8 @@ public:
   }
 
 private:
+  bool draws() const { return !frames_.empty() || !movie_.empty() || !sheet_.empty(); }
+
   /// The measurements of a played sequence.
   struct Measured {
     sequences::VolumeRecord volumes; ///< At the frames.
@@ -300,6 +312,7 @@ private:
     std::optional<Walls> walls;      ///< Of the sample heart.
     /// Of a session: where its locked volumes could not be kept first, in words; else empty.
     std::string obstacle = {};
+    std::vector<std::string> signs = {}; ///< That are drawn.
 
     /// All volumes of a surface, ml: at least one.
     std::vector<double> of(std::size_t surface) const {
@@ -399,9 +412,15 @@ private:
     for (const PlayedSurface& surface : played.surfaces)
       names.push_back(surface.name);
     Measured measured{sequences::VolumeRecord(names), sequences::VolumeRecord(names), {}, {}};
+    std::optional<SignsBelow> signs;
+    if (signs_.given()) {
+      signs.emplace(signs_, toldBeat(*played.sequence, played.driving, rate), stage_);
+      measured.signs = signs->drawn();
+    }
     std::optional<FrameRenderer> recording;
-    if (!frames_.empty() || !movie_.empty() || !sheet_.empty())
-      recording.emplace(played, stage_, sheet_.empty() ? 0 : kRoomOnASheet, context);
+    if (draws())
+      recording.emplace(played, stage_, sheet_.empty() ? 0 : kRoomOnASheet, signs ? &*signs : nullptr,
+                        context);
     if (!frames_.empty())
       recording->addWriter(std::filesystem::path(frames_) / "",
                            framesPerSecond_); // A folder, whatever its name.
@@ -427,7 +446,8 @@ private:
       row.resize(played.surfaces.size());
       measured.volumes.add(seconds, row);
       if (recording)
-        recording->addFrame(heart::valvesAt(*played.sequence, seconds, rate));
+        recording->addFrame(heart::valvesAt(*played.sequence, seconds, rate),
+                            std::fmod(seconds * rate / 60, 1));
       context.progress.report(kDrawingShare * (frame + 1) / frames, "playing");
     }
     measureKeys(played, runner, rate, measured.atKeys);
@@ -503,6 +523,8 @@ private:
       addWalls(*measured.walls, outcome.json, listing);
     if (played.retargeted)
       addFit(*played.retargeted, outcome.json, listing);
+    if (!measured.signs.empty())
+      outcome.json["signs"] = measured.signs;
     for (const auto& [key, target] :
          {std::pair("csv", csv_), std::pair("movie", movie_), std::pair("folder", frames_),
           std::pair("sheet", sheet_), std::pair("handles", handlesOut_),
@@ -527,6 +549,7 @@ private:
   std::string csv_;
   std::string sheet_;
   int columns_ = 6;
+  SignsOption signs_;
   std::string size_ = "1280x800";
   StageOptions stage_;
 };

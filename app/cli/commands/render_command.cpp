@@ -13,6 +13,7 @@
 #include <vtkImageData.h>
 #include <vtkSmartPointer.h>
 
+#include "cli/heart_signs.h"
 #include "cli/inputs.h"
 #include "cli/listing.h"
 #include "cli/number_bounds.h"
@@ -211,6 +212,8 @@ public:
     CLI::Option* level = options.add_option("--level", level_, "The value that is middle grey")->needs(slice);
     width->needs(level);
     level->needs(width);
+    signs_.addTo(options);
+    options.get_option("--signs")->excludes(slice);
     system_.addTo(options);
   }
 
@@ -218,6 +221,9 @@ public:
     if (std::any_of(files_.begin(), files_.end(),
                     [](const auto& file) { return document::isSessionFile(file); }))
       return drawSession(context);
+    if (signs_.given())
+      throw UsageError("Only a session has the instant of a beat", signs_.text(),
+                       "draw a session that shows a beating heart, or a movie with 'viscera play'");
     std::vector<Shown> all = shown(context);
     stage_.size = pictureSize(size_);
     if (views_.empty())
@@ -365,14 +371,26 @@ private:
     const bool more = files_.size() > 1 || !views_.empty() || !influence_.empty() || !pose_.empty() ||
                       !beside_.empty() || parts_.any();
     if (more)
-      throw UsageError("It is drawn as it is: only --view, --slice, --size and --theme go with a session",
-                       files_.front(), "draw its organs' and handles' own files for anything else");
+      throw UsageError(
+          "It is drawn as it is: only --view, --slice, --signs, --size and --theme go with a session",
+          files_.front(), "draw its organs' and handles' own files for anything else");
     stage_.size = pictureSize(size_);
     const document::OpenedSession opened =
         document::readSession(files_.front(), context.samples, context.progress);
     if (!slice_.empty())
       return drawSlice(opened, context);
-    const SessionPicture picture = sessionPicture(opened, stage_, viewGiven_->count() > 0, context);
+    std::optional<ShownBeat> beat;
+    std::optional<SignsBelow> signs;
+    if (signs_.given()) {
+      if (!(beat = shownBeat(opened, context)))
+        throw UsageError("It was not saved at an instant of a beat", signs_.text(),
+                         "save it in the window while the heart beats or stands at an instant");
+      signs.emplace(signs_, beat->beat, stage_);
+    }
+    SessionPicture picture =
+        sessionPicture(opened, signs ? signs->above() : stage_, viewGiven_->count() > 0, context);
+    if (signs)
+      picture.image = signs->below(picture.image, beat->fraction);
     scene::writePng(output_, picture.image);
     Outcome outcome;
     outcome.json = {{"png", output_},
@@ -380,6 +398,8 @@ private:
                     {"height", stage_.size.height},
                     {"organs", opened.contents.state.organs->size()},
                     {"handles", opened.contents.state.rig->handles.size()}};
+    if (signs)
+      outcome.json["signs"] = signs->drawn();
     outcome.text = Listing().add("picture", output_).text();
     outcome.warnings = opened.warnings;
     std::string leftOut;
@@ -424,6 +444,7 @@ private:
   StageOptions stage_;
   CLI::Option* viewGiven_ = nullptr;
   double opacity_ = 1;
+  SignsOption signs_;
   SystemOptions system_;
 };
 

@@ -16,6 +16,7 @@
 #include "viscera/core/file_facts.h"
 #include "viscera/document/axes_commands.h"
 #include "viscera/document/organ_commands.h"
+#include "viscera/presentation/opened_heart.h"
 #include "viscera/presentation/unsuited_motion.h"
 #include "viscera/report/report_file.h"
 
@@ -84,6 +85,8 @@ public:
       source.stress = &stress;
       source.stressStatus = posed.stress().status();
     }
+    source.heartTissue = presentation::heartTissueFor(source.state, source.view, context.samples,
+                                                      context.progress, context.threads);
     const report::Report made = report::makeReport(source, context.threads, context.progress);
     context.progress.throwIfCancelled();
     const int pages = report::writeReport(output_, made);

@@ -9,31 +9,11 @@
 #include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkNew.h>
 
+#include "signs/circulation_texts.h"
 #include "window/language.h"
 #include "window/widgets/ready_made.h"
 
 namespace viscera::app {
-
-QString circulationLegendText(const presentation::ShownCirculation* before) {
-  QStringList parts;
-  for (const presentation::CirculationLine& line : presentation::circulationLegend(before)) {
-    const QColor color = QColor::fromRgbF(line.color.x(), line.color.y(), line.color.z());
-    parts.push_back(QStringLiteral("<span style=\"color:%1\">%2</span>&nbsp;%3")
-                        .arg(color.name(), line.dashed ? QStringLiteral("- -") : QStringLiteral("&#9632;"),
-                             inWords(line.name).toHtmlEscaped()));
-  }
-  return parts.join(QStringLiteral("&nbsp;&nbsp; "));
-}
-
-std::vector<scene::CurvePanel> circulationPanels(const presentation::ShownCirculation& shown,
-                                                 const presentation::ShownCirculation* before,
-                                                 const presentation::StripLook& look) {
-  std::vector<scene::CurvePanel> panels = presentation::circulationStrip(shown, before, look);
-  for (scene::CurvePanel& panel : panels)
-    for (std::string* title : {&panel.xTitle, &panel.yTitle})
-      *title = inWords(*title).toStdString();
-  return panels;
-}
 
 CirculationCharts::CirculationCharts(CirculationModel& model, Playback& playback, VolumeMonitor& volumes,
                                      QWidget* parent)
@@ -95,12 +75,12 @@ void CirculationCharts::rebuild() {
   panels_->setTheme(colors);
   std::vector<scene::CurvePanel> panels;
   if (const CirculationModel::Shown* present = model_.present())
-    panels = circulationPanels(*present, model_.kept(), {width, height, colors.typeScale, signs_});
+    panels = circulationPanels(*present, model_.kept(), {width, height, colors.typeScale, signs_}, wording());
   places_ = panels;
   for (scene::CurvePanel& place : places_)
     place.curves.clear();
   panels_->setPanels(std::move(panels));
-  legend_->setText(circulationLegendText(model_.kept()));
+  legend_->setText(circulationLegendText(model_.kept(), wording()));
   draw();
 }
 

@@ -16,14 +16,6 @@ class QLabel;
 
 namespace viscera::app {
 
-/// The meaning of the colours of a circulation's curves, as rich text in the language of the window.
-QString circulationLegendText(const presentation::ShownCirculation* before);
-
-/// The panels of a circulation's strip, with axes in the language of the window.
-std::vector<scene::CurvePanel> circulationPanels(const presentation::ShownCirculation& shown,
-                                                 const presentation::ShownCirculation* before,
-                                                 const presentation::StripLook& look);
-
 /// The charts of the circulation: Wiggers's diagram over one beat with a cursor at the instant that is shown,
 /// and the pressure-volume loops of both ventricles with a mark at that instant; above them the meaning of
 /// their colours. A circulation kept for comparison is drawn dashed. Cursor and marks follow every frame; the

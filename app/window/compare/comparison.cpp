@@ -51,6 +51,7 @@ struct Comparison::Second {
         view(new ViewWidget),
         picture(std::make_unique<Picture>(workspace, first.view, *view, Picture::Role::showing)) {
     picture->setValves([this] { return playback.valves(); });
+    picture->setClock([this] { return playback.clock(); });
     names =
         std::make_unique<OrganPointer>(OrganPointer::Parts{workspace, first.view, *picture, *view}, nullptr);
   }

@@ -217,7 +217,8 @@ void ImportPanel::addOrgan(const document::ImportDraft& draft, std::size_t place
           [this, place](bool included) { Q_EMIT includedChanged({place}, included); });
   column_->addWidget(check);
   cards_.push_back(
-      {place, text(draft.organs[place].name), draft.organs[place].assessment.questionable(), check});
+      {place, OrganCheck::shownName(draft.organs[place]) + QLatin1Char(' ') + text(draft.organs[place].name),
+       draft.organs[place].assessment.questionable(), check});
 }
 
 /// The selection is kept if it still exists.

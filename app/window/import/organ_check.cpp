@@ -10,6 +10,7 @@
 
 #include <map>
 
+#include "viscera/anatomy/part.h"
 #include "viscera/medical_io/plausible_size.h"
 #include "viscera/medical_io/surface_repairs.h"
 #include "window/import/repair_value_box.h"
@@ -172,10 +173,16 @@ OrganCheck::OrganCheck(const document::DraftOrgan& organ, const Detail& detail, 
   column->addLayout(makeFoot(organ));
 }
 
+QString OrganCheck::shownName(const document::DraftOrgan& organ) {
+  return inWords(anatomy::readableName(organ.name));
+}
+
 QLayout* OrganCheck::makeHeading(const document::DraftOrgan& organ, bool withFile) {
   auto* column = new QVBoxLayout;
   column->setSpacing(0);
-  auto* name = new ElidedCheck(text(organ.name), tr("Import this organ"), this);
+  const QString shown = shownName(organ), own = text(organ.name);
+  auto* name = new ElidedCheck(
+      shown, tr("Import this organ") + (shown == own ? QString() : QLatin1Char('\n') + own), this);
   name->setObjectName(QStringLiteral("included"));
   name->setChecked(organ.included);
   embolden(name);

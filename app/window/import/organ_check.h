@@ -49,6 +49,9 @@ public:
 
   OrganCheck(const document::DraftOrgan& organ, const Detail& detail, QWidget* parent = nullptr);
 
+  /// The name as people write it; the tooltip has that of the file.
+  static QString shownName(const document::DraftOrgan& organ);
+
 Q_SIGNALS:
   void includedChanged(bool included);
   void repairRequested(const QString& id);

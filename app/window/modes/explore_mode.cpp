@@ -131,7 +131,7 @@ QAction* ExploreMode::makeMeasure(Actions& actions, Kind kind, const char* id,
 QWidget* ExploreMode::makeCut(const Actions& actions) {
   auto* box = new QWidget;
   auto* column = makeLayout<QVBoxLayout>(box, 6);
-  column->addWidget(new CutBox(parts_.view, *parts_.area.view(), actions, box));
+  column->addWidget(new CutBox(workspace_, parts_.view, *parts_.area.view(), actions, box));
   column->addWidget(new ResectionBox(workspace_, parts_.view, box));
   return box;
 }

@@ -16,6 +16,7 @@
 #include "viscera/presentation/strain_figure.h"
 #include "window/heart_look.h"
 #include "window/language.h"
+#include "window/movie/shown_signs.h"
 #include "window/panels/play_page.h"
 #include "window/sample_loader.h"
 #include "window/status_line.h"
@@ -569,11 +570,11 @@ bool PlayMode::record(const MoviePlan& plan) {
       {parts_.workspace, parts_.playback, parts_.picture, segmentsOverTime()}};
   if (comparison_->on())
     sources.push_back({comparison_->workspace(), comparison_->playback(), comparison_->picture(), nullptr});
-  const bool begun =
-      recorder_->start(plan, sources,
-                       MovieSigns::of({parts_.playback, *circulation_, parts_.view.state().heartSigns,
-                                       parts_.picture.view().theme()},
-                                      plan.size));
+  const bool begun = recorder_->start(
+      plan, sources,
+      MovieSigns::of(shownSigns(parts_.playback, *circulation_, parts_.view.state().heartSigns,
+                                parts_.picture.view().theme()),
+                     plan.size));
   if (begun && std::any_of(sources.begin(), sources.end(),
                            [](const auto& source) { return source.picture.hasMoreThanMovies(); }))
     parts_.workspace.note(

@@ -5,9 +5,9 @@
 #include <memory>
 #include <vector>
 
+#include "signs/movie_signs.h"
 #include "viscera/core/job_queue.h"
 #include "window/movie/movie_plan.h"
-#include "window/movie/movie_signs.h"
 #include "window/movie/movie_stage.h"
 
 namespace viscera::app {

@@ -22,8 +22,9 @@ MovieStage::MovieStage(const Source& source, const QSize& size, bool caption)
     : systems_(source.workspace.registry()), state_(source.workspace.state()),
       organs_(source.workspace.live().copy()), stress_(source.workspace.stress().copy()),
       runner_(state_, organs_), view_(source.picture.state()), stressRange_(source.picture.stressRange()),
-      stressLegend_(source.picture.stressLegend()), segments_(source.segments),
-      theme_(source.picture.view().theme()), size_(size), captionWanted_(caption) {
+      stressLegend_(source.picture.stressLegend()), heartTissue_(source.picture.heartTissue()),
+      segments_(source.segments), theme_(source.picture.view().theme()), size_(size),
+      captionWanted_(caption) {
   view_.camera = presentation::cameraOf(source.picture.view());
   if (const auto& values = source.picture.presenter().stressValues(); values.ready())
     view_.stress.range = values.range();
@@ -94,8 +95,11 @@ vtkSmartPointer<vtkImageData> MovieStage::picture() {
     scene.map = &segments.emplace(segments_(seconds_));
   scene.stressRange = stressRange_;
   scene.stressLegend = stressLegend_;
-  if (runner_.sequence())
+  scene.heartTissue = heartTissue_;
+  if (runner_.sequence()) {
     scene.valves = heart::valvesAt(*runner_.sequence(), seconds_, runner_.ratePerMinute());
+    scene.clock = heart::clockAt(*runner_.sequence(), seconds_, runner_.ratePerMinute());
+  }
   stage_->presenter().update(scene);
   if (captionWanted_)
     writeCaption();

@@ -61,6 +61,7 @@ private:
   presentation::ViewState view_;
   std::optional<scene::ValueRange> stressRange_; ///< Range of both views at the start.
   bool stressLegend_;
+  std::shared_ptr<const live::HeartTissue> heartTissue_;
   std::function<presentation::SurfaceMap(double)> segments_;
   scene::Theme theme_;
   QSize size_;

@@ -3,11 +3,13 @@
 #include <QAction>
 #include <QCheckBox>
 #include <QGridLayout>
+#include <QHBoxLayout>
 #include <QPushButton>
 
 #include <vtkCamera.h>
 #include <vtkRenderer.h>
 
+#include "viscera/presentation/opened_heart.h"
 #include "window/language.h"
 #include "window/view/cut_sight.h"
 #include "window/widgets/ready_made.h"
@@ -15,15 +17,11 @@
 
 namespace viscera::app {
 
-CutBox::CutBox(ViewModel& view, ViewWidget& widget, const Actions& actions, QWidget* parent)
-    : QWidget(parent), view_(view), widget_(widget) {
+CutBox::CutBox(Workspace& workspace, ViewModel& view, ViewWidget& widget, const Actions& actions,
+               QWidget* parent)
+    : QWidget(parent), workspace_(workspace), view_(view), widget_(widget) {
   auto* column = makeLayout<QVBoxLayout>(this, 6);
-  auto* check = new QCheckBox(actions["view.cut"]->iconText(), this);
-  check->setToolTip(actions["view.cut"]->toolTip());
-  connect(check, &QCheckBox::toggled, actions["view.cut"], &QAction::setChecked);
-  connect(actions["view.cut"], &QAction::toggled, check, &QCheckBox::setChecked);
-  check->setChecked(actions["view.cut"]->isChecked());
-  column->addWidget(check);
+  column->addWidget(makeSwitches(actions));
   directions_ = makeDirections();
   column->addWidget(directions_);
   offset_ = new ValueSlider(tr("Depth"), {-kPercent, kPercent, 1, 0, QStringLiteral(" %")}, this);
@@ -35,7 +33,32 @@ CutBox::CutBox(ViewModel& view, ViewWidget& widget, const Actions& actions, QWid
     view_.change([value](presentation::ViewState& state) { state.cut.offset = value / kPercent; });
   });
   connect(&view, &ViewModel::changed, this, &CutBox::sync);
+  subscription_ = workspace.onChange([this](const document::Change& change) {
+    if (change.organs())
+      sync();
+  });
   sync();
+}
+
+QWidget* CutBox::makeSwitches(const Actions& actions) {
+  auto* row = new QWidget(this);
+  auto* line = makeLayout<QHBoxLayout>(row, 6);
+  auto* check = new QCheckBox(actions["view.cut"]->iconText(), row);
+  check->setToolTip(actions["view.cut"]->toolTip());
+  connect(check, &QCheckBox::toggled, actions["view.cut"], &QAction::setChecked);
+  connect(actions["view.cut"], &QAction::toggled, check, &QCheckBox::setChecked);
+  check->setChecked(actions["view.cut"]->isChecked());
+  line->addWidget(check);
+  blood_ = new QCheckBox(tr("Blood"), row);
+  blood_->setObjectName(QStringLiteral("cutBlood"));
+  blood_->setToolTip(
+      tr("Fill the chambers of the heart with blood. Without it they are empty and show walls, "
+         "papillary muscles and valves"));
+  connect(blood_, &QCheckBox::toggled, this,
+          [this](bool on) { view_.change([on](presentation::ViewState& state) { state.cut.blood = on; }); });
+  line->addWidget(blood_);
+  line->addStretch();
+  return row;
 }
 
 QWidget* CutBox::makeDirections() {
@@ -72,7 +95,7 @@ void CutBox::cutFrom(const Vec3& normal) {
     widget_.view().renderer()->GetActiveCamera()->GetDirectionOfProjection(sight);
     chosen = Vec3(sight).normalized();
   }
-  view_.change([&chosen](presentation::ViewState& state) { state.cut = {true, chosen, 0}; });
+  view_.change([&chosen](presentation::ViewState& state) { state.cut = {true, chosen, 0, state.cut.blood}; });
 }
 
 void CutBox::sync() {
@@ -80,6 +103,8 @@ void CutBox::sync() {
   directions_->setEnabled(cut.on);
   offset_->setEnabled(cut.on);
   offset_->setValue(kPercent * cut.offset);
+  blood_->setVisible(presentation::openedHeart(workspace_.state(), view_.state()).has_value());
+  blood_->setChecked(cut.blood);
 }
 
 } // namespace viscera::app

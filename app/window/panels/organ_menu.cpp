@@ -97,15 +97,20 @@ void OrganMenu::fill(Actions& actions) {
                 [](document::OrganLook& look) { look.vertexColors = true; });
     workspace_.undo().seal();
   });
+  QAction* usual = addAction(tr("Textbook colours"));
+  usual->setObjectName(QStringLiteral("organTextbookColors"));
+  connect(usual, &QAction::triggered, this,
+          [this] { giveTextbookColors(workspace_, tr("Textbook colours"), chosen_()); });
   addAction(actions["volume.lock"]);
   for (const char* id : {"organ.bends", "organ.rigid", "organ.fixed"})
     addAction(actions[id]);
   addAction(actions["measure.gap"]);
   addSeparator();
   addAction(actions["organ.remove"]);
-  connect(this, &QMenu::aboutToShow, this, [this, color, own, &actions] {
+  connect(this, &QMenu::aboutToShow, this, [this, color, own, usual, &actions] {
     actions.sync();
     color->setEnabled(!chosen_().empty());
+    usual->setEnabled(!withoutTextbookColors(workspace_, chosen_()).empty());
     own->setVisible(!withHiddenColors().empty());
   });
 }

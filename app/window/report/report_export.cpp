@@ -5,6 +5,7 @@
 #include <QFileInfo>
 #include <QGuiApplication>
 
+#include "viscera/presentation/opened_heart.h"
 #include "viscera/report/report_file.h"
 #include "viscera/report/session_script.h"
 #include "window/actions.h"
@@ -93,7 +94,10 @@ void ReportExport::write(const QString& file) {
         if (!report::isReportFile(path))
           throw UsageError("A report cannot be written to this kind of file", path,
                            "let it end in .pdf or .html");
-        return report::writeReport(path, report::makeReport(material->source, {}, progress));
+        report::ReportSource& whole = material->source;
+        whole.heartTissue =
+            presentation::heartTissueFor(whole.state, whole.view, sample_organs::standardLibrary(), progress);
+        return report::writeReport(path, report::makeReport(whole, {}, progress));
       },
       [this, file](int pages) {
         window_.settings.setValue(kFolderKey, QFileInfo(file).absolutePath());

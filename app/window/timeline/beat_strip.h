@@ -5,7 +5,7 @@
 
 #include <optional>
 
-#include "window/timeline/beat_drawing.h"
+#include "signs/beat_drawing.h"
 
 namespace viscera::app {
 

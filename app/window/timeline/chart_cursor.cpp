@@ -5,28 +5,9 @@
 
 #include <utility>
 
+#include "signs/instant_marks.h"
+
 namespace viscera::app {
-namespace {
-constexpr double kCursorWidth = 1.5; ///< Logical pixels.
-constexpr double kRingSize = 9;
-
-QRectF boxOf(const ChartCursor::Line& line, const QSizeF& chart) {
-  return {line.x * chart.width() - kCursorWidth / 2, (1 - line.high) * chart.height(), kCursorWidth,
-          (line.high - line.low) * chart.height()};
-}
-
-QRectF boxOf(const ChartCursor::Ring& ring, const QSizeF& chart) {
-  return {ring.x * chart.width() - kRingSize / 2, (1 - ring.y) * chart.height() - kRingSize / 2, kRingSize,
-          kRingSize};
-}
-
-QColor markColor(const QColor& color) {
-  constexpr double kMarkOpacity = 0.8;
-  QColor seen = color;
-  seen.setAlphaF(kMarkOpacity);
-  return seen;
-}
-} // namespace
 
 ChartCursor::ChartCursor(QWidget& chart) : QWidget(&chart) {
   setObjectName(QStringLiteral("chartCursor"));
@@ -70,17 +51,7 @@ QRegion ChartCursor::covered() const {
 
 void ChartCursor::paintEvent(QPaintEvent* /*event*/) {
   QPainter painter(this);
-  paint(painter, marks_, size(), color_);
-}
-
-void ChartCursor::paint(QPainter& painter, const Marks& marks, const QSizeF& chart, const QColor& color) {
-  painter.setRenderHint(QPainter::Antialiasing);
-  painter.setBrush(Qt::NoBrush);
-  for (const Line& line : marks.lines)
-    painter.fillRect(boxOf(line, chart), markColor(color));
-  painter.setPen(QPen(markColor(color), kCursorWidth));
-  for (const Ring& ring : marks.rings)
-    painter.drawEllipse(boxOf(ring, chart));
+  paintMarks(painter, marks_, size(), color_);
 }
 
 } // namespace viscera::app

@@ -23,8 +23,6 @@ public:
   void setColor(const QColor& color);
   void setMarks(Marks marks);
   const Marks& marks() const { return marks_; }
-  /// Draws marks over the picture of a chart of that size, as over the chart in the window.
-  static void paint(QPainter& painter, const Marks& marks, const QSizeF& chart, const QColor& color);
 
 protected:
   bool eventFilter(QObject* watched, QEvent* event) override;

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "signs/beat_drawing.h"
 #include "viscera/scene/label_layout.h"
 #include "window/language.h"
 #include "window/workspace.h"

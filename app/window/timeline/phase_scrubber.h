@@ -8,10 +8,6 @@
 
 namespace viscera::app {
 
-/// The margin at the left and right of every strip that shows a cycle, in logical pixels. All strips share
-/// it, so that the same instants stand below each other.
-inline constexpr double kPhaseMargin = 8;
-
 /// A strip that shows one cycle with its phases and the present instant, which mouse and arrow keys move.
 /// Under the strip are the names of the phases, or, for waves that travel through an organ, their way with
 /// the names of places and a mark for each wave.

@@ -213,6 +213,12 @@ std::optional<heart::ValveInstants> Playback::valves() const {
   return heart::valvesAt(*sequence(), player_.secondsInCycle(), player_.ratePerMinute());
 }
 
+std::optional<heart::BeatClock> Playback::clock() const {
+  if (!showing())
+    return std::nullopt;
+  return heart::clockAt(*sequence(), player_.secondsInCycle(), player_.ratePerMinute());
+}
+
 void Playback::seek(double fraction) {
   if (start())
     changePlayer([&] { player_.seek(std::clamp(fraction, 0.0, 1.0)); });

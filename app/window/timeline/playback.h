@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "viscera/heart/beating_heart.h"
 #include "viscera/heart/heart_valves.h"
 #include "viscera/live/player.h"
 #include "window/workspace.h"
@@ -64,6 +65,8 @@ public:
   const live::Player& player() const { return player_; }
   /// The valves of the heart that is shown beating; nothing when none is.
   std::optional<heart::ValveInstants> valves() const;
+  /// The instant of the beat of the heart that is shown beating; nothing when none is.
+  std::optional<heart::BeatClock> clock() const;
   /// Whether the organs show the sequence's pose.
   bool showing() const { return player_.showing(); }
 

@@ -78,7 +78,10 @@ void VolumeMonitor::watch(Side& side) {
                                                             // once.
       sides_[first ? 0 : 1].workspace->afterChange([this] { update(); });
   }));
-  side.subscriptions.push_back(side.workspace->selection().onChange([this] { rebuild(); }));
+  side.subscriptions.push_back(side.workspace->selection().onChange([this] {
+    rebuild();
+    Q_EMIT chosenChanged();
+  }));
   side.subscriptions.push_back(side.workspace->live().onEvent([this, &side](const live::LiveEvent& event) {
     if (event.status)
       measureSoon(side);
@@ -129,6 +132,13 @@ std::vector<VolumeMonitor::Line> VolumeMonitor::linesOf(int side) const {
                      organ->parent || anatomy::chamberNamed(organ->name).has_value(), rest, rest, label});
   }
   return lines;
+}
+
+std::size_t VolumeMonitor::chosenLine() const {
+  const document::OrganId chosen = sides_[0].workspace->selection().organ();
+  const auto line = std::find_if(lines_.begin(), lines_.end(),
+                                 [chosen](const Line& one) { return one.side == 0 && one.organ == chosen; });
+  return static_cast<std::size_t>(line - lines_.begin());
 }
 
 void VolumeMonitor::rebuild() {

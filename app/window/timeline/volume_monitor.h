@@ -61,6 +61,8 @@ public:
   const std::vector<Line>& lines() const { return lines_; }
   /// How many visible, tracked organs have no line.
   int unlisted() const { return unlisted_; }
+  /// The line of the organ that is chosen in the first view; behind the last one for none.
+  std::size_t chosenLine() const;
   /// A line's name; with two views, preceded by the number of its view.
   QString nameOf(const Line& line) const;
   /// The record of the sequence as played; one column for each line, the time is the first view's.
@@ -102,6 +104,8 @@ public:
 Q_SIGNALS:
   /// The tracked organs have changed, and all records were cleared.
   void linesChanged();
+  /// Another organ is chosen.
+  void chosenChanged();
   /// The volumes of `lines` were updated to the shown pose; emitted with every frame of a sequence or of a
   /// drag, and with `updated`. For texts; charts take too long to draw.
   void shown();

@@ -79,6 +79,11 @@ QString shortName(const heart::NormalRange& range) {
     return VolumePanel::tr("normal %1").arg(inWords(range.name));
   }
 }
+
+bool hasNormals(const VolumeMonitor::Line& line) {
+  return !heart::normalRanges(line.label).empty();
+}
+
 /// ms: the picture of the organs is drawn first, because the chart takes as long as that.
 constexpr int kDelay = 40;
 
@@ -115,6 +120,7 @@ VolumePanel::VolumePanel(VolumeMonitor& monitor, Playback& playback, ViewModel& 
   row->addLayout(column_, 1);
   makeChart();
   connect(&monitor, &VolumeMonitor::linesChanged, this, &VolumePanel::rebuild);
+  connect(&monitor, &VolumeMonitor::chosenChanged, this, &VolumePanel::showNormalsOfChosen);
   connect(&monitor, &VolumeMonitor::shown, this, &VolumePanel::followFrame);
   connect(&monitor, &VolumeMonitor::updated, this, &VolumePanel::refreshIfNew);
   connect(&playback, &Playback::stateChanged, this, &VolumePanel::syncPrescribed);
@@ -252,13 +258,17 @@ void VolumePanel::rebuild() {
   tileBox_->show();
   chart_->setLines(lines);
   charted_ = 0;
-  const auto hasNormals = [](const VolumeMonitor::Line& line) {
-    return !heart::normalRanges(line.label).empty();
-  };
   const auto first = std::find_if(monitor_.lines().begin(), monitor_.lines().end(), hasNormals);
   normalsOf_ = static_cast<std::size_t>(first - monitor_.lines().begin());
   syncNormals();
   refresh();
+  showNormalsOfChosen();
+}
+
+void VolumePanel::showNormalsOfChosen() {
+  const std::size_t line = monitor_.chosenLine();
+  if (line != normalsOf_ && line < monitor_.lines().size() && hasNormals(monitor_.lines()[line]))
+    setNormalsOf(line);
 }
 
 /// Of the first view, the line whose volume is prescribed; behind the last one when none is.

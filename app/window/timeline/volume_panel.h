@@ -87,6 +87,7 @@ private:
   void drawCycle();
   void drawRecord();
   void syncNormals();
+  void showNormalsOfChosen();
   QStringList normalsForms() const;
   std::size_t prescribedLine() const;
   void syncPrescribed();

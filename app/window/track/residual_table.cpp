@@ -4,7 +4,6 @@
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QHeaderView>
-#include <QLabel>
 #include <QSignalBlocker>
 #include <QStackedLayout>
 #include <QTableWidget>
@@ -13,6 +12,7 @@
 #include <algorithm>
 
 #include "window/language.h"
+#include "window/widgets/elided_label.h"
 #include "window/widgets/ready_made.h"
 
 namespace viscera::app {
@@ -60,7 +60,8 @@ const Compared kCompareds[] = {{QT_TRANSLATE_NOOP("viscera::app::ResidualTable",
 
 /// Sets the properties that both tables have in common.
 void makePlain(QTableWidget& table) {
-  table.horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+  // Narrower columns would cut headings and numbers; a scroll bar comes where they have no room.
+  table.horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   table.horizontalHeader()->setDefaultAlignment(Qt::AlignRight | Qt::AlignVCenter);
   table.horizontalHeader()->setHighlightSections(false);
   table.horizontalHeader()->setMinimumSectionSize(kPhaseRowHeight);
@@ -75,7 +76,7 @@ void makePlain(QTableWidget& table) {
 
 ResidualTable::ResidualTable(MeasuredMotion& measured, Playback& playback, QWidget* parent)
     : QWidget(parent), measured_(measured), playback_(playback), surfaces_(new QComboBox(this)),
-      summary_(new QLabel(this)), stack_(new QStackedLayout),
+      summary_(new ElidedLabel(this)), stack_(new QStackedLayout),
       table_(new QTableWidget(0, kResidualColumns, this)),
       differences_(new QTableWidget(0, kDifferenceColumns, this)), theme_(themeOf(ThemeKind::dark)) {
   auto* column = makeLayout<QVBoxLayout>(this, 4, {0, 4, 0, 0});
@@ -123,7 +124,6 @@ QWidget* ResidualTable::makeHead() {
   ghost_ = ghost;
   distances_ = distances;
   summary_->setObjectName(QStringLiteral("muted"));
-  summary_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   row->addWidget(summary_, 1);
   return head;
 }
@@ -150,8 +150,6 @@ void ResidualTable::makeTable() {
   for (int i = 0; i < kResidualColumns; ++i)
     table_->horizontalHeaderItem(i)->setToolTip(tips[i]);
   makePlain(*table_);
-  for (const int wide : {kMeasuredVolume, kFreeVolume, kFittedVolume})
-    table_->horizontalHeader()->setSectionResizeMode(wide, QHeaderView::ResizeToContents);
   makePlain(*differences_);
   differences_->setObjectName(QStringLiteral("seriesDifferences"));
   differences_->setAccessibleName(tr("Differences from the previous series"));
@@ -195,7 +193,7 @@ void ResidualTable::fill() {
   const MeasuredMotion::Found* found = measured_.present();
   syncSwitches();
   table_->setRowCount(found ? static_cast<int>(found->motion->phases.size()) : 0);
-  summary_->clear();
+  summary_->setFullText({});
   if (!found)
     return;
   const live::PatientMotion& motion = *found->motion;
@@ -219,8 +217,7 @@ void ResidualTable::fill() {
     const auto [low, high] = std::minmax_element(motion.tissueMl.begin(), motion.tissueMl.end());
     parts.push_back(tr("tissue %1 to %2 ml").arg(formatNumber(*low, 1)).arg(formatNumber(*high, 1)));
   }
-  summary_->setText(parts.join(QStringLiteral("; ")));
-  summary_->setToolTip(summary_->text());
+  summary_->setFullText(parts.join(QStringLiteral("; ")));
   markPhase();
 }
 

@@ -7,11 +7,12 @@
 
 class QCheckBox;
 class QComboBox;
-class QLabel;
 class QStackedLayout;
 class QTableWidget;
 
 namespace viscera::app {
+
+class ElidedLabel;
 
 /// A table of how well a tracked motion fits the measured series, for each phase, of all surfaces together or
 /// of one: distances, measured volumes and those of the fit, flipped triangles, folded tissue. A click on a
@@ -44,7 +45,7 @@ private:
   QComboBox* surfaces_;
   QCheckBox* ghost_ = nullptr;
   QCheckBox* distances_ = nullptr;
-  QLabel* summary_;
+  ElidedLabel* summary_;
   QStackedLayout* stack_;
   QTableWidget* table_;
   QTableWidget* differences_;

@@ -44,7 +44,7 @@ void hide(document::DocumentState& state, presentation::ViewState& view) {
 
 Picture::Picture(Workspace& workspace, ViewModel& model, ViewWidget& view, Role role, QObject* parent)
     : QObject(parent), workspace_(workspace), model_(model), widget_(view), role_(role),
-      presenter_(view.view(), {}, translated) {
+      opener_(workspace, model), presenter_(view.view(), {}, translated) {
   view.view().handleWidget()->SetRenderOnChange(false);
   subscriptions_.push_back(workspace.onChange([this](const document::Change& change) {
     if (isDrawn(change))
@@ -61,6 +61,7 @@ Picture::Picture(Workspace& workspace, ViewModel& model, ViewWidget& view, Role 
     if (differsFromDocument())
       markOutdated();
   });
+  connect(&opener_, &HeartOpener::made, this, &Picture::markOutdated);
   connect(&view, &ViewWidget::themeChanged, this, &Picture::markOutdated);
   view.setContents([this] { bringUpToDate(); });
   view.scheduleRender();
@@ -140,6 +141,11 @@ void Picture::setValves(Valves valves) {
   markOutdated();
 }
 
+void Picture::setClock(Clock clock) {
+  clock_ = std::move(clock);
+  markOutdated();
+}
+
 void Picture::setStressRange(std::optional<scene::ValueRange> range, bool legend) {
   if (stressRange_ == range && stressLegend_ == legend)
     return;
@@ -203,7 +209,8 @@ void Picture::update() const {
     presenter_.update({shown, workspace_.live(), view, workspace_.registry(), &stress, map, &measuring_,
                        &transient, namedParts_ ? &*namedParts_ : nullptr, warping ? &*warping : nullptr,
                        valves_ && !transientAlone_ ? valves_() : std::nullopt, stressRange_, stressLegend_,
-                       pointedOrgan_});
+                       pointedOrgan_, clock_ && !transientAlone_ ? clock_() : std::nullopt,
+                       opener_.tissue()});
   });
   drawn_ = model_.state();
   Q_EMIT changed();

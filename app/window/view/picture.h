@@ -3,10 +3,12 @@
 #include <QObject>
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <vector>
 
 #include "viscera/presentation/presenter.h"
+#include "window/view/heart_opener.h"
 #include "window/view/view_model.h"
 #include "window/view/view_widget.h"
 #include "window/workspace.h"
@@ -63,6 +65,11 @@ public:
   /// date.
   using Valves = std::function<std::optional<heart::ValveInstants>()>;
   void setValves(Valves valves);
+  /// The same for the instant of its beat.
+  using Clock = std::function<std::optional<heart::BeatClock>()>;
+  void setClock(Clock clock);
+  /// The tissue of the sample heart as far as a cut has asked for it; may be null.
+  const std::shared_ptr<const live::HeartTissue>& heartTissue() const { return opener_.tissue(); }
   /// Whether the picture has parts that a movie of the view leaves out: distances, measured surfaces, warped
   /// slices.
   bool hasMoreThanMovies() const;
@@ -90,6 +97,7 @@ private:
   ViewModel& model_;
   ViewWidget& widget_;
   Role role_;
+  HeartOpener opener_;
   mutable presentation::Presenter presenter_; ///< Follows the document when it is read.
   mutable bool outdated_ = true;
   presentation::PendingMeasurement measuring_;
@@ -101,6 +109,7 @@ private:
   document::OrganId pointedOrgan_;
   std::optional<presentation::SurfaceMap> map_, segments_;
   Valves valves_;
+  Clock clock_;
   std::optional<scene::ValueRange> stressRange_;
   bool stressLegend_ = true;
   mutable std::optional<presentation::ViewState> drawn_; ///< The view's state in the last picture.

@@ -68,6 +68,14 @@ void ViewActions::makeSwitches(Actions& actions) {
                   {tr("Shift+C")},
                   tr("Cut all organs open by a plane; their cavities are hollow then")},
                  [](ViewState& state) -> bool& { return state.cut.on; });
+  view.addToggle(
+      actions, "view.conduction",
+      {tr("Co&nduction system"),
+       "beat",
+       {},
+       tr("In the sample heart: sinus node, atrioventricular node, bundles and branches, lit where "
+          "the excitation of the beat is; names of parts name them")},
+      &ViewState::conduction);
   view.addToggle(actions, "view.cube", {tr("Orientation &cube"), "view", {}, {}},
                  &ViewState::orientationCube);
   view.addToggle(actions, "view.scale", {tr("Scale &bar"), nullptr, {}, {}}, &ViewState::scaleBar);

@@ -23,6 +23,10 @@ constexpr auto kSpect =
     "gastric accommodation using SPECT\" (mean)";
 constexpr auto kCustomary = "customary at the bedside";
 constexpr auto kRightHeart = "Humbert 2022, doi 10.1093/eurheartj/ehac237";
+/// Ranges of healthy people: the wedge pressure (table of recommendations); 24 ventricles that worked
+/// normally.
+constexpr auto kWedgePressure = "Rosenkranz 2015, doi 10.1183/16000617.0062-2015";
+constexpr auto kFillingPressure = "Bouchard 1971, doi 10.1161/01.CIR.44.6.1072";
 constexpr auto kPressures =
     "Whelton 2018, doi 10.1161/HYP.0000000000000065: normal is below 120/80; the lower "
     "bound is customary";
@@ -139,9 +143,9 @@ void addCirculation(std::vector<Norm>& rows) {
   add("pulmonary.systolic", "Pulmonary artery", "systolic pressure", "mmHg", {15, 30}, kRightHeart);
   add("pulmonary.mean", "Pulmonary artery", "mean pressure", "mmHg", {7.4, 20.6},
       "Kovacs 2009, doi 10.1183/09031936.00145608: mean +- 2 standard deviations");
-  add("la.mean", "Left atrium", "mean pressure", "mmHg", {4, 12}, kCustomary);
+  add("la.mean", "Left atrium", "mean pressure", "mmHg", {4, 12}, kWedgePressure);
   add("ra.mean", "Right atrium", "mean pressure", "mmHg", {2, 6}, kRightHeart);
-  add("lv.edp", "Left ventricle", "end-diastolic pressure", "mmHg", {4, 12}, kCustomary);
+  add("lv.edp", "Left ventricle", "end-diastolic pressure", "mmHg", {5, 12}, kFillingPressure);
   add("lv.dpdt", "Left ventricle", "fastest rise of pressure", "mmHg/s", {1200, kInfinity}, kCustomary);
   add("lv.coupling", "Left ventricle", "coupling Ea/Ees", "", {0.5, 1},
       "between the most efficient (0.5) and the most powerful coupling (1): Burkhoff and Sagawa 1986, "

@@ -124,7 +124,9 @@ std::string nameInWords(const std::string& name, const Wording& language) {
     return name;
   if (std::string exact = translated(language, name); !exact.empty())
     return exact;
-  const std::size_t end = numberAtEnd(name);
+  // "Right ventricle (patient1)", "Septum 12": what tells one of a kind from others stays as it is.
+  const std::size_t bracket = name.ends_with(')') ? name.rfind(" (") : std::string::npos;
+  const std::size_t end = bracket != std::string::npos ? bracket : numberAtEnd(name);
   const std::string word = end < name.size() ? translated(language, name.substr(0, end)) : std::string();
   return word.empty() ? name : word + name.substr(end);
 }
@@ -293,9 +295,10 @@ std::string inWords(const Text& text, const Wording& language) {
 
 std::size_t numberAtEnd(std::string_view name) {
   const std::size_t last = name.find_last_not_of("0123456789");
-  const bool numbered =
-      last != std::string_view::npos && last > 0 && last + 1 < name.size() && name[last] == ' ';
-  return numbered ? last : name.size();
+  if (last == std::string_view::npos || last == 0 || last + 1 == name.size())
+    return name.size();
+  const bool lettered = last > 1 && name[last] >= 'A' && name[last] <= 'Z' && name[last - 1] == ' ';
+  return lettered ? last - 1 : name[last] == ' ' ? last : name.size();
 }
 
 } // namespace viscera

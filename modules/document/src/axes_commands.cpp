@@ -59,6 +59,8 @@ Organ changed(const Organ& organ, const CoordinateChange& change) {
   result.origin = {};
   for (geometry::NamedPlace& place : result.places)
     place.at = change.map * place.at;
+  for (geometry::NamedWay& way : result.ways)
+    way.points = mapped(way.points, change);
   result.restVolumeMm3 *= std::abs(change.map.determinant());
   if (!change.keepsSize())
     removeRemarksOnSize(result.warnings, organ);

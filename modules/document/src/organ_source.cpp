@@ -137,4 +137,13 @@ std::vector<geometry::NamedPlace> SampleMaker::placesOf(const std::string& sampl
   }
 }
 
+std::vector<geometry::NamedWay> SampleMaker::waysOf(const std::string& sample,
+                                                    const std::string& surface) const {
+  try {
+    return sample_organs::namedWays(library_, sample.substr(0, sample.find('@')), surface);
+  } catch (const Error&) {
+    return {};
+  }
+}
+
 } // namespace viscera::document

@@ -55,6 +55,8 @@ public:
 
   /// The places that `make` would set, without making the organ; empty if they are not known.
   std::vector<geometry::NamedPlace> placesOf(const std::string& sample, const std::string& surface) const;
+  /// The ways, in the same manner.
+  std::vector<geometry::NamedWay> waysOf(const std::string& sample, const std::string& surface) const;
 
 private:
   const sample_organs::SampleLibrary& library_;

@@ -365,8 +365,10 @@ private:
       const Origin origin = originOf(item.at("source"), place + ".source");
       organ.origin.sample = origin.sample;
       organ.origin.surface = origin.surface;
-      if (!origin.sample.empty())
+      if (!origin.sample.empty()) {
         organ.places = maker_.placesOf(origin.sample, origin.surface);
+        organ.ways = maker_.waysOf(origin.sample, origin.surface);
+      }
       organ.origin.fileHash = origin.file.hash;
       organ.file = origin.file.absolute;
       if (!organ.file.empty() && organ.file.is_relative()) // A name alone: beside the session, if anywhere.

@@ -14,6 +14,7 @@
 #include "viscera/core/error.h"
 #include "viscera/core/phrase.h"
 #include "viscera/document/rig_commands.h"
+#include "viscera/heart/beating_heart.h"
 #include "viscera/live/motion_recipe.h"
 
 namespace viscera::live {
@@ -119,11 +120,25 @@ heart::HeartCourse heartCourse(Text name, const circulation::Parameters& paramet
     course.instants.push_back(instant);
   }
   course.valves = valvesOf(parameters, beat);
+  course.begins =
+      heart::BeatClock{beat.time[first], circulation::conductionSeconds(parameters), 60 / beat.period};
   const auto begin = static_cast<std::ptrdiff_t>(first);
   std::rotate(course.instants.begin(), course.instants.begin() + begin, course.instants.end());
   std::rotate(course.valves.begin(), course.valves.begin() + begin, course.valves.end());
   return course;
 }
+
+namespace {
+
+/// The course of a circulation; empty without a periodic beat.
+std::optional<heart::HeartCourse> courseOf(const circulation::Parameters& parameters, Progress& progress) {
+  const circulation::PeriodicState found = circulation::findPeriodicState(parameters, progress);
+  if (!found.converged)
+    return std::nullopt;
+  return heartCourse({}, parameters, found.beat, circulation::indicesOf(parameters, found.beat));
+}
+
+} // namespace
 
 std::optional<heart::ValveInstants> heartValves(const std::string& recipe,
                                                 const document::CirculationChoice& choice, double fraction,
@@ -134,11 +149,21 @@ std::optional<heart::ValveInstants> heartValves(const std::string& recipe,
     return ratePerMinute > 0 ? std::optional(heart::textbookValves(CardiacCycle().beat(ratePerMinute),
                                                                    fraction * 60 / ratePerMinute))
                              : std::nullopt;
-  const circulation::PeriodicState found = circulation::findPeriodicState(choice.parameters, progress);
-  if (!found.converged)
+  const std::optional<heart::HeartCourse> course = courseOf(choice.parameters, progress);
+  return course ? course->valvesAt(fraction) : std::nullopt;
+}
+
+std::optional<heart::BeatClock> heartClock(const std::string& recipe,
+                                           const document::CirculationChoice& choice, double fraction,
+                                           double ratePerMinute, Progress& progress) {
+  if (!sampleHeartOf(recipe))
     return std::nullopt;
-  const circulation::Indices indices = circulation::indicesOf(choice.parameters, found.beat);
-  return heartCourse({}, choice.parameters, found.beat, indices).valvesAt(fraction);
+  if (!choice.drives)
+    return ratePerMinute > 0 ? std::optional(heart::clockOf(CardiacCycle().beat(ratePerMinute),
+                                                            fraction * 60 / ratePerMinute))
+                             : std::nullopt;
+  const std::optional<heart::HeartCourse> course = courseOf(choice.parameters, progress);
+  return course ? course->clockAt(fraction) : std::nullopt;
 }
 
 struct CirculatingHeart::Parts {

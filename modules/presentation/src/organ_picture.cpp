@@ -156,6 +156,7 @@ void OrganPicture::updateLooks(const Scene& scene, const std::map<document::Orga
     if (std::exchange(shown.vertexColors, look.vertexColors) != look.vertexColors)
       actor.setVertexColorsShown(look.vertexColors);
     actor.setVisible(appearance.visible);
+    actor.setRole(appearance.drawn ? scene::SurfaceRole::whole : scene::SurfaceRole::body);
     actor.setOpacity(appearance.opacity);
     updateColors(shown, appearance, colors);
     if (appearance.clip && appearance.clip != shown.clip)

@@ -16,6 +16,7 @@ struct Appearance {
   double opacity = 1;
   std::optional<scene::CutPlane> clip = std::nullopt;
   std::shared_ptr<const Values> values = nullptr; ///< Null: its own colours.
+  bool drawn = true; ///< Else another surface is drawn in its place, while clicks and names still meet it.
 };
 
 /// The colour map that is shared by all surfaces that show numbers.

@@ -1,17 +1,19 @@
 #include "viscera/presentation/presenter.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <cstdio>
 #include <iterator>
+#include <set>
 #include <utility>
 
 #include <vtkCamera.h>
 #include <vtkRenderer.h>
 
+#include "conduction_picture.h"
 #include "cut_picture.h"
 #include "handle_picture.h"
+#include "heart_picture.h"
 #include "organ_picture.h"
 #include "seen_document.h"
 #include "standing_picture.h"
@@ -42,6 +44,7 @@ struct LabelChoice {
   bool ofOrgans = false;
   bool ofParts = false;
   std::optional<std::vector<Part>> parts; ///< Of these alone.
+  bool ofConduction = false;
 
   bool operator==(const LabelChoice&) const = default;
 };
@@ -78,8 +81,8 @@ OrgansSeen organsSeenIn(const Scene& scene) {
 struct Presenter::Parts {
   Parts(scene::OrganView& viewIn, Threads threads, Translate translateIn)
       : view(viewIn), translate(translateIn ? std::move(translateIn) : untranslated), organs(viewIn, threads),
-        handles(viewIn), stress(viewIn), cut(viewIn), valves(viewIn), labels(viewIn), measurements(viewIn),
-        standing(viewIn, threads) {}
+        handles(viewIn), stress(viewIn), heart(viewIn, threads), cut(viewIn), valves(viewIn),
+        conduction(viewIn), labels(viewIn), measurements(viewIn), standing(viewIn, threads) {}
 
   scene::OrganView& view;
   Translate translate;
@@ -87,8 +90,10 @@ struct Presenter::Parts {
   OrganPicture organs;
   HandlePicture handles;
   StressPicture stress;
+  HeartPicture heart;
   CutPicture cut;
   ValvePicture valves;
+  ConductionPicture conduction;
   scene::OrganLabels labels;
   scene::MeasurementGlyphs measurements;
   document::MeasuringMemory measured; ///< Gaps are measured in every frame of a drag.
@@ -108,10 +113,14 @@ struct Presenter::Parts {
 
   void update(const Scene& scene);
   void updateInfluence(const Scene& scene);
+  const SurfaceMap* mapOf(const Scene& scene) const;
+  void updateLooks(const Scene& scene, std::map<document::OrganId, Appearance>& appearances,
+                   const MapColors& colors);
   void updateColors(const Scene& scene);
   void updateLegend(std::optional<LegendText> wanted);
   void updateRegions(const Scene& scene);
   void updateLabels(const Scene& scene, bool others);
+  void addConduction(const Scene& scene, std::vector<scene::OrganLabels::Item>& items) const;
   void updateMeasurements(const Scene& scene);
   std::optional<LegendText> stressLegend(const Scene& scene) const;
 };
@@ -151,22 +160,36 @@ void Presenter::Parts::updateInfluence(const Scene& scene) {
   influence.unit = "%";
 }
 
+/// The numbers that organs show as colours; null: their own colours, or the stress.
+const SurfaceMap* Presenter::Parts::mapOf(const Scene& scene) const {
+  if (scene.map)
+    return scene.map;
+  return influence.values.empty() ? nullptr : &influence;
+}
+
+void Presenter::Parts::updateLooks(const Scene& scene, std::map<document::OrganId, Appearance>& appearances,
+                                   const MapColors& colors) {
+  cut.apply(scene, appearances);
+  heart.apply(appearances);
+  organs.updateLooks(scene, appearances, colors);
+  if (heart.opened() && cut.plane())
+    heart.updateLook(*organs.actorOf(heart.opened()->heart.outer->id), *cut.plane());
+}
+
 /// Whatever colours the organs: a map that is given, the stress, an influence, or their own looks.
 void Presenter::Parts::updateColors(const Scene& scene) {
-  updateInfluence(scene);
-  const SurfaceMap* map = scene.map ? scene.map : influence.values.empty() ? nullptr : &influence;
+  const SurfaceMap* map = mapOf(scene);
   auto appearances = stress.appearances(scene);
   if (!map || !appearances.empty()) {
     valves.apply(scene, appearances);
-    cut.apply(scene, appearances);
-    organs.updateLooks(scene, appearances, stress.colors());
+    conduction.apply(scene, appearances);
+    updateLooks(scene, appearances, stress.colors());
     return updateLegend(stressLegend(scene));
   }
   for (const auto& [id, values] : map->values)
     if (const auto organ = scene.state.organ(id))
       appearances[id] = {organ->look.visible, organ->look.opacity, std::nullopt, values};
-  cut.apply(scene, appearances);
-  organs.updateLooks(scene, appearances, {map->colors, map->range, mapsMade});
+  updateLooks(scene, appearances, {map->colors, map->range, mapsMade});
   updateLegend(LegendText{map->title, map->unit, map->mark, map->colors, map->range});
 }
 
@@ -211,6 +234,7 @@ void Presenter::Parts::updateLabels(const Scene& scene, bool others) {
   LabelChoice wanted{scene.state.organs, scene.view.labels, scene.view.partNames, std::nullopt};
   if (scene.parts)
     wanted.parts = *scene.parts;
+  wanted.ofConduction = conduction.drawn() && scene.view.partNames && !scene.parts;
   if (!others && labelled == wanted)
     return;
   labelled = std::move(wanted);
@@ -234,7 +258,23 @@ void Presenter::Parts::updateLabels(const Scene& scene, bool others) {
   for (const Part& part : parts)
     items.push_back({translate(nameOf(part, *scene.state.organs).c_str()), organs.actorOf(part.organ), false,
                      part.vertex});
+  if (labelled.ofConduction)
+    addConduction(scene, items);
   labels.setItems(std::move(items));
+}
+
+/// The names of the conduction system's parts, each once, beside the middle of its line.
+void Presenter::Parts::addConduction(const Scene& scene, std::vector<scene::OrganLabels::Item>& items) const {
+  std::set<std::string> named;
+  for (const auto& organ : *scene.state.organs)
+    for (const geometry::NamedWay& way : organ->ways) {
+      if (!organ->look.visible || !named.insert(way.name).second)
+        continue;
+      const Eigen::RowVector3d middle = way.points.row(way.points.rows() / 2);
+      Eigen::Index vertex = 0;
+      (organ->mesh->points.rowwise() - middle).rowwise().squaredNorm().minCoeff(&vertex);
+      items.push_back({translate(way.name.c_str()), organs.actorOf(organ->id), false, vertex});
+    }
 }
 
 /// The document's measurements in their order, and behind them what is being measured.
@@ -290,15 +330,19 @@ Presenter::~Presenter() {
 void Presenter::update(const Scene& scene) {
   parts_->update({parts_->seen.of(scene.state, organsSeenIn(scene)), scene.organs, scene.view, scene.systems,
                   scene.stress, scene.map, scene.measuring, scene.transient, scene.parts, scene.warping,
-                  scene.valves, scene.stressRange, scene.stressLegend, scene.pointedOrgan});
+                  scene.valves, scene.stressRange, scene.stressLegend, scene.pointedOrgan, scene.clock,
+                  scene.heartTissue});
 }
 
 void Presenter::Parts::update(const Scene& scene) {
   const bool others = organs.updateOrgans(scene);
   organs.updateTransientSurfaces(scene.transient ? *scene.transient : std::vector<TransientSurface>());
   stress.update(scene);
-  cut.update(scene);
-  valves.update(scene, cut.plane());
+  updateInfluence(scene);
+  heart.update(scene, mapOf(scene) != nullptr);
+  cut.update(scene, heart);
+  valves.update(scene, cut.plane(), heart.opened() && !heart.opened()->blood);
+  conduction.update(scene, cut.plane());
   updateColors(scene);
   handles.update(scene, stress.shownWhere(scene));
   updateRegions(scene);
@@ -316,6 +360,9 @@ document::OrganId Presenter::organOf(const scene::OrganActor* actor) const {
 }
 std::shared_ptr<scene::OrganActor> Presenter::actorOf(document::OrganId organ) const {
   return parts_->organs.actorOf(organ);
+}
+const scene::OrganActor* Presenter::heartTissue() const {
+  return parts_->heart.actor();
 }
 const scene::OrganLabels& Presenter::labels() const {
   return parts_->labels;
@@ -340,6 +387,9 @@ const scene::MeasurementGlyphs& Presenter::stressMarks() const {
 }
 const live::ReadMarks& Presenter::readMarks() const {
   return parts_->stress.readMarks();
+}
+const scene::ConductionGlyphs& Presenter::conduction() const {
+  return parts_->conduction.glyphs();
 }
 vtkVisceraCutPlaneRepresentation* Presenter::cutPlane() const {
   return parts_->stress.plane();
@@ -390,45 +440,7 @@ Vec3 shownColor(const Vec3& color) {
   return (middle + (color.array() - middle) * (document::kMostVivid / vivid)).matrix();
 }
 
-namespace {
-
-bool separates(char letter) {
-  return letter == '_' || letter == ' ';
-}
-
-std::vector<std::string> wordsOf(const std::string& name) {
-  std::vector<std::string> words(1);
-  for (const char letter : name)
-    if (separates(letter))
-      words.emplace_back();
-    else
-      words.back() += static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
-  std::erase(words, std::string());
-  std::sort(words.begin(), words.end());
-  return words;
-}
-
-/// A name from a file as people would write it. Only ASCII letters change: others are parts of UTF-8.
-std::string readable(const std::string& name) {
-  const std::optional<anatomy::Part> part = anatomy::partNamed(name);
-  if (part && part->extent == anatomy::Extent::whole)
-    if (std::string title = anatomy::titleOf(*part); wordsOf(title) == wordsOf(name))
-      return title;
-  std::string said;
-  for (const char letter : name)
-    if (!separates(letter))
-      said += letter;
-    else if (!said.empty() && said.back() != ' ')
-      said += ' ';
-  while (!said.empty() && said.back() == ' ')
-    said.pop_back();
-  if (said.empty())
-    return name;
-  said[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(said[0])));
-  return said;
-}
-
-} // namespace
+namespace {} // namespace
 
 std::string labelOf(const document::Organ& organ, const Presenter::Translate& translate) {
   const Presenter::Translate& say = translate ? translate : Presenter::Translate(untranslated);
@@ -437,7 +449,7 @@ std::string labelOf(const document::Organ& organ, const Presenter::Translate& tr
     return say((organ.name + " cavity").c_str());
   if (std::string said = say(organ.name.c_str()); said != organ.name)
     return said;
-  return say(readable(organ.name).c_str());
+  return say(anatomy::readableName(organ.name).c_str());
 }
 
 std::string formatMeasured(document::MeasurementKind kind, double value, const std::string& unit,

@@ -69,9 +69,14 @@ std::optional<scene::FlowArrow> arrowOf(const ValveRing& ring, const heart::Valv
 
 } // namespace
 
+/// The valves to draw: those that beat, or shut ones in an opened heart that stands still.
+std::optional<heart::ValveInstants> ValvePicture::valvesOf(const Scene& scene) const {
+  return !scene.valves && opened_ ? heart::ValveInstants() : scene.valves;
+}
+
 /// The cavities of the sample heart, when it is to be seen with its valves.
 std::optional<ValvePicture::Heart> ValvePicture::heartOf(const Scene& scene) const {
-  if (!scene.valves || !scene.view.valves || scene.view.shown.stress || scene.view.shown.rest)
+  if (!valvesOf(scene) || !scene.view.valves || scene.view.shown.stress || scene.view.shown.rest)
     return std::nullopt;
   Heart heart;
   bool seen = false;
@@ -88,14 +93,15 @@ std::optional<ValvePicture::Heart> ValvePicture::heartOf(const Scene& scene) con
   return seen && heart.ventricles[0] && heart.ventricles[1] ? std::optional(heart) : std::nullopt;
 }
 
-void ValvePicture::update(const Scene& scene, const std::optional<scene::CutPlane>& cut) {
+void ValvePicture::update(const Scene& scene, const std::optional<scene::CutPlane>& cut, bool opened) {
+  opened_ = opened;
   const auto heart = heartOf(scene);
   if (!heart) {
     if (std::exchange(drawn_, std::nullopt))
       glyphs_.set({}, {});
     return;
   }
-  Moment moment{*scene.valves, {}, cut};
+  Moment moment{*valvesOf(scene), {}, cut};
   for (std::size_t side = 0; side < heart->ventricles.size(); ++side) {
     const document::Organ& cavity = *heart->ventricles[side];
     moment.surfaces[side] = {scene.organs.sharedPoints(cavity.id), scene.organs.revision(cavity.id)};
@@ -110,7 +116,7 @@ void ValvePicture::update(const Scene& scene, const std::optional<scene::CutPlan
   }
   if (drawn_ == moment)
     return;
-  draw(*scene.valves, moment);
+  draw(moment.valves, moment);
   drawn_ = std::move(moment);
 }
 

@@ -19,8 +19,9 @@ public:
   explicit ValvePicture(scene::OrganView& view) { glyphs_.setRenderer(view.renderer()); }
 
   /// Updates leaflets and arrows to the present pose of the heart. A valve that a cut touches is drawn whole;
-  /// a valve within the part that is cut away is not drawn.
-  void update(const Scene& scene, const std::optional<scene::CutPlane>& cut);
+  /// a valve within the part that is cut away is not drawn. `opened`: the heart is cut open and empty, so
+  /// that one that does not beat shows its valves shut.
+  void update(const Scene& scene, const std::optional<scene::CutPlane>& cut, bool opened);
   /// Makes the cavities transparent in their appearances, so that the valves in them are visible.
   void apply(const Scene& scene, std::map<document::OrganId, Appearance>& appearances) const;
 
@@ -43,12 +44,14 @@ private:
     std::vector<std::shared_ptr<const document::Organ>> atria;
   };
 
+  std::optional<heart::ValveInstants> valvesOf(const Scene& scene) const;
   std::optional<Heart> heartOf(const Scene& scene) const;
   void draw(const heart::ValveInstants& valves, const Moment& moment);
 
   scene::ValveGlyphs glyphs_;
   std::array<Carrier, 2> carriers_;
   std::optional<Moment> drawn_; ///< None: nothing is drawn.
+  bool opened_ = false;
 };
 
 } // namespace viscera::presentation

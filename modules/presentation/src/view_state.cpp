@@ -77,6 +77,7 @@ void visitSwitches(ViewState& view, Visit visit) {
   visit("circulationChart", "play.circulationChart", view.circulationChart);
   visit("beatSigns", "play.beatSigns", view.beatSigns);
   visit("valves", "play.valves", view.valves);
+  visit("conduction", "view.conduction", view.conduction);
 }
 
 template <class Visit>
@@ -158,12 +159,13 @@ OrganCut cutFrom(const JsonReader& json, const ordered_json& item, const std::st
   if (item.contains("normal"))
     cut.normal = unit(json.valueOf<Vec3>(item, "normal", place));
   json.readIfThere(item, "offset", place, cut.offset);
+  json.readIfThere(item, "blood", place, cut.blood);
   cut.offset = std::clamp(std::isfinite(cut.offset) ? cut.offset : 0.0, -1.0, 1.0);
   return cut;
 }
 
 ordered_json cutJson(const OrganCut& cut) {
-  return {{"on", cut.on}, {"normal", jsonOf(cut.normal)}, {"offset", cut.offset}};
+  return {{"on", cut.on}, {"normal", jsonOf(cut.normal)}, {"offset", cut.offset}, {"blood", cut.blood}};
 }
 
 ordered_json organsJson(const OrgansSeen& organs) {
@@ -340,9 +342,9 @@ bool ViewState::operator==(const ViewState& other) const {
                     view.partNames, view.measurements, view.orientationCube, view.scaleBar, view.gizmo,
                     view.exactly, view.mirror, view.layout.regions, view.layout.zones,
                     view.layout.superRegions, view.chartOfCycle, view.circulationChart, view.beatSigns,
-                    view.valves, view.heartSigns, view.stress, view.strain, view.cut, view.organsSeen,
-                    view.person.sex, view.person.bodySurfaceM2, view.scan, view.selection, view.motions,
-                    view.playing, view.compared, view.slides);
+                    view.valves, view.conduction, view.heartSigns, view.stress, view.strain, view.cut,
+                    view.organsSeen, view.person.sex, view.person.bodySurfaceM2, view.scan, view.selection,
+                    view.motions, view.playing, view.compared, view.slides);
   };
   return parts(*this) == parts(other) && shownPose.rows() == other.shownPose.rows() &&
          shownPose == other.shownPose;

@@ -78,8 +78,10 @@ public:
       mesh = generated(surface, progress);
       cache_.store(key, *mesh);
     }
-    return {surface.name, std::make_shared<const geometry::TriangleMesh>(std::move(*mesh)), surface.color,
-            surface.places, surface.organ, surface.hidden};
+    return {surface.name,  std::make_shared<const geometry::TriangleMesh>(std::move(*mesh)),
+            surface.color, surface.places,
+            surface.organ, surface.ways,
+            surface.hidden};
   }
 
 private:
@@ -189,6 +191,11 @@ SampleOrgan sampleOrgan(const SampleLibrary& library, const std::string& name, R
 std::vector<geometry::NamedPlace> namedPlaces(const SampleLibrary& library, const std::string& organ,
                                               const std::string& surface) {
   return definitionOf(library, organ).surface(surface).places;
+}
+
+std::vector<geometry::NamedWay> namedWays(const SampleLibrary& library, const std::string& organ,
+                                          const std::string& surface) {
+  return definitionOf(library, organ).surface(surface).ways;
 }
 
 SampleSurface sampleSurface(const SampleLibrary& library, const std::string& organ,

@@ -82,11 +82,11 @@ void DepthShading::Parts::build() {
 
 bool DepthShading::Parts::suits() const {
   const auto& organs = view.organs();
-  const auto seen = [](const auto& organ) { return organ->visible(); };
+  const auto seen = [](const auto& organ) { return organ->drawn(); };
   return std::any_of(organs.begin(), organs.end(), seen) && !view.legend().visible() &&
          !(view.isSlow() && view.moving()) &&
          std::none_of(organs.begin(), organs.end(), [](const auto& organ) {
-           return organ->visible() && (organ->opacity() < 1 || organ->scalarsShown());
+           return organ->drawn() && (organ->opacity() < 1 || organ->scalarsShown());
          });
 }
 

@@ -83,6 +83,7 @@ struct OrganActor::Parts {
   bool vertexColors = false;
   bool selected = false;
   bool closed = false;
+  SurfaceRole role = SurfaceRole::whole;
 
   int coarsePart = 1; ///< One in so many vertices is a corner of `coarse`.
   Triangles coarse;
@@ -246,6 +247,23 @@ void OrganActor::setVisible(bool visible) {
 }
 bool OrganActor::visible() const {
   return parts_->actor->GetVisibility() != 0;
+}
+
+void OrganActor::setRole(SurfaceRole role) {
+  parts_->role = role;
+  parts_->actor->setDrawn(role != SurfaceRole::body);
+}
+
+SurfaceRole OrganActor::role() const {
+  return parts_->role;
+}
+
+bool OrganActor::drawn() const {
+  return visible() && parts_->role != SurfaceRole::body;
+}
+
+bool OrganActor::met() const {
+  return visible() && parts_->role != SurfaceRole::picture;
 }
 
 void OrganActor::setSelected(bool selected) {

@@ -326,7 +326,7 @@ void OrganLabels::Parts::checkOrgans(const ViewGeometry& geometry, bool going, F
   const bool parts =
       std::any_of(items.begin(), items.end(), [](const Item& item) { return item.vertex >= 0; });
   for (const auto& organ : view.organs()) {
-    if (!organ->visible())
+    if (!organ->met())
       continue;
     const auto named = std::find_if(items.begin(), items.end(),
                                     [&](const Item& item) { return item.organ == organ && item.vertex < 0; });

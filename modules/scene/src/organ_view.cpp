@@ -209,13 +209,13 @@ void OrganView::Parts::prepareFrame() {
 
 bool OrganView::Parts::anyTranslucent() const {
   return std::any_of(organs.begin(), organs.end(),
-                     [](const auto& organ) { return organ->visible() && organ->opacity() < 1; });
+                     [](const auto& organ) { return organ->drawn() && organ->opacity() < 1; });
 }
 
 Eigen::Index OrganView::Parts::verticesDrawn() const {
   Eigen::Index vertices = 0;
   for (const auto& organ : organs)
-    if (organ->visible())
+    if (organ->drawn())
       vertices += organ->mesh().points.rows() * (organ->opacity() < 1 ? kTransparentPasses : 1);
   return vertices;
 }
@@ -251,7 +251,7 @@ void OrganView::Parts::peelOrOrder(const Vec3& eye) {
     return;
   std::vector<std::pair<double, vtkActor*>> translucent;
   for (const auto& organ : organs) {
-    if (!organ->visible() || organ->opacity() >= 1)
+    if (!organ->drawn() || organ->opacity() >= 1)
       continue;
     const Bounds box = organ->bounds();
     const Vec3 nearest = eye.cwiseMax(box.low).cwiseMin(box.high);

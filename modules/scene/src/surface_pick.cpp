@@ -15,7 +15,7 @@ std::optional<SurfacePick> pickSurface(const Ray& ray, const std::vector<OrganAc
   std::optional<SurfacePick> pick;
   double farthest = std::numeric_limits<double>::infinity();
   for (auto* organ : organs) {
-    if (!organ->visible())
+    if (!organ->met())
       continue;
     const ActorMesh mesh(organ->actor());
     const auto hit = nearestHit(ray, mesh.view(), farthest);

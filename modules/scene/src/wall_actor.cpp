@@ -20,6 +20,18 @@ void WallActor::setDrawnWithoutPeeling(bool unpeeled) {
   ForceOpaque = unpeeled;
 }
 
+int WallActor::RenderOpaqueGeometry(vtkViewport* viewport) {
+  return drawn_ ? Superclass::RenderOpaqueGeometry(viewport) : 0;
+}
+
+int WallActor::RenderTranslucentPolygonalGeometry(vtkViewport* viewport) {
+  return drawn_ ? Superclass::RenderTranslucentPolygonalGeometry(viewport) : 0;
+}
+
+vtkTypeBool WallActor::HasTranslucentPolygonalGeometry() {
+  return drawn_ && Superclass::HasTranslucentPolygonalGeometry();
+}
+
 void WallActor::Render(vtkRenderer* renderer, vtkMapper* mapper) {
   if (!unpeeled_) {
     Superclass::Render(renderer, mapper);

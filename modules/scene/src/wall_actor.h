@@ -19,10 +19,18 @@ public:
       void setDrawnWithoutPeeling(bool unpeeled);
   bool unpeeled() const { return unpeeled_; }
 
+  /// Sets whether anything is drawn. Unlike an invisible actor, one that is not drawn still has bounds.
+  void setDrawn(bool drawn) { drawn_ = drawn; }
+  bool drawn() const { return drawn_; }
+
   void Render(vtkRenderer* renderer, vtkMapper* mapper) override;
+  int RenderOpaqueGeometry(vtkViewport* viewport) override;
+  int RenderTranslucentPolygonalGeometry(vtkViewport* viewport) override;
+  vtkTypeBool HasTranslucentPolygonalGeometry() override;
 
 private:
   bool unpeeled_ = false;
+  bool drawn_ = true;
 };
 
 } // namespace viscera::scene

@@ -99,6 +99,9 @@ TEST_F(CliJson, SampleListAndSample) {
   EXPECT_EQ(files(), 5);
   const json cavity = runJson({"info", "sample:heart/lv@low"});
   EXPECT_EQ(cavity["vertices"], heart["surfaces"][1]["vertices"]);
+  const json walls = runJson({"info", "sample:heart/tissue@low"});
+  EXPECT_GT(walls["triangles"], heart["surfaces"][0]["triangles"])
+      << "inside and outside, and no organ of its own";
 }
 
 TEST_F(CliJson, HandlesBindAndDeform) {

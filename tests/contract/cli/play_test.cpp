@@ -9,6 +9,7 @@
 #include "beating_labels.h"
 #include "build_paths.h"
 #include "cli_test.h"
+#include "signs_picture.h"
 #include "viscera/document/circulation_commands.h"
 #include "viscera/document/key_sequence_commands.h"
 #include "viscera/document/organ_commands.h"
@@ -406,6 +407,25 @@ TEST_F(CliPlaySession, FollowsItsCirculationWithParametersOfItsOwn) {
   expectTheCycleOfTheWindow(document.state(), heart.sequence, rowsOf(contents(path("weak.csv")), heading));
   const json rest = runJson({"play", "heartbeat", "--organ", "sample:heart@low", "--scenario", "rest"});
   EXPECT_LT(played["ejectionFraction"].get<double>(), rest["ejectionFraction"].get<double>() - 0.05);
+}
+
+TEST_F(CliPlaySession, HasTheSignsOfItsInstantBelowItsPicture) {
+  document::Document document;
+  document::UndoStack undo(document);
+  takeHeart(undo);
+  presentation::ViewState view = playingHeart(document);
+  for (const double fraction : {0.2, 0.7}) {
+    view.playing->fraction = fraction;
+    write("beat.viscera", document.state(), view);
+    const json drawn = runJson({"render", path("beat.viscera"), "--view", "anterior", "--size", "640x480",
+                                "-o", path("beat.png"), "--signs", "all"});
+    EXPECT_EQ(drawn["signs"], json::array({"ecg", "valves", "sounds"}));
+    EXPECT_NEAR(instantIn(imageOf(path("beat.png")), kWholeStrip), fraction, 0.005);
+  }
+  view.playing->shown = false;
+  write("rest.viscera", document.state(), view);
+  expectFailure({"render", path("rest.viscera"), "--view", "anterior", "-o", path("r.png"), "--signs", "ecg"},
+                kUsage, "not saved at an instant");
 }
 
 TEST_F(CliPlaySession, MeetsTheVolumeThatItPrescribes) {

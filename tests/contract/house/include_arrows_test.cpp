@@ -271,6 +271,7 @@ TEST(IncludeArrows, AreSeenWhereCMakeDoesNotListThem) {
   EXPECT_NE(fault("#include <QtPlugin>", false), "");
   EXPECT_EQ(strangerIn("#include \"window/mode.h\"", "app/cli/stage.cpp"), "window/mode.h");
   EXPECT_EQ(strangerIn("#include \"cli/stage.h\"", "app/window/mode.cpp"), "cli/stage.h");
+  EXPECT_EQ(strangerIn("#include \"window/language.h\"", "app/signs/beat.cpp"), "window/language.h");
   EXPECT_EQ(strangerIn("#include \"cli/stage.h\"", "app/camera_json.cpp"), "cli/stage.h");
   EXPECT_TRUE(strangerIn("#include \"window/mode.h\"", "app/window/actions.cpp").empty());
 }

@@ -129,10 +129,21 @@ TEST(Norms, WhatIsTaughtInExerciseAndOfTimesIsCited) {
   for (const Norm& row : norms())
     if (row.id.rfind("exercise.", 0) == 0 || row.unit == "ms" || !row.disease.empty()) {
       ++rows;
-      const bool customary = row.id == "la.mean"; // Only its limit of disease is a guideline's.
-      EXPECT_TRUE(customary || row.source.find("doi 10.") != std::string::npos) << row.id;
+      EXPECT_NE(row.source.find("doi 10."), std::string::npos) << row.id;
     }
   EXPECT_GE(rows, 10u);
+}
+
+TEST(Norms, PressuresThatFillTheLeftHeartAreThoseOfTheCitedPeople) {
+  const Norm &wedge = norm("la.mean"), &filling = norm("lv.edp");
+  EXPECT_NE(wedge.source.find("doi 10.1183/16000617.0062-2015"), std::string::npos)
+      << "the range is its table's";
+  EXPECT_EQ(rangeOf(wedge).low, 4);
+  EXPECT_EQ(rangeOf(wedge).high, 12);
+  EXPECT_NE(filling.source.find("doi 10.1161/01.CIR.44.6.1072"), std::string::npos)
+      << "the range is that of its normal ventricles";
+  EXPECT_EQ(rangeOf(filling).low, 5);
+  EXPECT_EQ(rangeOf(filling).high, 12);
 }
 
 TEST(Norms, AnUnknownRowIsSaidSo) {

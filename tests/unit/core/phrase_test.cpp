@@ -99,6 +99,8 @@ TEST(Text, LeavesWhatIsVerbatimAsItIs) {
 TEST(Text, TranslatesANameExactlyOrBeforeItsNumber) {
   EXPECT_EQ(inGerman(named("heart")), "Herz");
   EXPECT_EQ(inGerman(named("Septum 12")), "Scheidewand 12");
+  EXPECT_EQ(inGerman(named("Septum (patient1)")), "Scheidewand (patient1)");
+  EXPECT_EQ(inGerman(named("Unknown (Septum)")), "Unknown (Septum)");
   EXPECT_EQ(inGerman(named("heart of mine")), "heart of mine");
   EXPECT_EQ(named("Septum 12").english(), "Septum 12");
 }
@@ -191,6 +193,7 @@ TEST(Text, IsEnglishInStreamsAndLists) {
 
 TEST(NumberAtEnd, BeginsWithItsSpaceBehindAName) {
   EXPECT_EQ(numberAtEnd("Septum 12"), 6u);
+  EXPECT_EQ(numberAtEnd("Vertebra L1"), 8u) << "with the letter of its part of the spine";
   EXPECT_EQ(numberAtEnd("LV free wall 3"), 12u);
   for (const std::string_view none : {"", "Septum", "H-3", "Septum ", " 12", "12", "Septum 1a", "Septum 1.5"})
     EXPECT_EQ(numberAtEnd(none), none.size()) << none;

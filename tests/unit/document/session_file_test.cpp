@@ -172,6 +172,30 @@ TEST(SessionFile, NamesASampleOrganAndMakesItAgain) {
   EXPECT_EQ(opened.surfaces[1].state, Finding::found);
 }
 
+TEST(SessionFile, GivesAHeartItsConductionSystemBackHoweverItIsKept) {
+  TemporaryFolder folder;
+  Progress progress;
+  const auto heart = sample_organs::sampleOrgan(sample_organs::standardLibrary(), "heart",
+                                                sample_organs::Resolution::low, progress);
+  tests::Session s;
+  s.undo.perform(addOrgans(organsFrom(heart)));
+  for (const bool embed : {false, true}) {
+    SessionContents contents;
+    contents.state = s.document.state();
+    contents.embedSurfaces = embed;
+    write(folder / "a.viscera", contents);
+    EXPECT_EQ(contentsOf(folder / "a.viscera").find("Purkinje"), std::string::npos) << "the sample has it";
+    const OpenedSession opened = readBack(folder / "a.viscera");
+    std::size_t ways = 0;
+    ASSERT_EQ(opened.contents.state.organs->size(), contents.state.organs->size());
+    for (std::size_t i = 0; i < contents.state.organs->size(); ++i) {
+      EXPECT_EQ((*opened.contents.state.organs)[i]->ways, (*contents.state.organs)[i]->ways) << i;
+      ways += (*opened.contents.state.organs)[i]->ways.size();
+    }
+    EXPECT_GT(ways, 20u) << "embedded: " << embed;
+  }
+}
+
 TEST(SessionFile, FindsAnOrganThatMovedWithTheSessionOrBesideItOrUnderAnotherName) {
   TemporaryFolder folder;
   const SessionContents contents = fullContents(folder);

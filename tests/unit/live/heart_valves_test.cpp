@@ -155,6 +155,23 @@ TEST(HeartValves, OfASessionAreThoseOfItsMotion) {
             std::nullopt);
 }
 
+TEST(HeartClock, OfASessionCountsFromTheContractionOfItsVentricles) {
+  const std::string heart = sampleRecipe("heartbeat", sample_organs::Resolution::low);
+  document::CirculationChoice choice;
+  Progress quiet;
+  EXPECT_EQ(heartClock(heart, choice, 0.4, 75, quiet),
+            heart::clockOf(heart::CardiacCycle().beat(75), 0.4 * 60 / 75));
+  choice.drives = true;
+  const auto clock = heartClock(heart, choice, 0, 72, quiet);
+  ASSERT_TRUE(clock);
+  const double cycle = 60 / choice.parameters.rate;
+  EXPECT_NEAR(clock->seconds, cycle - clock->conduction - heart::kBeforeAtria, 0.01)
+      << "the drawn beat begins before the atria contract";
+  EXPECT_EQ(clock->conduction, choice.parameters.conduction);
+  EXPECT_EQ(heartClock(sampleRecipe("breathing", sample_organs::Resolution::low), choice, 0.2, 72, quiet),
+            std::nullopt);
+}
+
 TEST(HeartValves, LieBetweenTheChambersAndVesselsOfTheSampleHeart) {
   const auto node = [](const char* name) {
     return sample_organs::implicitSurface(tests::cachedLibrary(), "heart", name);

@@ -66,6 +66,21 @@ TEST(DefinitionErrors, SayWhereTheFileIsNotJson) {
   EXPECT_THAT(messageOf<DataError>(files, "thing"), AllOf(HasSubstr("thing.json"), HasSubstr("line 3")));
 }
 
+TEST(DefinitionErrors, NameThePointAndTheTimeOfAWay) {
+  const auto wayError = [](const std::string& points) {
+    TemporaryLibrary files;
+    files.write("thing", R"({"name": "thing", "units": "mm", "frame": "LPS", "nodes": [], "surfaces": [)"
+                         R"({"name": "outer", "root": )" +
+                             std::string(kBall) + R"(, "ways": [{"name": "bundle", "points": )" + points +
+                             "}]}]}");
+    return messageOf<DataError>(files, "thing");
+  };
+  EXPECT_THAT(wayError("[[0, 0, 0, 5], [1, 0, 0]]"), HasSubstr("points[1]"));
+  EXPECT_THAT(wayError("[[0, 0, 0, 5], [1, 0, 0, 4]]"), AllOf(HasSubstr("points[1]"), HasSubstr("time 4")));
+  EXPECT_THAT(wayError("[[0, 0, 0, -1], [1, 0, 0, 4]]"), HasSubstr("points[0]"));
+  EXPECT_THAT(wayError("[[0, 0, 0, 0]]"), HasSubstr("points"));
+}
+
 TEST(DefinitionErrors, NameANumberBeyondDoubles) {
   TemporaryLibrary files;
   files.write("thing", "{\"name\": \"thing\", \"scale\": 1e999}");

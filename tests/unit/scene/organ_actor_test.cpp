@@ -68,6 +68,26 @@ TEST(OrganActor, IsDrawnWithFewerTrianglesOnTheSamePointsAndWholeAgain) {
   EXPECT_EQ(actor.polyData()->GetNumberOfPolys(), mesh->triangles.rows());
 }
 
+TEST(OrganActor, CanBeThePictureOfAnotherOneWhichThenIsMetWithoutBeingDrawn) {
+  tests::ViewInWindow window(200, 200);
+  const auto body = window.addOrgan(tests::sphere(3, 40)), picture = window.addOrgan(tests::sphere(3, 50));
+  body->setColor({1, 0, 0});
+  picture->setColor({0, 1, 0});
+  picture->setRole(SurfaceRole::picture);
+  body->setRole(SurfaceRole::body);
+  EXPECT_TRUE(body->met() && !body->drawn() && !picture->met() && picture->drawn());
+  window.view.lookFrom(StandardView::anterior);
+  window.render();
+  const auto hit = window.view.pick(100, 100);
+  ASSERT_TRUE(hit);
+  EXPECT_EQ(hit->organ, body.get());
+  body->setOpacity(0.3);
+  picture->setVisible(false);
+  EXPECT_FALSE(window.view.isSlow()) << "what is not drawn is not peeled";
+  body->setRole(SurfaceRole::whole);
+  EXPECT_TRUE(body->met() && body->drawn());
+}
+
 /// A heart that beats is drawn with half of its triangles for as long as a class looks at it.
 TEST(OrganActor, HalfOfItsTrianglesAreAClosedSurfaceNearItsOwn) {
   const auto mesh = ball(4);

@@ -48,6 +48,15 @@ TEST(SurfacePick, TakesTheNearestVisibleOrgan) {
   EXPECT_EQ(pickSurface(ray, {&far, &near})->organ, &far);
 }
 
+TEST(SurfacePick, GoesThroughPicturesAndMeetsBodies) {
+  OrganActor far = ballOrgan(20, {0, 100, 0}), near = ballOrgan(20);
+  const Ray ray{Vec3(0.3, -200, 0.2), Vec3::UnitY()};
+  near.setRole(SurfaceRole::picture);
+  EXPECT_EQ(pickSurface(ray, {&far, &near})->organ, &far);
+  near.setRole(SurfaceRole::body);
+  EXPECT_EQ(pickSurface(ray, {&far, &near})->organ, &near);
+}
+
 TEST(SurfacePick, MissesAndLooksOnlyForward) {
   OrganActor organ = ballOrgan(20);
   EXPECT_FALSE(pickSurface({Vec3(30, -200, 0), Vec3::UnitY()}, {&organ}));

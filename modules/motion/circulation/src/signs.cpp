@@ -105,6 +105,36 @@ double electrocardiogram(const Parameters& parameters, double seconds) {
   return sum;
 }
 
+Excitation excitationOf(const Parameters& parameters) {
+  constexpr double kWidths = 2.25; // A wave is seen so many widths from its top.
+  const std::array<Wave, 5> waves = wavesOf(parameters);
+  const Wave &p = waves[0], &q = waves[1], &s = waves[3];
+  return {p.center - kWidths * p.width, p.center + kWidths * p.width, q.center - kWidths * q.width,
+          s.center + kWidths * s.width};
+}
+
+double excitationMs(const Parameters& parameters, double seconds) {
+  constexpr double kMsPerS = 1000;
+  constexpr double kMostAtria = 0.8; // The part of the time to Q: in a fast heart P reaches into QRS.
+  const Excitation at = excitationOf(parameters);
+  const double period = 60 / parameters.rate;
+  const double turns = std::floor((seconds - at.sinusNode) / period);
+  const double since = seconds - at.sinusNode - turns * period;
+  const std::array<std::pair<double, double>, 4> marks = {
+      {{0, 0},
+       {std::min(at.atriaDone - at.sinusNode, kMostAtria * (at.ventriclesBegin - at.sinusNode)),
+        kAtriaDoneMs},
+       {at.ventriclesBegin - at.sinusNode, kVentriclesBeginMs},
+       {at.ventriclesDone - at.sinusNode, kVentriclesDoneMs}}};
+  for (std::size_t i = 1; i < marks.size(); ++i) {
+    const auto& [from, fromMs] = marks[i - 1];
+    const auto& [to, toMs] = marks[i];
+    if (since < to)
+      return fromMs + (toMs - fromMs) * (since - from) / (to - from);
+  }
+  return kVentriclesDoneMs + kMsPerS * (since - marks.back().first);
+}
+
 std::vector<HeartSound> heartSounds(const Parameters& parameters, const Beat& beat, const Indices& indices) {
   std::vector<HeartSound> sounds;
   const auto shuts = [&](Valve valve, const char* name, double loudness, double frequency, double fading) {

@@ -67,6 +67,13 @@ std::optional<ValveInstants> HeartCourse::valvesAt(double phase) const {
   return now;
 }
 
+std::optional<BeatClock> HeartCourse::clockAt(double phase) const {
+  std::optional<BeatClock> now = begins;
+  if (now)
+    now->seconds += phase * period;
+  return now;
+}
+
 CourseHeartbeat::CourseHeartbeat(CavityFit fit, HeartCourse course, Progress& progress)
     : fit_(std::move(fit)), course_(checked(std::move(course))) {
   progress.report(0, "calibrating the heartbeat");

@@ -12,6 +12,11 @@ constexpr int kTriedOfABeat = 24;
 
 } // namespace
 
+BeatClock clockOf(const CardiacBeat& beat, double seconds) {
+  const CardiacTimes& times = beat.times();
+  return {seconds - beat.left().inletShuts, times.atrialSystole, 60 / times.cycle};
+}
+
 Text Heartbeat::rateRemark(double ratePerMinute) const {
   if (ratePerMinute >= kLowestMeasuredBpm && ratePerMinute <= kHighestMeasuredBpm)
     return {};

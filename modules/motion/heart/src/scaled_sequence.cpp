@@ -35,6 +35,10 @@ std::optional<ValveInstants> ScaledSequence::valves(double seconds, double rateP
   return valves;
 }
 
+std::optional<BeatClock> ScaledSequence::clock(double seconds, double ratePerMinute) const {
+  return standard_->heart()->clock(seconds, ratePerMinute);
+}
+
 std::optional<HeartFrame> ScaledSequence::frame() const {
   const std::optional<HeartFrame> frame = standard_->heart()->frame();
   if (!frame)

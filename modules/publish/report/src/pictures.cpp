@@ -63,9 +63,12 @@ PictureGrid pictureAsSeen(const ReportSource& source, Threads threads) {
   if (source.tissue && !view.scan.standing) // Slices stand in the picture as the scan was recorded.
     scene.warping = &measuredOnly;
   const auto& playing = source.view.playing;
-  if (source.sequence && playing && playing->shown && playing->ratePerMinute > 0)
-    scene.valves = heart::valvesAt(*source.sequence, playing->fraction * 60 / playing->ratePerMinute,
-                                   playing->ratePerMinute);
+  if (source.sequence && playing && playing->shown && playing->ratePerMinute > 0) {
+    const double seconds = playing->fraction * 60 / playing->ratePerMinute;
+    scene.valves = heart::valvesAt(*source.sequence, seconds, playing->ratePerMinute);
+    scene.clock = heart::clockAt(*source.sequence, seconds, playing->ratePerMinute);
+  }
+  scene.heartTissue = source.heartTissue;
   stage.presenter().update(scene);
   if (view.camera)
     presentation::lookFrom(*view.camera, stage.view());
@@ -85,7 +88,9 @@ PictureGrid picturesOfSides(const ReportSource& source, Threads threads, Progres
   presentation::ViewState view = plainView(source.view);
   view.labels = view.measurements = false; // There is no room for names in a small picture.
   presentation::Stage stage = stageOf(kSide, threads);
-  stage.presenter().update({source.state, *source.organs, view, *source.systems});
+  presentation::Scene scene{source.state, *source.organs, view, *source.systems};
+  scene.heartTissue = source.heartTissue;
+  stage.presenter().update(scene);
   PictureGrid grid{{}, kSidesInARow, static_cast<double>(kSide.width) / kSide.height};
   for (const auto& [side, caption] : sides) {
     progress.throwIfCancelled();

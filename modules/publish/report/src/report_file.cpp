@@ -26,6 +26,7 @@
 #include "page_markup.h"
 #include "viscera/core/atomic_file.h"
 #include "viscera/core/error.h"
+#include "viscera/report/fonts_at_hand.h"
 #include "words.h"
 
 namespace viscera::report {
@@ -33,7 +34,6 @@ namespace {
 
 constexpr double kMmPerInch = 25.4;
 constexpr double kBrowserDpi = 96; ///< Of CSS pixels.
-constexpr int kServiceUnavailable = 69;
 
 constexpr double kPageWidthMm = 210, kPageHeightMm = 297;
 constexpr double kTopMm = 20, kBottomMm = 20; ///< Head and foot lie in these margins.
@@ -88,29 +88,6 @@ std::vector<const Picture*> picturesOf(const Report& report) {
           pictures.push_back(&picture);
   return pictures;
 }
-
-/// Qt needs an application to know fonts; in a program without one there is one here, which needs no display.
-class FontsAtHand {
-public:
-  FontsAtHand() {
-    if (!QCoreApplication::instance()) {
-      // Without a desktop, Qt's warning about XDG_RUNTIME_DIR is irrelevant.
-      const QtMessageHandler before =
-          qInstallMessageHandler([](QtMsgType, const QMessageLogContext&, const QString&) {});
-      own_ = std::make_unique<QGuiApplication>(count_, arguments_);
-      qInstallMessageHandler(before);
-    }
-    if (QFontDatabase().families().isEmpty())
-      throw Error(kServiceUnavailable, "There is no font to write with", "fontconfig",
-                  "install one, such as the package fonts-dejavu-core");
-  }
-
-private:
-  char name_[8] = "viscera", option_[10] = "-platform", platform_[10] = "offscreen";
-  char* arguments_[4] = {name_, option_, platform_, nullptr};
-  int count_ = 3;
-  std::unique_ptr<QGuiApplication> own_;
-};
 
 /// In one line, without what no font draws.
 QString printable(const std::string& text) {

@@ -88,6 +88,8 @@ private:
       readLevels(*triangles, surface);
     if (fields.optional("places"))
       readPlaces(fields, surface);
+    if (fields.optional("ways"))
+      readWays(fields, surface);
     if (fields.optional("less"))
       readParts(fields, surface);
     else
@@ -139,6 +141,30 @@ private:
       Fields place(content, surface.where + ", \"places\"");
       surface.places.push_back({place.text("name"), place.vector("at"), place.number("ring", 0)});
       place.requireNothingElse();
+    }
+  }
+
+  /// Each point is [x, y, z, ms].
+  static void readWays(Fields& fields, SurfaceDefinition& surface) {
+    for (const json& content : fields.list("ways", 0)) {
+      Fields fieldsOfWay(content, surface.where + ", \"ways\"");
+      geometry::NamedWay way{fieldsOfWay.text("name"), fieldsOfWay.positive("width", 1), {}, {}};
+      const json& points = fieldsOfWay.list("points", 2);
+      way.points.resize(static_cast<Eigen::Index>(points.size()), 3);
+      way.reachedMs.resize(way.points.rows());
+      for (Eigen::Index i = 0; i < way.points.rows(); ++i) {
+        const json& point = points[static_cast<std::size_t>(i)];
+        const std::string key = "points[" + std::to_string(i) + "]";
+        if (!point.is_array() || point.size() != 4 || !point[3].is_number())
+          fieldsOfWay.fail(key, "is " + point.dump(), "write each point as [x, y, z, ms]");
+        way.points.row(i) =
+            vectorFrom(json::array({point[0], point[1], point[2]}), fieldsOfWay.where(), key).transpose();
+        way.reachedMs[i] = point[3].get<double>();
+        if (!(way.reachedMs[i] >= 0) || (i > 0 && way.reachedMs[i] < way.reachedMs[i - 1]))
+          fieldsOfWay.fail(key, "has the time " + point[3].dump(), "times ascend from 0 ms");
+      }
+      fieldsOfWay.requireNothingElse();
+      surface.ways.push_back(std::move(way));
     }
   }
 

@@ -24,6 +24,7 @@ struct SurfaceDefinition {
   std::array<int, 3> triangles = {3000, 30000, 150000}; ///< Low, medium, high.
   double largestSpacing = 1.6;                          ///< mm between samples of the field.
   std::vector<geometry::NamedPlace> places;             ///< Parts that have names.
+  std::vector<geometry::NamedWay> ways;                 ///< Along which it is excited.
   nlohmann::json root;                                  ///< Null when it is joined from other surfaces.
   std::array<std::string, 3> from; ///< Of a joined surface: the body's surface, low, medium, high ...
   std::vector<std::string> less;   ///< ... and those of the lumina that are taken out of it.

@@ -47,6 +47,43 @@ TEST(CirculationSigns, ElectrocardiogramLeadsTheHeartAndRepeats) {
   EXPECT_GT(electrocardiogram(rest, 0.8 * endSystoleSeconds(rest.rate) - 0.03), 0.28);
 }
 
+TEST(CirculationSigns, TheExcitationIsWhereTheElectrocardiogramIs) {
+  Parameters slow;
+  slow.conduction = 0.22;
+  for (const Parameters& parameters : {Parameters(), slow}) {
+    const Excitation at = excitationOf(parameters);
+    const auto seen = [&](double from, double to) {
+      double most = 0;
+      for (double t = from; t < to; t += 1e-3)
+        most = std::max(most, std::abs(electrocardiogram(parameters, t)));
+      return most;
+    };
+    EXPECT_GT(seen(at.sinusNode, at.atriaDone), 0.14) << "P";
+    EXPECT_LT(seen(at.atriaDone + 0.004, at.ventriclesBegin - 0.004), 0.02) << "the segment behind it";
+    EXPECT_GT(seen(at.ventriclesBegin, at.ventriclesDone), 1) << "QRS";
+    EXPECT_EQ(excitationMs(parameters, at.sinusNode), 0);
+    EXPECT_NEAR(excitationMs(parameters, at.atriaDone), kAtriaDoneMs, 2);
+    EXPECT_NEAR(excitationMs(parameters, at.ventriclesBegin), kVentriclesBeginMs, 1e-9);
+    EXPECT_NEAR(excitationMs(parameters, at.ventriclesDone), kVentriclesDoneMs, 1e-9);
+    EXPECT_NEAR(excitationMs(parameters, at.ventriclesDone + 0.1), kVentriclesDoneMs + 100, 1e-6);
+  }
+}
+
+TEST(CirculationSigns, TheExcitationRunsOnAndRepeatsAtEveryRate) {
+  for (const double rate : {40.0, 72.0, 150.0, 200.0}) {
+    Parameters parameters;
+    parameters.rate = rate;
+    const double period = 60 / rate, begin = excitationOf(parameters).sinusNode;
+    double before = -1;
+    for (double t = begin + 1e-6; t < begin + period; t += 1e-3) {
+      const double now = excitationMs(parameters, t);
+      EXPECT_GE(now, before) << rate << " a minute, " << t;
+      EXPECT_NEAR(now, excitationMs(parameters, t + 3 * period), 1e-6);
+      before = now;
+    }
+  }
+}
+
 TEST(CirculationSigns, FirstSoundsComeWithTheAtrialValvesAndSecondOnesWithTheArterial) {
   const Solved rest = solve("rest");
   const auto mitral = soundOf(rest, "S1 mitral"), tricuspid = soundOf(rest, "S1 tricuspid");

@@ -79,6 +79,12 @@ TEST_F(CavityHeartbeatTest, TellsItsBeatItsValvesAndWhereItsCavitiesAre) {
   EXPECT_EQ(heart.textbookBeat(75)->left().outletOpens, cycle_.beat(75).left().outletOpens);
   EXPECT_EQ(heart.frame()->origin(), motion_.rig().anatomy.frame.origin());
   EXPECT_EQ(valvesAt(heartbeat_, 0.3, 75), textbookValves(cycle_.beat(75), 0.3));
+  const CardiacBeat beat = cycle_.beat(75);
+  const auto clock = clockAt(heartbeat_, beat.left().inletShuts + 0.1, 75);
+  ASSERT_TRUE(clock);
+  EXPECT_NEAR(clock->seconds, 0.1, 1e-12) << "after the ventricles begin to contract";
+  EXPECT_EQ(clock->conduction, beat.times().atrialSystole);
+  EXPECT_NEAR(clock->ratePerMinute, 75, 1e-9);
 }
 
 TEST_F(CavityHeartbeatTest, OfAnotherSizeHasTheSameBeatAndValvesAndAFrameOfThatSize) {
@@ -113,6 +119,9 @@ TEST_F(CavityHeartbeatTest, ByACirculationHasItsValvesAndNoEventsOfTheTextbook) 
     course.valves.push_back(textbookValves(cycle_.beat(75), 0.1 * i));
   const CourseHeartbeat with(without, course);
   EXPECT_EQ(valvesAt(with, 0.2, 75), course.valvesAt(0.25));
+  EXPECT_FALSE(clockAt(with, 0.2, 75)) << "the course does not tell it";
+  course.begins = BeatClock{-0.2, 0.14, 75};
+  EXPECT_EQ(clockAt(CourseHeartbeat(without, course), 0.4, 75), (BeatClock{-0.2 + 0.5 * 0.8, 0.14, 75}));
 }
 
 TEST_F(CavityHeartbeatTest, CavitiesHoldWhatTheCycleSaysAtAnyTimeAndRate) {

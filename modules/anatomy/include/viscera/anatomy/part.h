@@ -77,6 +77,12 @@ Vec3 colorOf(const Part& part);
 /// the title of their organ.
 std::string titleOf(const Part& part);
 
+/// The name of a file's organ as people write it, in English, as translations know it: "Left kidney" for
+/// "kidney_left", "Left rib 7" for "rib_left_7", "Upper lobe of the left lung" for "lung_upper_lobe_left",
+/// "Right ventricle (patient1)" for "patient1_RV_ENDOCARDIAL". Other names with a capital letter and spaces
+/// ("small_vein_2" is "Small vein 2"). O(length).
+std::string readableName(std::string_view name);
+
 /// "LV", "RV", "LA" or "RA"; empty for a part that is no cavity of a chamber.
 std::string_view abbreviationOf(const Part& part);
 

@@ -157,8 +157,8 @@ struct Wording {
 /// pattern and name.
 std::string inWords(const Text& text, const Wording& language);
 
-/// The index at which the trailing number of a name begins, with the space before it: 6 in "Septum 12"; the
-/// name's size when there is none. Such a name is translated without its number. O(n); from any thread.
+/// The index at which the trailing number of a name begins, with the space before it: 6 in "Septum 12", 8 in
+/// "Vertebra L1", else the name's size. Such a name is translated without its number. O(n); from any thread.
 std::size_t numberAtEnd(std::string_view name);
 
 } // namespace viscera

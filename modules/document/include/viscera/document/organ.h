@@ -9,6 +9,7 @@
 #include "viscera/core/phrase.h"
 #include "viscera/document/ids.h"
 #include "viscera/geometry/named_place.h"
+#include "viscera/geometry/named_way.h"
 #include "viscera/geometry/surface_check.h"
 #include "viscera/geometry/triangle_mesh.h"
 
@@ -61,6 +62,8 @@ struct Organ {
   OrganOrigin origin;
   /// Parts of it that have names, for a sample organ those of its definition; a session names the sample.
   std::vector<geometry::NamedPlace> places;
+  /// Along which an excitation runs, from the same source: a heart's conduction system.
+  std::vector<geometry::NamedWay> ways;
   std::vector<Text> warnings; ///< What a user should know: assumed space, implausible size, repairs.
   int boundaryEdges = 0;      ///< Edges with one triangle. An open surface has no volume.
   double restVolumeMm3 = 0;   ///< Signed, of the rest mesh; 0 for an open one.

@@ -61,4 +61,9 @@ std::optional<heart::ValveInstants> heartValves(const std::string& recipe,
                                                 const document::CirculationChoice& choice, double fraction,
                                                 double ratePerMinute, Progress& progress);
 
+/// The clock at that place of the cycle, as `heartValves`.
+std::optional<heart::BeatClock> heartClock(const std::string& recipe,
+                                           const document::CirculationChoice& choice, double fraction,
+                                           double ratePerMinute, Progress& progress);
+
 } // namespace viscera::live

@@ -11,7 +11,9 @@
 #include "viscera/core/parallel.h"
 #include "viscera/document/document.h"
 #include "viscera/document/measured_values.h"
+#include "viscera/heart/beating_heart.h"
 #include "viscera/heart/heart_valves.h"
+#include "viscera/live/heart_tissue.h"
 #include "viscera/live/posed_organs.h"
 #include "viscera/live/stress_frame.h"
 #include "viscera/live/stress_marks_reader.h"
@@ -19,6 +21,7 @@
 #include "viscera/presentation/stress_values.h"
 #include "viscera/presentation/view_state.h"
 #include "viscera/scene/color_map.h"
+#include "viscera/scene/conduction_glyphs.h"
 #include "viscera/scene/helper_glyphs.h"
 #include "viscera/scene/measurement_glyphs.h"
 #include "viscera/scene/organ_labels.h"
@@ -80,6 +83,10 @@ struct Scene {
   bool stressLegend = true;            ///< False: the other picture shows the legend for both.
   document::OrganId pointedOrgan = {}; ///< The organ under the mouse, whose handles are highlighted; none:
                                        ///< all handles look alike.
+  /// The instant of the beat that is shown; empty: none is known.
+  std::optional<heart::BeatClock> clock = std::nullopt;
+  /// The tissue of the sample heart, which the cut shows (`openedHeart`); null: not there, or not yet.
+  std::shared_ptr<const live::HeartTissue> heartTissue = nullptr;
 };
 
 /// Draws a document in a 3D view: creates the actors of organs, handles, ghosts, regions, cages, influence
@@ -115,6 +122,9 @@ public:
   document::OrganId organOf(const scene::OrganActor* actor) const;
   std::shared_ptr<scene::OrganActor> actorOf(document::OrganId organ) const;
 
+  /// The actor of the tissue of a sample heart that is cut open; null while the heart's surfaces are drawn.
+  const scene::OrganActor* heartTissue() const;
+
   const scene::OrganLabels& labels() const;
   const scene::MeasurementGlyphs& measurements() const;
   /// The numbers of the stress map; not `ready` while there is none.
@@ -127,6 +137,8 @@ public:
   /// The glyphs of the organ's pinned probes and lines, and their values in the displayed map.
   const scene::MeasurementGlyphs& stressMarks() const;
   const live::ReadMarks& readMarks() const;
+  /// The lines of the heart's conduction system that are drawn.
+  const scene::ConductionGlyphs& conduction() const;
   /// The plane that cuts the organ open, for the widget that moves it.
   vtkVisceraCutPlaneRepresentation* cutPlane() const;
   /// The middle of the organ with the stress map at rest, and the radius of the ball around it, mm.
@@ -148,10 +160,8 @@ void lookFrom(const Camera& camera, scene::OrganView& view);
 /// does not move it.
 void lookFrom(const Camera& camera, const ViewState& state, scene::OrganView& view);
 
-/// The name of an organ where people read: "LV cavity" for the sample heart's organ LV; "Left kidney" for
-/// "kidney_left", whose words are those of a part of the body (`anatomy::titleOf`); else the organ's name
-/// with a capital letter and spaces ("small_vein_2" is "Small vein 2"). Each translated where a translation
-/// is known. Files keep the organ's own name.
+/// The name of an organ where people read: "LV cavity" for the sample heart's organ LV, for others
+/// `anatomy::readableName`. Each translated where a translation is known. Files keep the organ's own name.
 std::string labelOf(const document::Organ& organ, const Presenter::Translate& translate = {});
 
 /// The colour in which an organ of this colour is drawn, in pictures, lists and charts alike: tables of label

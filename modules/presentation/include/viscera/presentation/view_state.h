@@ -103,6 +103,7 @@ struct OrganCut {
   Vec3 normal = Vec3::UnitY(); ///< Unit, towards the part that stays; by default the anterior part is cut
                                ///< away.
   double offset = 0;           ///< -1 to 1, of the radius of the ball around the visible organs at rest.
+  bool blood = false;          ///< The sample heart's chambers are full of blood, else empty.
 
   bool operator==(const OrganCut&) const = default;
 };
@@ -191,6 +192,7 @@ struct ViewState {
   bool circulationChart = true; ///< While a circulation moves the heart: shows its curves instead of the
                                 ///< volumes.
   bool valves = true;           ///< Valves of a beating heart, and the flow through them.
+  bool conduction = false;      ///< The conduction system of a heart, lit by the excitation of its beat.
   bool beatSigns = false;       ///< Electrocardiogram, sounds and valves under the heart's phases.
   HeartSigns heartSigns;        ///< Below the view in lectures, and in movies.
   StressLook stress;

@@ -9,6 +9,7 @@
 #include "viscera/core/parallel.h"
 #include "viscera/core/progress.h"
 #include "viscera/geometry/named_place.h"
+#include "viscera/geometry/named_way.h"
 #include "viscera/geometry/triangle_mesh.h"
 
 /// Generates sample organs from the compact definitions in `sample_organs/`.
@@ -29,6 +30,7 @@ struct SampleSurface {
   /// Of an organ of its own, its name: "Liver". Empty for the one surface of an organ, and for cavities in
   /// it.
   std::string organ = {};
+  std::vector<geometry::NamedWay> ways = {}; ///< Along which an excitation runs: the conduction system.
   bool hidden = false; ///< Not shown until someone switches it on: it covers other organs.
 };
 
@@ -74,6 +76,10 @@ SampleSurface sampleSurface(const SampleLibrary& library, const std::string& org
 /// milliseconds.
 std::vector<geometry::NamedPlace> namedPlaces(const SampleLibrary& library, const std::string& organ,
                                               const std::string& surface);
+
+/// The ways of a surface, without making it. As `namedPlaces`.
+std::vector<geometry::NamedWay> namedWays(const SampleLibrary& library, const std::string& organ,
+                                          const std::string& surface);
 
 /// A named implicit surface of a definition: negative inside, about the distance in mm near the surface. For
 /// placing handles by the anatomy. Thread-safe.

@@ -23,6 +23,13 @@ struct MeshLook {
   bool operator==(const MeshLook&) const = default;
 };
 
+/// What a surface is in a view for, where another one is drawn in its place.
+enum class SurfaceRole {
+  whole,   ///< Drawn, picked and named.
+  picture, ///< Only drawn: rays go through it, it has no name and hides no label.
+  body,    ///< Picked and named where it is, but not drawn.
+};
+
 /// Draws the surface of one organ. VTK looks at the mesh's own memory: points, triangles, vertex colours,
 /// normals and scalars are never copied on the processor's side. Belongs to the thread that renders.
 ///
@@ -70,6 +77,13 @@ public:
   double opacity() const;
   void setVisible(bool visible);
   bool visible() const;
+  /// `whole` at first. A surface that is shown in place of others has the role of their picture, and they
+  /// that of a body, so that clicks and names are as before.
+  void setRole(SurfaceRole role);
+  SurfaceRole role() const;
+  /// Whether it is visible and drawn; whether it is visible, and picked and named.
+  bool drawn() const;
+  bool met() const;
   /// Selected organs are drawn a little lighter.
   void setSelected(bool selected);
   bool selected() const;

@@ -32,7 +32,8 @@ struct SurfacePick {
   double distance = 0;             ///< From the ray's origin, mm.
 };
 
-/// The nearest visible surface along a ray; surfaces cut away by a clip plane do not count. O(triangles), on
+/// The nearest visible surface along a ray; surfaces cut away by a clip plane do not count, nor do mere
+/// pictures (`SurfaceRole`). O(triangles), on
 /// several threads; the same answer whatever their number.
 std::optional<SurfacePick> pickSurface(const Ray& ray, const std::vector<OrganActor*>& organs);
 

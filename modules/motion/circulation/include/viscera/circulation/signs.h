@@ -16,6 +16,27 @@ namespace viscera::circulation {
 /// shape in disease. O(1).
 double electrocardiogram(const Parameters& parameters, double seconds);
 
+/// When the electrocardiogram's waves are, s after the beginning of the ventricles' contraction: what the
+/// excitation does then.
+struct Excitation {
+  double sinusNode = 0;       ///< P begins: the sinus node fires.
+  double atriaDone = 0;       ///< P ends.
+  double ventriclesBegin = 0; ///< Q begins.
+  double ventriclesDone = 0;  ///< S ends.
+};
+Excitation excitationOf(const Parameters& parameters);
+
+/// The same in the healthy beat whose times the heart's conduction system is given in, ms after the sinus
+/// node has fired: the atria are done, the ventricles begin and are done.
+inline constexpr double kAtriaDoneMs = 100, kVentriclesBeginMs = 160, kVentriclesDoneMs = 245;
+
+/// How far the excitation is at `seconds` after the beginning of the ventricles' contraction: the time of
+/// that healthy beat, ms, at which its excitation has come as far. From 0 when the sinus node fires to the
+/// end of QRS the electrocardiogram's waves are the marks, with even progress between them: a longer
+/// conduction stays longer in the atrioventricular node; where P reaches into QRS, the atria take four fifths
+/// of the time to Q. Then it goes on until the node fires again. O(1).
+double excitationMs(const Parameters& parameters, double seconds);
+
 /// A heart sound: when it is heard, how loud it is and its frequency.
 struct HeartSound {
   std::string name;     ///< "S1 mitral", "S1 tricuspid", "S2 aortic", "S2 pulmonic", "S3", "S4"

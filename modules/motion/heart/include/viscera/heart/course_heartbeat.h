@@ -18,11 +18,14 @@ struct HeartCourse {
   std::vector<HeartInstant> instants;   ///< At 0, 1/n, 2/n ... of the beat.
   std::vector<sequences::Phase> phases; ///< Covering [0, 1].
   std::vector<ValveInstants> valves{};  ///< As many as `instants`, or none if they are not known.
+  std::optional<BeatClock> begins{};    ///< The clock at its beginning; empty if it is not known.
 
   /// Between two instants: linear. O(1).
   HeartInstant at(double phase) const;
   /// The valves at that instant; empty if they are not known. Linear in between. O(1).
   std::optional<ValveInstants> valvesAt(double phase) const;
+  /// The clock at that instant; empty if it is not known. O(1).
+  std::optional<BeatClock> clockAt(double phase) const;
 };
 
 /// The heartbeat of a course, in which the heart's cavities have the course's volumes at every instant. It
@@ -52,6 +55,9 @@ public:
   std::optional<CardiacBeat> textbookBeat(double /*ratePerMinute*/) const override { return std::nullopt; }
   std::optional<ValveInstants> valves(double seconds, double /*ratePerMinute*/) const override {
     return course_.valvesAt(seconds / course_.period);
+  }
+  std::optional<BeatClock> clock(double seconds, double /*ratePerMinute*/) const override {
+    return course_.clockAt(seconds / course_.period);
   }
   std::optional<HeartFrame> frame() const override { return motion().rig().anatomy.frame; }
 

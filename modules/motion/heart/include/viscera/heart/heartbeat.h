@@ -34,6 +34,9 @@ public:
   std::optional<ValveInstants> valves(double seconds, double ratePerMinute) const override {
     return textbookValves(cycle_.beat(ratePerMinute), seconds);
   }
+  std::optional<BeatClock> clock(double seconds, double ratePerMinute) const override {
+    return clockOf(cycle_.beat(ratePerMinute), seconds);
+  }
   std::optional<HeartFrame> frame() const override { return std::nullopt; }
 
   const CardiacCycle& cycle() const { return cycle_; }

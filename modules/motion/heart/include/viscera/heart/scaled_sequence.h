@@ -46,6 +46,7 @@ public:
 private:
   std::optional<CardiacBeat> textbookBeat(double ratePerMinute) const override;
   std::optional<ValveInstants> valves(double seconds, double ratePerMinute) const override;
+  std::optional<BeatClock> clock(double seconds, double ratePerMinute) const override;
   std::optional<HeartFrame> frame() const override;
 
   std::shared_ptr<const sequences::Sequence> standard_;

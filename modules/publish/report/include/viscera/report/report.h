@@ -12,6 +12,7 @@
 #include "viscera/core/progress.h"
 #include "viscera/document/document.h"
 #include "viscera/document/measured_values.h"
+#include "viscera/live/heart_tissue.h"
 #include "viscera/live/live_stress.h"
 #include "viscera/live/motion_runner.h"
 #include "viscera/live/posed_organs.h"
@@ -34,6 +35,9 @@ struct ReportSource {
 
   /// How measured places of the scan move where the view shows it warped; empty: they do not.
   document::TissueMotion tissue = {};
+  /// The tissue of the sample heart where the view cuts it open (`presentation::heartTissueFor`); may be
+  /// null.
+  std::shared_ptr<const live::HeartTissue> heartTissue = {};
 
   std::shared_ptr<const sequences::Sequence> sequence = {}; ///< Null: the organs are still.
   double ratePerMinute = 0;                                 ///< 0: the sequence's own.

@@ -1,13 +1,12 @@
-#include "window/timeline/beat_drawing.h"
+#include "signs/beat_drawing.h"
 
+#include <QCoreApplication>
 #include <QPainter>
 #include <QPolygonF>
 
 #include <cmath>
 
 #include "viscera/circulation/signs.h"
-#include "window/timeline/beat_strip.h"
-#include "window/timeline/phase_scrubber.h"
 
 namespace viscera::app {
 namespace {
@@ -56,11 +55,16 @@ void BeatDrawing::setBeat(const std::optional<heart::CardiacBeat>& beat) {
   const double cycle = beat->times().cycle;
   tracing_ = tracingOf(*beat);
   const auto at = [cycle](double seconds) { return seconds / cycle - std::floor(seconds / cycle); };
-  sounds_ = {{BeatStrip::tr("S1"), at(left.inletShuts)}, {BeatStrip::tr("S2"), at(left.outletShuts)}};
-  valves_ = {{BeatStrip::tr("Mitral valve"), at(left.inletOpens), at(left.inletShuts)},
-             {BeatStrip::tr("Aortic valve"), at(left.outletOpens), at(left.outletShuts)},
-             {BeatStrip::tr("Tricuspid valve"), at(right.inletOpens), at(right.inletShuts)},
-             {BeatStrip::tr("Pulmonary valve"), at(right.outletOpens), at(right.outletShuts)}};
+  sounds_ = {{QCoreApplication::translate("viscera::app::BeatStrip", "S1"), at(left.inletShuts)},
+             {QCoreApplication::translate("viscera::app::BeatStrip", "S2"), at(left.outletShuts)}};
+  valves_ = {{QCoreApplication::translate("viscera::app::BeatStrip", "Mitral valve"), at(left.inletOpens),
+              at(left.inletShuts)},
+             {QCoreApplication::translate("viscera::app::BeatStrip", "Aortic valve"), at(left.outletOpens),
+              at(left.outletShuts)},
+             {QCoreApplication::translate("viscera::app::BeatStrip", "Tricuspid valve"), at(right.inletOpens),
+              at(right.inletShuts)},
+             {QCoreApplication::translate("viscera::app::BeatStrip", "Pulmonary valve"),
+              at(right.outletOpens), at(right.outletShuts)}};
 }
 
 QStringList BeatDrawing::openValves(double fraction) const {

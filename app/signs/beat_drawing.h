@@ -15,6 +15,10 @@ class QPainter;
 
 namespace viscera::app {
 
+/// The margin at the left and right of every strip that shows a cycle, in logical pixels. All strips share
+/// it, so that the same instants stand below each other.
+inline constexpr double kPhaseMargin = 8;
+
 /// Draws the events of the textbook's beat: a schematic electrocardiogram, the first and the second heart
 /// sound, and when each of the four valves is open, with a lamp for the present instant. The timeline, a
 /// lecture and movies draw them with this. Made on the main thread; it paints on any.

@@ -1,19 +1,17 @@
-#include "window/movie/movie_signs.h"
+#include "signs/movie_signs.h"
 
-#include <QApplication>
 #include <QPainter>
 #include <QTextDocument>
 
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <utility>
 
-#include "viscera/heart/beating_heart.h"
+#include "signs/circulation_texts.h"
+#include "signs/instant_marks.h"
 #include "viscera/scene/picture.h"
 #include "viscera/scene/surfaceless_window.h"
-#include "window/circulation/circulation_charts.h"
-#include "window/language.h"
-#include "window/timeline/chart_cursor.h"
 
 namespace viscera::app {
 namespace {
@@ -53,54 +51,50 @@ int evenPart(double pixels) {
 
 } // namespace
 
-std::unique_ptr<MovieSigns> MovieSigns::of(const Source& source, const QSize& movie) {
-  auto signs = std::unique_ptr<MovieSigns>(new MovieSigns(source, movie));
-  const bool drawn = signs->curves_ ? source.signs.anyOfCirculation()
-                                    : signs->drawing_.hasBeat() && source.signs.anyOfTextbook();
+std::unique_ptr<MovieSigns> MovieSigns::of(Source source, const QSize& picture) {
+  auto signs = std::unique_ptr<MovieSigns>(new MovieSigns(std::move(source), picture));
+  const presentation::HeartSigns& chosen = signs->source_.signs;
+  const bool drawn =
+      signs->source_.curves ? chosen.anyOfCirculation() : signs->drawing_.hasBeat() && chosen.anyOfTextbook();
   return drawn ? std::move(signs) : nullptr;
 }
 
-MovieSigns::MovieSigns(const Source& source, const QSize& movie)
-    : signs_(source.signs), theme_(source.theme), type_(QApplication::font()),
-      scale_(std::clamp(movie.height() / kUsualMovieHeight, kLeastStripScale, scene::kLectureTypeScale)) {
-  if (const CirculationModel::Shown* shown = source.circulation.present()) {
-    curves_ = Curves{*shown, std::nullopt, source.circulation.isPlayed()};
-    if (const CirculationModel::Shown* kept = source.circulation.kept())
-      curves_->before = *kept;
-    size_ = {movie.width(), evenPart(presentation::kCirculationSignsPart * movie.height())};
+MovieSigns::MovieSigns(Source source, const QSize& picture)
+    : source_(std::move(source)),
+      scale_(std::clamp(picture.height() / kUsualMovieHeight, kLeastStripScale, scene::kLectureTypeScale)) {
+  if (source_.curves) {
+    size_ = {picture.width(), evenPart(presentation::kCirculationSignsPart * picture.height())};
     return;
   }
-  const sequences::Sequence* sequence = source.playback.sequence();
-  const heart::BeatingHeart* heart = sequence ? sequence->heart() : nullptr;
-  drawing_.setBeat(heart ? heart->textbookBeat(source.playback.player().ratePerMinute()) : std::nullopt);
-  drawing_.setSigns(signs_);
-  size_ = {movie.width(), evenPart(drawing_.height(scale_))};
+  drawing_.setBeat(source_.beat);
+  drawing_.setSigns(source_.signs);
+  size_ = {picture.width(), evenPart(drawing_.height(scale_))};
 }
 
 /// The charts and above them the meaning of their colours.
 void MovieSigns::drawCurves() {
+  const presentation::ShownCirculation* before = source_.curves->before ? &*source_.curves->before : nullptr;
   ground_ = QImage(size_, QImage::Format_RGB888);
-  ground_.fill(inkOf(theme_.panel));
+  ground_.fill(inkOf(source_.theme.panel));
   QTextDocument legend;
-  QFont type = type_;
+  QFont type = source_.type;
   type.setPointSizeF(presentation::stripTypeScale(size_.width(), size_.height()) * type.pointSizeF());
   legend.setDefaultFont(type);
   legend.setDocumentMargin(2);
   legend.setHtml(QStringLiteral("<span style=\"color:%1\">%2</span>")
-                     .arg(inkOf(theme_.text).name(),
-                          circulationLegendText(curves_->before ? &*curves_->before : nullptr)));
+                     .arg(inkOf(source_.theme.text).name(), circulationLegendText(before, source_.language)));
   legend.setTextWidth(size_.width() - 2 * kMovieMargin);
   legendHeight_ = std::min(static_cast<int>(std::ceil(legend.size().height())), size_.height() / 3);
   const int width = size_.width(), height = size_.height() - legendHeight_;
-  scene::Theme theme = theme_;
+  scene::Theme theme = source_.theme;
   theme.typeScale = presentation::stripTypeScale(width, height);
   scene::CurvePanels panels;
   scene::SurfacelessWindow window(width, height);
-  panels.setDecimalMark(decimalMark());
+  panels.setDecimalMark(source_.language.decimalMark.front());
   panels.setTheme(theme);
   panels.setWindow(window.window());
-  places_ = circulationPanels(curves_->shown, curves_->before ? &*curves_->before : nullptr,
-                              {width, height, theme.typeScale, signs_});
+  places_ = circulationPanels(source_.curves->shown, before, {width, height, theme.typeScale, source_.signs},
+                              source_.language);
   panels.setPanels(places_);
   panels.update();
   const QImage charts = imageOfVtk(scene::grabPicture(window.window()));
@@ -113,24 +107,25 @@ void MovieSigns::drawCurves() {
 
 vtkSmartPointer<vtkImageData> MovieSigns::picture(double fraction) {
   if (ground_.isNull()) {
-    if (curves_) {
+    if (source_.curves) {
       drawCurves();
     } else {
       ground_ = QImage(size_, QImage::Format_RGB888);
-      ground_.fill(inkOf(theme_.panel));
+      ground_.fill(inkOf(source_.theme.panel));
     }
   }
   QImage image = ground_;
   QPainter painter(&image);
-  if (!curves_) {
-    QFont type = type_;
+  if (!source_.curves) {
+    QFont type = source_.type;
     type.setPointSizeF(scale_ * type.pointSizeF());
-    drawing_.paint(painter, QRectF(QPointF(0, 0), QSizeF(size_)), fraction,
-                   {inkOf(theme_.text), inkOf(theme_.muted), inkOf(theme_.panel), type, scale_});
-  } else if (curves_->marked) {
+    drawing_.paint(
+        painter, QRectF(QPointF(0, 0), QSizeF(size_)), fraction,
+        {inkOf(source_.theme.text), inkOf(source_.theme.muted), inkOf(source_.theme.panel), type, scale_});
+  } else if (source_.curves->marked) {
     painter.translate(0, legendHeight_);
-    ChartCursor::paint(painter, presentation::instantMarks(places_, curves_->shown, fraction),
-                       QSizeF(size_.width(), size_.height() - legendHeight_), inkOf(theme_.text));
+    paintMarks(painter, presentation::instantMarks(places_, source_.curves->shown, fraction),
+               QSizeF(size_.width(), size_.height() - legendHeight_), inkOf(source_.theme.text));
   }
   painter.end();
   return vtkPictureOf(image);

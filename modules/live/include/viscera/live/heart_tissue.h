@@ -1,0 +1,58 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "viscera/core/parallel.h"
+#include "viscera/core/progress.h"
+#include "viscera/document/document.h"
+#include "viscera/geometry/carried_points.h"
+#include "viscera/live/posed_organs.h"
+#include "viscera/sample_organs/sample_organ.h"
+
+/// The walls of the sample heart, which a cut shows in place of the surfaces that volumes come from.
+namespace viscera::live {
+
+/// The sample heart of a document: the surface around it and its cavities, in the document's order.
+struct SampleHeartOrgans {
+  std::shared_ptr<const document::Organ> outer; ///< Never null.
+  std::vector<std::shared_ptr<const document::Organ>> cavities;
+};
+
+/// The first sample heart of a document whose outer surface is visible; none where there is none. O(organs).
+std::optional<SampleHeartOrgans> sampleHeartIn(const document::DocumentState& state);
+
+/// Whether two are the same surfaces at rest, in whatever pose and look. O(1).
+bool sameSurfaces(const SampleHeartOrgans& a, const SampleHeartOrgans& b);
+
+/// The heart's walls with papillary muscles as one closed surface, open through the valves' rings and at the
+/// ends of the vessels. It is no organ of the document, and follows no handles by itself: the heart's
+/// surfaces carry it (`geometry::CarriedPoints`), so that it goes along with whatever moves them. Immutable;
+/// thread-safe.
+class HeartTissue {
+public:
+  /// `tissue` is the surface at rest, `heart` what carries it. O(vertices), some 0.1 s.
+  HeartTissue(std::shared_ptr<const geometry::TriangleMesh> tissue, const SampleHeartOrgans& heart,
+              Threads threads = {});
+
+  const std::shared_ptr<const geometry::TriangleMesh>& mesh() const { return mesh_; } ///< At rest.
+  /// Whether these are the surfaces that carry it.
+  bool isOf(const SampleHeartOrgans& heart) const { return sameSurfaces(heart_, heart); }
+  /// Writes its vertices as they are in the pose of the organs, `n x 3` mm, where `isOf(heart)`.
+  void at(const SampleHeartOrgans& heart, const PosedOrgans& organs, Points& out, Threads threads = {}) const;
+
+private:
+  std::shared_ptr<const geometry::TriangleMesh> mesh_;
+  SampleHeartOrgans heart_;
+  geometry::CarriedPoints carried_;
+};
+
+/// The tissue of a heart, from the cache of the library or made (seconds). Null where the heart's outer
+/// surface is not the one that the library makes, as in a session of an older version. Throws what
+/// `sample_organs::sampleSurface` throws.
+std::shared_ptr<const HeartTissue> makeHeartTissue(const SampleHeartOrgans& heart,
+                                                   const sample_organs::SampleLibrary& library,
+                                                   Progress& progress, Threads threads = {});
+
+} // namespace viscera::live

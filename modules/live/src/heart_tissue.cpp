@@ -1,0 +1,104 @@
+#include "viscera/live/heart_tissue.h"
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <string_view>
+#include <utility>
+
+namespace viscera::live {
+namespace {
+
+using Mesh = std::shared_ptr<const geometry::TriangleMesh>;
+
+constexpr const char *kHeart = "heart", *kOuter = "outer", *kTissue = "tissue";
+constexpr std::string_view kHeartAt = "heart@";
+constexpr std::array<std::string_view, 4> kCavities = {"lv", "rv", "la", "ra"};
+/// Making the outer surface, which is in the cache as a rule, and then the tissue.
+constexpr double kOuterPart = 0.1;
+
+std::vector<Mesh> meshesOf(const SampleHeartOrgans& heart) {
+  std::vector<Mesh> meshes = {heart.outer->mesh};
+  for (const auto& cavity : heart.cavities)
+    meshes.push_back(cavity->mesh);
+  return meshes;
+}
+
+/// All points below each other, in their order.
+template <class Parts, class PointsOf>
+Points stacked(const Parts& parts, const PointsOf& pointsOf) {
+  Eigen::Index rows = 0;
+  for (const auto& part : parts)
+    rows += pointsOf(part).rows();
+  Points all(rows, 3);
+  Eigen::Index row = 0;
+  for (const auto& part : parts) {
+    const Points& points = pointsOf(part);
+    all.middleRows(row, points.rows()) = points;
+    row += points.rows();
+  }
+  return all;
+}
+
+bool sameSurface(const geometry::TriangleMesh& a, const geometry::TriangleMesh& b) {
+  return a.points.rows() == b.points.rows() && a.triangles.rows() == b.triangles.rows() &&
+         a.points == b.points && a.triangles == b.triangles;
+}
+
+Points verticesOf(const std::vector<Mesh>& meshes) {
+  return stacked(meshes, [](const Mesh& mesh) -> const Points& { return mesh->points; });
+}
+
+} // namespace
+
+std::optional<SampleHeartOrgans> sampleHeartIn(const document::DocumentState& state) {
+  SampleHeartOrgans heart;
+  for (const auto& organ : *state.organs)
+    if (organ->look.visible && organ->origin.sample.starts_with(kHeartAt) &&
+        organ->origin.surface == kOuter) {
+      heart.outer = organ;
+      break;
+    }
+  if (!heart.outer)
+    return std::nullopt;
+  for (const auto& organ : *state.organs)
+    if (organ->parent == heart.outer->id && organ->origin.sample == heart.outer->origin.sample &&
+        std::count(kCavities.begin(), kCavities.end(), organ->origin.surface) > 0)
+      heart.cavities.push_back(organ);
+  return heart;
+}
+
+bool sameSurfaces(const SampleHeartOrgans& a, const SampleHeartOrgans& b) {
+  return meshesOf(a) == meshesOf(b);
+}
+
+HeartTissue::HeartTissue(Mesh tissue, const SampleHeartOrgans& heart, Threads threads)
+    : mesh_(std::move(tissue)), heart_(heart), carried_(mesh_->points, verticesOf(meshesOf(heart)), threads) {
+}
+
+void HeartTissue::at(const SampleHeartOrgans& heart, const PosedOrgans& organs, Points& out,
+                     Threads threads) const {
+  std::vector<std::shared_ptr<const Points>> parts = {organs.sharedPoints(heart.outer->id)};
+  for (const auto& cavity : heart.cavities)
+    parts.push_back(organs.sharedPoints(cavity->id));
+  carried_.at(stacked(parts, [](const auto& part) -> const Points& { return *part; }), out, threads);
+}
+
+std::shared_ptr<const HeartTissue> makeHeartTissue(const SampleHeartOrgans& heart,
+                                                   const sample_organs::SampleLibrary& library,
+                                                   Progress& progress, Threads threads) {
+  const auto resolution =
+      sample_organs::resolutionFromName(heart.outer->origin.sample.substr(kHeartAt.size()));
+  const auto surface = [&](const char* name, double from, double to) {
+    Mesh mesh;
+    runPart(progress, from, to, [&](Progress& part) {
+      mesh = sample_organs::sampleSurface(library, kHeart, name, resolution, part, threads).mesh;
+    });
+    return mesh;
+  };
+  if (!sameSurface(*surface(kOuter, 0, kOuterPart), *heart.outer->mesh))
+    return nullptr;
+  return std::make_shared<const HeartTissue>(surface(kTissue, kOuterPart, 1), heart, threads);
+}
+
+} // namespace viscera::live

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "organ_picture.h"
+#include "viscera/geometry/plane_cut.h"
+#include "viscera/presentation/opened_heart.h"
+#include "viscera/presentation/presenter.h"
+
+namespace viscera::presentation {
+
+/// Draws the tissue of a sample heart that is cut open, in place of the heart's own surfaces, which still are
+/// what clicks meet and names are on.
+class HeartPicture {
+public:
+  HeartPicture(scene::OrganView& view, Threads threads) : view_(view), threads_(threads) {}
+  ~HeartPicture();
+
+  /// Updates the tissue to the present pose. `numbers`: organs show numbers as colours, which tissue has not.
+  void update(const Scene& scene, bool numbers);
+  /// The heart that is drawn as tissue; none while it is whole, and while its tissue is not there yet.
+  const std::optional<OpenedHeart>& opened() const { return opened_; }
+  /// The tissue in the present pose, while there is an opened heart.
+  geometry::SurfaceView surface() const { return {points_.get(), &tissue_->mesh()->triangles}; }
+  /// A number that changes whenever `opened` or `surface` do.
+  std::uint64_t revision() const { return revision_; }
+
+  /// Leaves the surfaces of an opened heart undrawn in the appearances, but for the cavities that are full of
+  /// blood.
+  void apply(std::map<document::OrganId, Appearance>& appearances) const;
+  /// Updates the look of the tissue to that of the heart's outer surface.
+  void updateLook(const scene::OrganActor& outer, const scene::CutPlane& plane);
+
+  const scene::OrganActor* actor() const { return opened_ ? actor_.get() : nullptr; }
+
+private:
+  void take(std::shared_ptr<const live::HeartTissue> tissue);
+  void follow(const live::PosedOrgans& organs);
+  void leave();
+
+  scene::OrganView& view_;
+  Threads threads_;
+  std::optional<OpenedHeart> opened_;
+  std::shared_ptr<const live::HeartTissue> tissue_; ///< What the actor draws; kept for the next cut.
+  std::shared_ptr<scene::OrganActor> actor_;
+  std::shared_ptr<Points> points_;
+  /// The surfaces that the points were made from.
+  using Moment = std::vector<std::pair<std::shared_ptr<const Points>, std::uint64_t>>;
+  Moment moment_;
+  std::optional<scene::CutPlane> plane_;
+  std::uint64_t revision_ = 0;
+};
+
+} // namespace viscera::presentation

@@ -1,0 +1,264 @@
+#include "viscera/presentation/opened_heart.h"
+
+#include <array>
+#include <map>
+
+#include <gtest/gtest.h>
+
+#include "sequence_scene.h"
+#include "session_fixture.h"
+#include "viscera/document/open_files.h"
+#include "viscera/geometry/carried_points.h"
+#include "viscera/geometry/self_intersections.h"
+#include "viscera/presentation/presenter.h"
+
+namespace viscera::presentation {
+namespace {
+
+/// A document with the sample heart, its handles and its beat, and a picture of it.
+class OpenedHeartTest : public testing::Test {
+protected:
+  OpenedHeartTest() {
+    undo_.perform(document::setSystem(setup_.system));
+    undo_.perform(document::addOrgans(document::organsFrom(setup_.organ)));
+    undo_.perform(document::replaceRig(setup_.rig));
+    cut_.cut = {true, Vec3::UnitY(), 0};
+  }
+
+  const document::DocumentState& state() const { return document_.state(); }
+  document::OrganId idOf(const std::string& surface) const {
+    for (const auto& organ : document_.organs())
+      if (organ->origin.surface == surface)
+        return organ->id;
+    return {};
+  }
+  live::LiveBinding& organs() { return live_; }
+
+  std::shared_ptr<const live::HeartTissue> tissue() {
+    return heartTissueFor(state(), cut_, tests::cachedLibrary(), progress_);
+  }
+  void draw(const ViewState& view, std::shared_ptr<const live::HeartTissue> tissue) {
+    Scene scene{state(), live_, view, registry_};
+    scene.heartTissue = std::move(tissue);
+    presenter_.update(scene);
+  }
+  void beatTo(double fraction) {
+    Points pose;
+    setup_.sequence->poseAt(fraction * 60 / 75, 75, pose);
+    live_.showPose(pose);
+  }
+  bool drawn(const std::string& surface) { return presenter_.actorOf(idOf(surface))->drawn(); }
+  void change(const std::string& surface, const std::function<void(document::OrganLook&)>& edit) {
+    document::OrganLook look = state().organ(idOf(surface))->look;
+    edit(look);
+    undo_.perform(document::setOrganLook(idOf(surface), look));
+  }
+
+  Progress progress_;
+  live::SequenceSetup setup_ =
+      live::setUpSequence(tests::cachedLibrary(), "heartbeat", sample_organs::Resolution::medium, progress_);
+  document::Document document_;
+  document::UndoStack undo_{document_};
+  coordinates::Registry registry_ = coordinates::builtInRegistry();
+  ManualEventLoop box_;
+  JobQueue jobs_{box_.post()};
+  live::LiveBinding live_{document_, registry_, jobs_, {std::numeric_limits<double>::infinity(), {}}};
+  ViewState cut_;
+  scene::OrganView view_;
+  Presenter presenter_{view_};
+};
+
+using OpenedHeartOfView = OpenedHeartTest;
+using TissueOfAHeart = OpenedHeartTest;
+using PictureOfAnOpenedHeart = OpenedHeartTest;
+
+constexpr std::array kCavities = {"lv", "rv", "la", "ra"};
+
+TEST_F(OpenedHeartOfView, IsTheOneThatThePlaneMeets) {
+  const auto opened = openedHeart(state(), cut_);
+  ASSERT_TRUE(opened);
+  EXPECT_EQ(opened->heart.outer->id, idOf("outer"));
+  EXPECT_EQ(opened->heart.cavities.size(), kCavities.size());
+  EXPECT_FALSE(opened->blood);
+  cut_.cut.blood = true;
+  EXPECT_TRUE(openedHeart(state(), cut_)->blood);
+}
+
+TEST_F(OpenedHeartOfView, IsNoneWhileItIsWholeOrHiddenOrUnderAMap) {
+  EXPECT_FALSE(openedHeart(state(), ViewState()));
+  ViewState beside = cut_, stress = cut_, slide = cut_;
+  beside.cut.offset = 0.95;
+  EXPECT_FALSE(openedHeart(state(), beside)) << "the plane misses it";
+  stress.shown.stress = true;
+  EXPECT_FALSE(openedHeart(state(), stress));
+  slide.organsSeen[idOf("outer")] = {false, 1};
+  EXPECT_FALSE(openedHeart(state(), slide));
+  change("outer", [](document::OrganLook& look) { look.visible = false; });
+  EXPECT_FALSE(openedHeart(state(), cut_));
+  EXPECT_EQ(heartTissueFor(state(), cut_, tests::cachedLibrary(), progress_), nullptr);
+}
+
+TEST_F(OpenedHeartOfView, IsNoneOfOtherOrgans) {
+  undo_.perform(document::removeAllOrgans());
+  undo_.perform(document::addOrgans({tests::ball("heart")}));
+  EXPECT_FALSE(openedHeart(state(), cut_));
+}
+
+TEST_F(TissueOfAHeart, GoesAlongWithItsSurfacesInTheBeat) {
+  const auto made = tissue();
+  const auto heart = live::sampleHeartIn(state());
+  ASSERT_TRUE(made && heart);
+  EXPECT_TRUE(made->isOf(*heart));
+  std::map<std::array<double, 3>, Eigen::Index> outer;
+  const Points& rest = heart->outer->mesh->points;
+  for (Eigen::Index i = 0; i < rest.rows(); ++i)
+    outer[{rest(i, 0), rest(i, 1), rest(i, 2)}] = i;
+  for (const double fraction : {0.1, 0.45, 0.7}) {
+    beatTo(fraction);
+    Points now;
+    made->at(*heart, organs(), now);
+    const Points& at = *organs().sharedPoints(idOf("outer"));
+    Eigen::Index shared = 0;
+    for (Eigen::Index i = 0; i < now.rows(); ++i) {
+      const auto& p = made->mesh()->points;
+      const auto found = outer.find({p(i, 0), p(i, 1), p(i, 2)});
+      if (found == outer.end())
+        continue;
+      ++shared;
+      ASSERT_EQ(now.row(i), at.row(found->second)) << fraction;
+    }
+    EXPECT_GT(shared, 0.8 * static_cast<double>(rest.rows()));
+    EXPECT_EQ(geometry::countSelfIntersections({now, made->mesh()->triangles, {}}, progress_), 0) << fraction;
+  }
+}
+
+/// What the coordinates would do with its own vertices, within a twentieth of what the heart moves.
+TEST_F(TissueOfAHeart, IsWhereTheHandlesWouldMoveIt) {
+  const auto made = tissue();
+  ASSERT_TRUE(made);
+  tests::SequenceScene scene([&](Progress&) { return setup_; });
+  scene.add({"tissue", made->mesh(), Vec3::Ones(), {}});
+  for (const double fraction : {0.1, 0.45, 0.7}) {
+    beatTo(fraction);
+    scene.show(fraction * 60 / 75, 75);
+    const Points bound = scene.posed("tissue").points;
+    Points now;
+    made->at(*live::sampleHeartIn(state()), organs(), now);
+    const Values off = (now - bound).rowwise().norm();
+    const double moved = (bound - made->mesh()->points).rowwise().norm().maxCoeff();
+    EXPECT_LT(off.mean(), 0.1) << fraction;
+    EXPECT_LT(off.maxCoeff(), std::max(0.6, 0.1 * moved)) << fraction;
+  }
+}
+
+TEST_F(TissueOfAHeart, IsNoneOfAHeartOfAnotherShape) {
+  live::SampleHeartOrgans heart = *live::sampleHeartIn(state());
+  auto larger = std::make_shared<document::Organ>(*heart.outer);
+  larger->mesh = std::make_shared<const geometry::TriangleMesh>(geometry::scaled(*heart.outer->mesh, 1.01));
+  heart.outer = larger;
+  EXPECT_EQ(live::makeHeartTissue(heart, tests::cachedLibrary(), progress_), nullptr)
+      << "as in a session of another version";
+}
+
+TEST_F(PictureOfAnOpenedHeart, IsTheTissueInPlaceOfTheSurfaces) {
+  const document::DocumentState before = state();
+  const auto made = tissue();
+  draw(ViewState(), made);
+  const std::size_t whole = view_.organs().size();
+  EXPECT_EQ(presenter_.heartTissue(), nullptr) << "uncut, nothing is new";
+  for (const char* surface : {"outer", "lv", "rv", "la", "ra"})
+    EXPECT_TRUE(drawn(surface));
+
+  draw(cut_, made);
+  const scene::OrganActor* actor = presenter_.heartTissue();
+  ASSERT_NE(actor, nullptr);
+  EXPECT_EQ(&actor->mesh(), made->mesh().get());
+  EXPECT_TRUE(actor->drawn() && actor->isCut());
+  EXPECT_EQ(actor->opacity(), 1);
+  for (const char* surface : {"outer", "lv", "rv", "la", "ra"}) {
+    EXPECT_FALSE(drawn(surface)) << surface;
+    EXPECT_TRUE(presenter_.actorOf(idOf(surface))->met()) << "clicks and names are as before";
+  }
+
+  draw(ViewState(), made);
+  EXPECT_EQ(presenter_.heartTissue(), nullptr);
+  EXPECT_EQ(view_.organs().size(), whole);
+  EXPECT_TRUE(drawn("outer") && drawn("la"));
+  EXPECT_TRUE(state() == before);
+}
+
+TEST_F(PictureOfAnOpenedHeart, HasTheCavitiesBackWithBlood) {
+  const auto made = tissue();
+  cut_.cut.blood = true;
+  draw(cut_, made);
+  EXPECT_NE(presenter_.heartTissue(), nullptr);
+  EXPECT_FALSE(drawn("outer"));
+  for (const char* surface : kCavities)
+    EXPECT_TRUE(drawn(surface)) << surface;
+  cut_.cut.blood = false;
+  draw(cut_, made);
+  for (const char* surface : kCavities)
+    EXPECT_FALSE(drawn(surface)) << surface;
+}
+
+TEST_F(PictureOfAnOpenedHeart, MovesWithTheBeat) {
+  const auto made = tissue();
+  for (const double fraction : {0.0, 0.4, 0.0}) {
+    beatTo(fraction);
+    draw(cut_, made);
+    Points wanted;
+    made->at(*live::sampleHeartIn(state()), organs(), wanted);
+    ASSERT_NE(presenter_.heartTissue(), nullptr);
+    EXPECT_EQ(presenter_.heartTissue()->points(), wanted) << fraction;
+  }
+}
+
+TEST_F(PictureOfAnOpenedHeart, IsAsBeforeUntilTheTissueIsThere) {
+  draw(cut_, nullptr);
+  EXPECT_EQ(presenter_.heartTissue(), nullptr);
+  EXPECT_TRUE(drawn("outer") && drawn("lv"));
+  draw(cut_, tissue());
+  EXPECT_NE(presenter_.heartTissue(), nullptr);
+  undo_.perform(document::removeAllOrgans());
+  draw(cut_, nullptr);
+  EXPECT_EQ(presenter_.heartTissue(), nullptr);
+  EXPECT_TRUE(view_.organs().empty());
+}
+
+/// Numbers are known on the organs' own vertices alone.
+TEST_F(PictureOfAnOpenedHeart, GivesWayToNumbersOnTheOrgans) {
+  ViewState influence = cut_;
+  influence.influence = true;
+  influence.selection.handles = {state().rig->handles.front().id};
+  const auto made = tissue();
+  draw(influence, made);
+  EXPECT_EQ(presenter_.heartTissue(), nullptr);
+  EXPECT_TRUE(drawn("outer"));
+  draw(cut_, made);
+  EXPECT_NE(presenter_.heartTissue(), nullptr);
+}
+
+TEST_F(PictureOfAnOpenedHeart, IsMetOnItsOwnSurfaces) {
+  draw(cut_, tissue());
+  std::vector<scene::OrganActor*> all;
+  for (const auto& organ : view_.organs())
+    all.push_back(organ.get());
+  int met = 0;
+  for (double x = -40; x <= 40; x += 8)
+    for (double z = -20; z <= 60; z += 8)
+      if (const auto pick = scene::pickSurface({Vec3(x, -400, z), Vec3::UnitY()}, all)) {
+        ++met;
+        EXPECT_TRUE(presenter_.organOf(pick->organ));
+      }
+  EXPECT_GT(met, 20);
+}
+
+TEST(OrganCutJson, BloodComesBackAndOlderSessionsHaveNone) {
+  ViewState view;
+  view.cut = {true, Vec3::UnitX(), 0.25, true};
+  EXPECT_EQ(viewFromJson(toJson(view)).cut, view.cut);
+  EXPECT_FALSE(viewFromJson(R"({"format": 3, "cut": {"on": true, "offset": 0.5}})").cut.blood);
+}
+
+} // namespace
+} // namespace viscera::presentation
