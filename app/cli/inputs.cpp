@@ -200,6 +200,8 @@ std::vector<document::Organ> organInputs(const std::string& organ,
       names.push_back(surface.name);
       if (reference.surface.empty() || reference.surface == surface.name)
         result.push_back(organOf(sample, surface));
+      if (reference.surface == surface.name) // Whoever names what is hidden at first wants to see it.
+        result.back().look.visible = true;
     }
     if (result.empty())
       if (auto further = furtherSurface(reference, samples, progress))

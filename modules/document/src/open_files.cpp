@@ -516,6 +516,7 @@ Organ organFrom(const sample_organs::SampleSurface& surface, std::string name) {
       true; // A cavity has one paint, which is its blood's, while `color` is the tissue's.
   organ.places = surface.places;
   organ.ways = surface.ways;
+  organ.look.visible = !surface.hidden;
   return organ;
 }
 

@@ -80,7 +80,8 @@ public:
     }
     return {surface.name,  std::make_shared<const geometry::TriangleMesh>(std::move(*mesh)),
             surface.color, surface.places,
-            surface.organ, surface.ways};
+            surface.organ, surface.ways,
+            surface.hidden};
   }
 
 private:

@@ -307,6 +307,7 @@ TEST(SampleOrgans, WithNamesOfTheirOwnStandBesideTheFirst) {
     system.surfaces.push_back({name, mesh, {0.7, 0.2, 0.2}, {}});
   system.surfaces[0].organ = "Stomach and bowel";
   system.surfaces[2].organ = "Liver";
+  system.surfaces[2].hidden = true;
   const std::vector<NewOrgan> organs = organsFrom(system);
   ASSERT_EQ(organs.size(), 3U);
   EXPECT_EQ(organs[0].organ.name, "Stomach and bowel");
@@ -314,6 +315,8 @@ TEST(SampleOrgans, WithNamesOfTheirOwnStandBesideTheFirst) {
   EXPECT_EQ(organs[2].organ.name, "Liver");
   EXPECT_EQ(organs[2].parentInBatch, -1);
   EXPECT_EQ(organs[2].organ.origin.surface, "liver");
+  EXPECT_TRUE(organs[0].organ.look.visible);
+  EXPECT_FALSE(organs[2].organ.look.visible) << "hidden until it is switched on";
 }
 
 TEST_F(OpenFiles, GroupsOfASurfaceFileAreOrgansThatASessionHolds) {

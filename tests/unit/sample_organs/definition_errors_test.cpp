@@ -49,6 +49,17 @@ TEST(DefinitionErrors, NameTheOrgansThereAre) {
               AllOf(HasSubstr("\"bal\""), HasSubstr("\"ball\" and \"egg\"")));
 }
 
+TEST(DefinitionErrors, NameASwitchThatIsNeitherOnNorOff) {
+  for (const std::string key : {"hidden", "check_only"}) {
+    TemporaryLibrary files;
+    files.write("thing",
+                R"({"name": "thing", "units": "mm", "frame": "LPS", "surfaces": [{"name": "outer", ")" + key +
+                    R"(": "yes", "root": )" + kBall + "}]}");
+    EXPECT_THAT(messageOf<DataError>(files, "thing"),
+                AllOf(HasSubstr(key), HasSubstr("neither true nor false")));
+  }
+}
+
 TEST(DefinitionErrors, SayWhereTheFileIsNotJson) {
   TemporaryLibrary files;
   files.write("thing", "{\n \"name\": \"thing\",\n ]");

@@ -50,8 +50,8 @@ TEST_P(NamedPlaces, LieOnTheSurfaceApartFromEachOther) {
 
 INSTANTIATE_TEST_SUITE_P(OfOrgan, NamedPlaces,
                          testing::Values("heart", "stomach", "liver", "kidney_left", "kidney_right",
-                                         "stomach_and_bowel", "digestive_system", "digestive_system/liver",
-                                         "digestive_system/pancreas"),
+                                         "stomach_and_bowel", "digestive_system", "digestive_system/spleen",
+                                         "digestive_system/liver", "digestive_system/pancreas"),
                          [](const auto& instance) {
                            std::string name = instance.param;
                            std::erase_if(name, [](char c) { return c == '_' || c == '/'; });
@@ -112,6 +112,10 @@ TEST(NamedPlacesOfTheBody, LieOfEachOtherAsTheOrgansDo) {
       {"stomach", "outer", "Oesophagus", superior, "Cardia"},
       {"stomach", "outer", "Fundus", left, "Cardia"},
       {"stomach", "outer", "Fundus", superior, "Body"},
+      {"stomach", "outer", "Fundus", superior, "Cardial notch"},
+      {"stomach", "outer", "Fundus", left, "Cardial notch"},
+      {"stomach", "outer", "Angular incisure", right, "Body"},
+      {"stomach", "outer", "Antrum", inferior, "Angular incisure"},
       {"stomach", "outer", "Greater curvature", left, "Lesser curvature"},
       {"stomach", "outer", "Antrum", inferior, "Body"},
       {"stomach", "outer", "Pylorus", right, "Antrum"},
@@ -151,7 +155,11 @@ TEST(NamedPlacesOfTheBody, LieOfEachOtherAsTheOrgansDo) {
       {"digestive_system", "pancreas", "Neck", right, "Body"},
       {"digestive_system", "pancreas", "Body", right, "Tail"},
       {"digestive_system", "pancreas", "Uncinate process", inferior, "Head"},
-      {"digestive_system", "pancreas", "Uncinate process", posterior, "Neck"}};
+      {"digestive_system", "pancreas", "Uncinate process", posterior, "Neck"},
+      {"digestive_system", "spleen", "Diaphragmatic surface", left, "Hilum"},
+      {"digestive_system", "spleen", "Superior border", superior, "Anterior end"},
+      {"digestive_system", "spleen", "Posterior end", posterior, "Hilum"},
+      {"digestive_system", "spleen", "Anterior end", anterior, "Hilum"}};
   for (const auto& [organ, surface, part, side, other] : all)
     EXPECT_GT(along(side, placeOf(organ, surface, part) - placeOf(organ, surface, other)), 5)
         << organ << ": " << part << " and " << other;

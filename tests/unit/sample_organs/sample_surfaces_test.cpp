@@ -40,11 +40,13 @@ const std::map<std::string, std::map<std::string, Expected>>& expectedOrgans() {
       {"liver", {{"outer", {1613, 0.015, {{kLow, 3000}, {kMedium, 30000}, {kHigh, 130000}}}}}},
       {"kidney_left", {{"outer", {148.4, 0.03, {{kLow, 3000}, {kMedium, 30000}, {kHigh, 150000}}}}}},
       {"kidney_right", {{"outer", {142.6, 0.03, {{kLow, 3000}, {kMedium, 30000}, {kHigh, 150000}}}}}},
-      {"stomach_and_bowel", {{"outer", {3089, 0.03, {{kLow, 10000}, {kMedium, 60000}, {kHigh, 350000}}}}}},
+      {"stomach_and_bowel", {{"outer", {3604, 0.03, {{kLow, 10000}, {kMedium, 60000}, {kHigh, 350000}}}}}},
       {"digestive_system",
-       {{"outer", {3089, 0.03, {{kLow, 10000}, {kMedium, 60000}, {kHigh, 350000}}}},
-        {"liver", {1548, 0.015, {{kLow, 3000}, {kMedium, 30000}, {kHigh, 130000}}}},
-        {"pancreas", {66.5, 0.03, {{kLow, 2000}, {kMedium, 12000}, {kHigh, 60000}}}}}}};
+       {{"outer", {3604, 0.03, {{kLow, 10000}, {kMedium, 60000}, {kHigh, 350000}}}},
+        {"liver", {1554, 0.015, {{kLow, 3000}, {kMedium, 30000}, {kHigh, 130000}}}},
+        {"pancreas", {70.5, 0.03, {{kLow, 2000}, {kMedium, 12000}, {kHigh, 60000}}}},
+        {"spleen", {181, 0.03, {{kLow, 1500}, {kMedium, 10000}, {kHigh, 50000}}}},
+        {"omentum", {155, 0.05, {{kLow, 3000}, {kMedium, 16000}, {kHigh, 80000}}}}}}};
   return organs;
 }
 

@@ -126,7 +126,7 @@ void addSkinAndFat(std::vector<OrganFacts>& rows) {
                   .snomed = "55603005",
                   .words = "fat|fatty tissue|fett|fettgewebe|graisse|grasa|greix|adipose|adipose tissue|"
                            "subcutaneous|subcutaneous fat|torso fat|visceral fat|intermuscular fat|"
-                           "epicardial fat|pericardial fat|omentum"});
+                           "epicardial fat|pericardial fat"});
 }
 
 } // namespace

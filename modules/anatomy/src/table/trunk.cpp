@@ -53,6 +53,14 @@ void addUpperAbdomen(std::vector<OrganFacts>& rows) {
                   .words = "pancreas|pankreas|bauchspeicheldruse|bauchspeicheldruese|pancrees|~pancreatic|"
                            "~pancreatic head|~pancreatic tail|~pancreatic body|~pankreaskopf|"
                            "~caput pancreatis|~cauda pancreatis|~corpus pancreatis|~uncinate process"});
+  rows.push_back({.id = "omentum",
+                  .title = "Greater omentum",
+                  .system = kDigestion,
+                  .place = Place::anywhere,
+                  .rank = 3,
+                  .color = {232, 199, 128},
+                  .words = "omentum|greater omentum|omentum majus|grosses netz|grosses omentum|grand omentum|"
+                           "grand epiploon|omento mayor|epiplon mayor|oment major|epiplo major"});
   rows.push_back({.id = "stomach",
                   .title = "Stomach",
                   .system = kDigestion,

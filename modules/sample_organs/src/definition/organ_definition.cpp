@@ -78,11 +78,8 @@ private:
     surface.where = file + ", surface \"" + surface.name + "\"";
     Fields fields(content, surface.where);
     fields.ignore("name");
-    if (const json* checkOnly = fields.optional("check_only")) {
-      if (!checkOnly->is_boolean())
-        fields.fail("check_only", "is neither true nor false");
-      surface.checkOnly = checkOnly->get<bool>();
-    }
+    surface.checkOnly = readSwitch(fields, "check_only");
+    surface.hidden = readSwitch(fields, "hidden");
     if (fields.optional("organ"))
       surface.organ = fields.text("organ");
     surface.color = fields.vector("color", surface.color);
@@ -102,6 +99,13 @@ private:
       if (other.name == surface.name)
         throw DataError("there is another surface of this name", surface.where, "rename one of them");
     definition_.surfaces.push_back(std::move(surface));
+  }
+
+  static bool readSwitch(Fields& fields, const std::string& key) {
+    const json* on = fields.optional(key);
+    if (on && !on->is_boolean())
+      fields.fail(key, "is neither true nor false");
+    return on && on->get<bool>();
   }
 
   static void readLevels(const json& content, SurfaceDefinition& surface) {

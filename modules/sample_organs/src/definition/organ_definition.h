@@ -19,6 +19,7 @@ struct SurfaceDefinition {
   std::string name;
   std::string organ;                                    ///< Its name when it is an organ of its own.
   bool checkOnly = false;                               ///< Generated only when requested by name.
+  bool hidden = false;                                  ///< Not shown at first.
   Vec3 color = {0.8, 0.45, 0.4};                        ///< Red green blue, 0 to 1.
   std::array<int, 3> triangles = {3000, 30000, 150000}; ///< Low, medium, high.
   double largestSpacing = 1.6;                          ///< mm between samples of the field.

@@ -31,6 +31,7 @@ struct SampleSurface {
   /// it.
   std::string organ = {};
   std::vector<geometry::NamedWay> ways = {}; ///< Along which an excitation runs: the conduction system.
+  bool hidden = false; ///< Not shown until someone switches it on: it covers other organs.
 };
 
 struct SampleOrgan {
