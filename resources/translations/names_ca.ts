@@ -7023,6 +7023,42 @@
         <source>Purkinje fibres</source>
         <translation>Fibres de Purkinje</translation>
     </message>
+    <message>
+        <source>Cardial notch</source>
+        <translation>Incisura cardial</translation>
+    </message>
+    <message>
+        <source>Angular incisure</source>
+        <translation>Incisura angular</translation>
+    </message>
+    <message>
+        <source>Greater omentum</source>
+        <translation>Oment major</translation>
+    </message>
+    <message>
+        <source>Diaphragmatic surface</source>
+        <translation>Cara diafragmàtica</translation>
+    </message>
+    <message>
+        <source>Hilum</source>
+        <translation>Hil</translation>
+    </message>
+    <message>
+        <source>Superior border</source>
+        <translation>Marge superior</translation>
+    </message>
+    <message>
+        <source>Anterior end</source>
+        <translation>Extrem anterior</translation>
+    </message>
+    <message>
+        <source>Posterior end</source>
+        <translation>Extrem posterior</translation>
+    </message>
+    <message>
+        <source>name its cavity&apos;s file LV</source>
+        <translation>anomeneu LV el fitxer de la seva cavitat</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app</name>

@@ -7023,6 +7023,42 @@
         <source>Purkinje fibres</source>
         <translation>Purkinje-Fasern</translation>
     </message>
+    <message>
+        <source>Cardial notch</source>
+        <translation>Incisura cardialis</translation>
+    </message>
+    <message>
+        <source>Angular incisure</source>
+        <translation>Incisura angularis</translation>
+    </message>
+    <message>
+        <source>Greater omentum</source>
+        <translation>Großes Netz</translation>
+    </message>
+    <message>
+        <source>Diaphragmatic surface</source>
+        <translation>Zwerchfellfläche</translation>
+    </message>
+    <message>
+        <source>Hilum</source>
+        <translation>Hilum</translation>
+    </message>
+    <message>
+        <source>Superior border</source>
+        <translation>Oberer Rand</translation>
+    </message>
+    <message>
+        <source>Anterior end</source>
+        <translation>Vorderes Ende</translation>
+    </message>
+    <message>
+        <source>Posterior end</source>
+        <translation>Hinteres Ende</translation>
+    </message>
+    <message>
+        <source>name its cavity&apos;s file LV</source>
+        <translation>nennen Sie die Datei seiner Höhle LV</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app</name>

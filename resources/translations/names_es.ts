@@ -7023,6 +7023,42 @@
         <source>Purkinje fibres</source>
         <translation>Fibras de Purkinje</translation>
     </message>
+    <message>
+        <source>Cardial notch</source>
+        <translation>Incisura del cardias</translation>
+    </message>
+    <message>
+        <source>Angular incisure</source>
+        <translation>Incisura angular</translation>
+    </message>
+    <message>
+        <source>Greater omentum</source>
+        <translation>Omento mayor</translation>
+    </message>
+    <message>
+        <source>Diaphragmatic surface</source>
+        <translation>Cara diafragmática</translation>
+    </message>
+    <message>
+        <source>Hilum</source>
+        <translation>Hilio</translation>
+    </message>
+    <message>
+        <source>Superior border</source>
+        <translation>Borde superior</translation>
+    </message>
+    <message>
+        <source>Anterior end</source>
+        <translation>Extremo anterior</translation>
+    </message>
+    <message>
+        <source>Posterior end</source>
+        <translation>Extremo posterior</translation>
+    </message>
+    <message>
+        <source>name its cavity&apos;s file LV</source>
+        <translation>dé al archivo de su cavidad el nombre LV</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app</name>

@@ -7023,6 +7023,42 @@
         <source>Purkinje fibres</source>
         <translation>Fibres de Purkinje</translation>
     </message>
+    <message>
+        <source>Cardial notch</source>
+        <translation>Incisure cardiale</translation>
+    </message>
+    <message>
+        <source>Angular incisure</source>
+        <translation>Incisure angulaire</translation>
+    </message>
+    <message>
+        <source>Greater omentum</source>
+        <translation>Grand omentum</translation>
+    </message>
+    <message>
+        <source>Diaphragmatic surface</source>
+        <translation>Face diaphragmatique</translation>
+    </message>
+    <message>
+        <source>Hilum</source>
+        <translation>Hile</translation>
+    </message>
+    <message>
+        <source>Superior border</source>
+        <translation>Bord supérieur</translation>
+    </message>
+    <message>
+        <source>Anterior end</source>
+        <translation>Extrémité antérieure</translation>
+    </message>
+    <message>
+        <source>Posterior end</source>
+        <translation>Extrémité postérieure</translation>
+    </message>
+    <message>
+        <source>name its cavity&apos;s file LV</source>
+        <translation>nommez LV le fichier de sa cavité</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app</name>
