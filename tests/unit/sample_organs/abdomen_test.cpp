@@ -212,7 +212,7 @@ TEST_P(DigestiveSystem, HasOrgansThatDoNotMeetEachOther) {
 }
 
 INSTANTIATE_TEST_SUITE_P(At, DigestiveSystem, testing::Values(Resolution::low, Resolution::medium),
-                         [](const auto& info) { return sample_organs::nameOf(info.param); });
+                         [](const auto& one) { return sample_organs::nameOf(one.param); });
 
 /// The width, mm, of a round vein's lumen where a plane of constant height cuts it: inside its walls of
 /// `wall` mm.
