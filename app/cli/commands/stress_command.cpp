@@ -193,6 +193,7 @@ public:
       warnings.push_back(remark);
     warnings.insert(warnings.end(), input.organ.warnings.begin(), input.organ.warnings.end());
     outcome.warnings = std::move(warnings);
+    outcome.json["warnings"] = outcome.warnings;
     marks_.read(measured.interior.sample.mesh, measured.posed, measured.map, outcome);
     poses_.compute({input, measured.interior, measured.posed, measured.map}, marks_.probePlaces(), context,
                    outcome);

@@ -61,7 +61,8 @@ Text volumeRemark(const deformation::StressMap& map, Eigen::Index count) {
       low = std::min(low, ratio);
       high = std::max(high, ratio);
     }
-  const bool squeezed = low<kLeastVolumeRatio, swollen = high> kMostVolumeRatio;
+  const bool squeezed = low < kLeastVolumeRatio;
+  const bool swollen = high > kMostVolumeRatio;
   const Text least = inFixed(100 * low, 0), most = inFixed(100 * high, 0);
   if (squeezed && swollen)
     return phrase(
