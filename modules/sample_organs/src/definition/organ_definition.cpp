@@ -104,7 +104,7 @@ private:
   static bool readSwitch(Fields& fields, const std::string& key) {
     const json* on = fields.optional(key);
     if (on && !on->is_boolean())
-      fields.fail(key, "is neither true nor false");
+      fields.fail(key, "is neither true nor false", "write true or false, without quotation marks");
     return on && on->get<bool>();
   }
 
