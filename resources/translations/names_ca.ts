@@ -7059,6 +7059,33 @@
         <source>name its cavity&apos;s file LV</source>
         <translation>anomeneu LV el fitxer de la seva cavitat</translation>
     </message>
+    <message numerus="yes">
+        <source>%n {key|keys}</source>
+        <translation>
+            <numerusform>%n clau</numerusform>
+            <numerusform>%n claus</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>the first at %1 s, the last at %2 s</source>
+        <translation>la primera als %1 s, l’última als %2 s</translation>
+    </message>
+    <message>
+        <source>the shape of the first of %1 files of its motion; the last one is %2</source>
+        <translation>la forma del primer de %1 fitxers del seu moviment; l’últim és %2</translation>
+    </message>
+    <message>
+        <source>Tissue is squeezed to %1 % of its volume in one place and swollen to %2 % in another. Living tissue, mostly water, hardly changes its volume; the coordinates do not know that. A smaller motion, more handles or a locked volume help.</source>
+        <translation>El teixit està comprimit al %1 % del seu volum en un lloc i inflat al %2 % en un altre. El teixit viu, sobretot aigua, gairebé no canvia de volum; les coordenades no ho saben. Un moviment més petit, més tiradors o un volum bloquejat hi ajuden.</translation>
+    </message>
+    <message>
+        <source>Tissue is squeezed to %1 % of its volume. Living tissue, mostly water, hardly changes its volume; the coordinates do not know that. A smaller motion, more handles or a locked volume help.</source>
+        <translation>El teixit està comprimit al %1 % del seu volum. El teixit viu, sobretot aigua, gairebé no canvia de volum; les coordenades no ho saben. Un moviment més petit, més tiradors o un volum bloquejat hi ajuden.</translation>
+    </message>
+    <message>
+        <source>Tissue is swollen to %1 % of its volume. Living tissue, mostly water, hardly changes its volume; the coordinates do not know that. A smaller motion, more handles or a locked volume help.</source>
+        <translation>El teixit està inflat al %1 % del seu volum. El teixit viu, sobretot aigua, gairebé no canvia de volum; les coordenades no ho saben. Un moviment més petit, més tiradors o un volum bloquejat hi ajuden.</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app</name>

@@ -7059,6 +7059,33 @@
         <source>name its cavity&apos;s file LV</source>
         <translation>nennen Sie die Datei seiner Höhle LV</translation>
     </message>
+    <message numerus="yes">
+        <source>%n {key|keys}</source>
+        <translation>
+            <numerusform>%n Schlüsselbild</numerusform>
+            <numerusform>%n Schlüsselbilder</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>the first at %1 s, the last at %2 s</source>
+        <translation>das erste bei %1 s, das letzte bei %2 s</translation>
+    </message>
+    <message>
+        <source>the shape of the first of %1 files of its motion; the last one is %2</source>
+        <translation>die Form der ersten von %1 Dateien seiner Bewegung; die letzte ist %2</translation>
+    </message>
+    <message>
+        <source>Tissue is squeezed to %1 % of its volume in one place and swollen to %2 % in another. Living tissue, mostly water, hardly changes its volume; the coordinates do not know that. A smaller motion, more handles or a locked volume help.</source>
+        <translation>Gewebe ist an einer Stelle auf %1 % seines Volumens zusammengedrückt und an einer anderen auf %2 % geschwollen. Lebendes Gewebe, größtenteils Wasser, ändert sein Volumen kaum; die Koordinaten wissen das nicht. Eine kleinere Bewegung, mehr Griffe oder ein gesperrtes Volumen helfen.</translation>
+    </message>
+    <message>
+        <source>Tissue is squeezed to %1 % of its volume. Living tissue, mostly water, hardly changes its volume; the coordinates do not know that. A smaller motion, more handles or a locked volume help.</source>
+        <translation>Gewebe ist auf %1 % seines Volumens zusammengedrückt. Lebendes Gewebe, größtenteils Wasser, ändert sein Volumen kaum; die Koordinaten wissen das nicht. Eine kleinere Bewegung, mehr Griffe oder ein gesperrtes Volumen helfen.</translation>
+    </message>
+    <message>
+        <source>Tissue is swollen to %1 % of its volume. Living tissue, mostly water, hardly changes its volume; the coordinates do not know that. A smaller motion, more handles or a locked volume help.</source>
+        <translation>Gewebe ist auf %1 % seines Volumens geschwollen. Lebendes Gewebe, größtenteils Wasser, ändert sein Volumen kaum; die Koordinaten wissen das nicht. Eine kleinere Bewegung, mehr Griffe oder ein gesperrtes Volumen helfen.</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app</name>

@@ -7059,6 +7059,33 @@
         <source>name its cavity&apos;s file LV</source>
         <translation>dé al archivo de su cavidad el nombre LV</translation>
     </message>
+    <message numerus="yes">
+        <source>%n {key|keys}</source>
+        <translation>
+            <numerusform>%n fotograma clave</numerusform>
+            <numerusform>%n fotogramas clave</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>the first at %1 s, the last at %2 s</source>
+        <translation>el primero a los %1 s, el último a los %2 s</translation>
+    </message>
+    <message>
+        <source>the shape of the first of %1 files of its motion; the last one is %2</source>
+        <translation>la forma del primero de %1 archivos de su movimiento; el último es %2</translation>
+    </message>
+    <message>
+        <source>Tissue is squeezed to %1 % of its volume in one place and swollen to %2 % in another. Living tissue, mostly water, hardly changes its volume; the coordinates do not know that. A smaller motion, more handles or a locked volume help.</source>
+        <translation>El tejido está comprimido al %1 % de su volumen en un lugar e hinchado al %2 % en otro. El tejido vivo, sobre todo agua, apenas cambia de volumen; las coordenadas no lo saben. Un movimiento menor, más tiradores o un volumen bloqueado ayudan.</translation>
+    </message>
+    <message>
+        <source>Tissue is squeezed to %1 % of its volume. Living tissue, mostly water, hardly changes its volume; the coordinates do not know that. A smaller motion, more handles or a locked volume help.</source>
+        <translation>El tejido está comprimido al %1 % de su volumen. El tejido vivo, sobre todo agua, apenas cambia de volumen; las coordenadas no lo saben. Un movimiento menor, más tiradores o un volumen bloqueado ayudan.</translation>
+    </message>
+    <message>
+        <source>Tissue is swollen to %1 % of its volume. Living tissue, mostly water, hardly changes its volume; the coordinates do not know that. A smaller motion, more handles or a locked volume help.</source>
+        <translation>El tejido está hinchado al %1 % de su volumen. El tejido vivo, sobre todo agua, apenas cambia de volumen; las coordenadas no lo saben. Un movimiento menor, más tiradores o un volumen bloqueado ayudan.</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app</name>

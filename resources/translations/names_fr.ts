@@ -1045,7 +1045,7 @@
     </message>
     <message>
         <source>Heart follows the textbook</source>
-        <translation>Le cœur suit le battement du manuel</translation>
+        <translation>Le cœur suit le battement de référence</translation>
     </message>
     <message>
         <source>Heart rate</source>
@@ -7058,6 +7058,33 @@
     <message>
         <source>name its cavity&apos;s file LV</source>
         <translation>nommez LV le fichier de sa cavité</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {key|keys}</source>
+        <translation>
+            <numerusform>%n clé</numerusform>
+            <numerusform>%n clés</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>the first at %1 s, the last at %2 s</source>
+        <translation>la première à %1&#xa0;s, la dernière à %2&#xa0;s</translation>
+    </message>
+    <message>
+        <source>the shape of the first of %1 files of its motion; the last one is %2</source>
+        <translation>la forme du premier de %1 fichiers de son mouvement&#xa0;; le dernier est %2</translation>
+    </message>
+    <message>
+        <source>Tissue is squeezed to %1 % of its volume in one place and swollen to %2 % in another. Living tissue, mostly water, hardly changes its volume; the coordinates do not know that. A smaller motion, more handles or a locked volume help.</source>
+        <translation>Le tissu est comprimé à %1&#xa0;% de son volume à un endroit et gonflé à %2&#xa0;% à un autre. Un tissu vivant, fait surtout d’eau, ne change guère de volume&#xa0;; les coordonnées ne le savent pas. Un mouvement plus petit, plus de poignées ou un volume verrouillé aident.</translation>
+    </message>
+    <message>
+        <source>Tissue is squeezed to %1 % of its volume. Living tissue, mostly water, hardly changes its volume; the coordinates do not know that. A smaller motion, more handles or a locked volume help.</source>
+        <translation>Le tissu est comprimé à %1&#xa0;% de son volume. Un tissu vivant, fait surtout d’eau, ne change guère de volume&#xa0;; les coordonnées ne le savent pas. Un mouvement plus petit, plus de poignées ou un volume verrouillé aident.</translation>
+    </message>
+    <message>
+        <source>Tissue is swollen to %1 % of its volume. Living tissue, mostly water, hardly changes its volume; the coordinates do not know that. A smaller motion, more handles or a locked volume help.</source>
+        <translation>Le tissu est gonflé à %1&#xa0;% de son volume. Un tissu vivant, fait surtout d’eau, ne change guère de volume&#xa0;; les coordonnées ne le savent pas. Un mouvement plus petit, plus de poignées ou un volume verrouillé aident.</translation>
     </message>
 </context>
 <context>

@@ -4243,8 +4243,20 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
         <translation>Es prepara el moviment</translation>
     </message>
     <message>
-        <source>This version moves the organ differently from the one that saved the session: handles differ by up to %1 mm.</source>
-        <translation>Aquesta versió mou l’òrgan de manera diferent de la que va desar la sessió: els tiradors difereixen fins a %1 mm.</translation>
+        <source>it has other handles</source>
+        <translation>té altres tiradors</translation>
+    </message>
+    <message>
+        <source>Use the sequence&apos;s handles</source>
+        <translation>Fes servir els tiradors de la seqüència</translation>
+    </message>
+    <message>
+        <source>This version moves the organ differently from the one that saved the session: %1.</source>
+        <translation>Aquesta versió mou l’òrgan d’una altra manera que la que va desar la sessió: %1.</translation>
+    </message>
+    <message>
+        <source>handles differ by up to %1 mm</source>
+        <translation>els tiradors difereixen fins a %1 mm</translation>
     </message>
 </context>
 <context>

@@ -4243,8 +4243,20 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
         <translation>Bewegung wird vorbereitet</translation>
     </message>
     <message>
-        <source>This version moves the organ differently from the one that saved the session: handles differ by up to %1 mm.</source>
-        <translation>Diese Version bewegt das Organ anders als die, mit der die Sitzung gespeichert wurde: Griffe weichen um bis zu %1 mm ab.</translation>
+        <source>it has other handles</source>
+        <translation>sie hat andere Griffe</translation>
+    </message>
+    <message>
+        <source>Use the sequence&apos;s handles</source>
+        <translation>Griffe der Sequenz verwenden</translation>
+    </message>
+    <message>
+        <source>This version moves the organ differently from the one that saved the session: %1.</source>
+        <translation>Diese Version bewegt das Organ anders als die, die die Sitzung gespeichert hat: %1.</translation>
+    </message>
+    <message>
+        <source>handles differ by up to %1 mm</source>
+        <translation>Griffe weichen um bis zu %1 mm ab</translation>
     </message>
 </context>
 <context>

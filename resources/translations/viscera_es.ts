@@ -4243,8 +4243,20 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
         <translation>Preparando el movimiento</translation>
     </message>
     <message>
-        <source>This version moves the organ differently from the one that saved the session: handles differ by up to %1 mm.</source>
-        <translation>Esta versión mueve el órgano de forma distinta a la que guardó la sesión: los tiradores difieren hasta %1 mm.</translation>
+        <source>it has other handles</source>
+        <translation>tiene otros tiradores</translation>
+    </message>
+    <message>
+        <source>Use the sequence&apos;s handles</source>
+        <translation>Usar los tiradores de la secuencia</translation>
+    </message>
+    <message>
+        <source>This version moves the organ differently from the one that saved the session: %1.</source>
+        <translation>Esta versión mueve el órgano de otro modo que la que guardó la sesión: %1.</translation>
+    </message>
+    <message>
+        <source>handles differ by up to %1 mm</source>
+        <translation>los tiradores difieren hasta %1 mm</translation>
     </message>
 </context>
 <context>

@@ -2094,7 +2094,7 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez sur l’organe en mode
     </message>
     <message>
         <source>Play it</source>
-        <translation>Lire</translation>
+        <translation>Lancer la lecture</translation>
     </message>
     <message>
         <source>Play the key sequence</source>
@@ -3269,7 +3269,7 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     </message>
     <message>
         <source>Show the sample heart with its textbook beat beside these organs, at their rate</source>
-        <translation>Montrer le cœur type avec son battement du manuel à côté de ces organes, à leur fréquence</translation>
+        <translation>Montrer le cœur type avec son battement de référence à côté de ces organes, à leur fréquence</translation>
     </message>
     <message>
         <source>&amp;One view</source>
@@ -4243,8 +4243,20 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
         <translation>Préparation du mouvement</translation>
     </message>
     <message>
-        <source>This version moves the organ differently from the one that saved the session: handles differ by up to %1 mm.</source>
-        <translation>Cette version anime l’organe autrement que celle qui a enregistré la session&#xa0;: les poignées diffèrent de %1 mm au plus.</translation>
+        <source>it has other handles</source>
+        <translation>elle a d’autres poignées</translation>
+    </message>
+    <message>
+        <source>Use the sequence&apos;s handles</source>
+        <translation>Utiliser les poignées de la séquence</translation>
+    </message>
+    <message>
+        <source>This version moves the organ differently from the one that saved the session: %1.</source>
+        <translation>Cette version déplace l’organe autrement que celle qui a enregistré la session : %1.</translation>
+    </message>
+    <message>
+        <source>handles differ by up to %1 mm</source>
+        <translation>les poignées diffèrent de %1 mm au plus</translation>
     </message>
 </context>
 <context>

@@ -6,6 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "viscera/document/rig_commands.h"
 #include "viscera/live/motion_recipe.h"
 #include "viscera/presentation/presenter.h"
 #include "viscera/sequences/volume_curve.h"
@@ -232,13 +233,33 @@ void SessionView::play(const Wanted& wanted) {
     if (playing.prescribed)
       prescribe(*playing.prescribed);
     if (playing.shown) {
+      const bool others = takeHandlesOfToday();
       playback.seek(playing.fraction);
+      if (others)
+        return sayMotionChanged(tr("it has other handles"));
       if (!waiting_) // While a prescribed volume waits, the handles are where the sequence alone moves them.
         warnAboutChangedMotion(wanted.shownPose);
     } else if (playing.fraction > 0 && playback.wantedPose() != live::WantedPose::sequence) {
       playback.setPlace(playing.fraction);
     }
   }
+}
+
+/// A motion that was shown moved the session's handles; where this version makes it with other ones, it takes
+/// these. Returns whether it did.
+bool SessionView::takeHandlesOfToday() {
+  const Playback& playback = window_.playback;
+  return !playback.player().movable() &&
+         window_.workspace.perform(document::replaceRig(document::rigOf(*playback.sequence()),
+                                                        tr("Use the sequence's handles").toStdString()));
+}
+
+void SessionView::sayMotionChanged(const QString& how) {
+  window_.workspace.say(
+      {Message::Severity::warning,
+       tr("This version moves the organ differently from the one that saved the session: %1.").arg(how),
+       {},
+       0});
 }
 
 /// Shows a message for an invalid curve or volumes that cannot be reached; the sequence plays without them.
@@ -267,12 +288,7 @@ void SessionView::warnAboutChangedMotion(const Points& saved) {
     return;
   const double apart = (saved - now).rowwise().norm().maxCoeff();
   if (apart > kSameMotionMm)
-    window_.workspace.say({Message::Severity::warning,
-                           tr("This version moves the organ differently from the one that saved the session: "
-                              "handles differ by up to %1 mm.")
-                               .arg(formatDigits(apart, 2)),
-                           {},
-                           0});
+    sayMotionChanged(tr("handles differ by up to %1 mm").arg(formatDigits(apart, 2)));
 }
 
 } // namespace viscera::app

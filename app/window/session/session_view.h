@@ -69,6 +69,8 @@ private:
   void play(const Wanted& wanted);
   void prescribe(const presentation::Prescribed& prescribed);
   void prescribeWaiting();
+  bool takeHandlesOfToday();
+  void sayMotionChanged(const QString& how);
   void warnAboutChangedMotion(const Points& saved);
 
   /// A prescribed volume that is applied once the organs are bound, and its sequence.

@@ -55,17 +55,17 @@ struct Written {
   std::string_view words, title;
 };
 constexpr Written kWritten[] = {{"vertebrae", "Vertebra"},
-                                {"rib left", "Left rib"},
-                                {"rib right", "Right rib"},
-                                {"lung upper lobe left", "Upper lobe of the left lung"},
-                                {"lung lower lobe left", "Lower lobe of the left lung"},
-                                {"lung upper lobe right", "Upper lobe of the right lung"},
-                                {"lung middle lobe right", "Middle lobe of the right lung"},
-                                {"lung lower lobe right", "Lower lobe of the right lung"},
-                                {"autochthon left", "Left deep back muscles"},
-                                {"autochthon right", "Right deep back muscles"},
-                                {"iliopsoas left", "Left iliopsoas muscle"},
-                                {"iliopsoas right", "Right iliopsoas muscle"}};
+                                {"rib_left", "Left rib"},
+                                {"rib_right", "Right rib"},
+                                {"lung_upper_lobe_left", "Upper lobe of the left lung"},
+                                {"lung_lower_lobe_left", "Lower lobe of the left lung"},
+                                {"lung_upper_lobe_right", "Upper lobe of the right lung"},
+                                {"lung_middle_lobe_right", "Middle lobe of the right lung"},
+                                {"lung_lower_lobe_right", "Lower lobe of the right lung"},
+                                {"autochthon_left", "Left deep back muscles"},
+                                {"autochthon_right", "Right deep back muscles"},
+                                {"iliopsoas_left", "Left iliopsoas muscle"},
+                                {"iliopsoas_right", "Right iliopsoas muscle"}};
 
 bool haveSameWords(std::string_view title, Tokens words) {
   Tokens wanted = tokensOf(title);
