@@ -7090,6 +7090,10 @@
 <context>
     <name>viscera::app</name>
     <message>
+        <source>Use the sequence&apos;s handles</source>
+        <translation>Fes servir els tiradors de la seqüència</translation>
+    </message>
+    <message>
         <source>Undo</source>
         <translation>Desfés</translation>
     </message>

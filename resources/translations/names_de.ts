@@ -7090,6 +7090,10 @@
 <context>
     <name>viscera::app</name>
     <message>
+        <source>Use the sequence&apos;s handles</source>
+        <translation>Griffe der Sequenz verwenden</translation>
+    </message>
+    <message>
         <source>Undo</source>
         <translation>Rückgängig</translation>
     </message>

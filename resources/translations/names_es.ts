@@ -7090,6 +7090,10 @@
 <context>
     <name>viscera::app</name>
     <message>
+        <source>Use the sequence&apos;s handles</source>
+        <translation>Usar los tiradores de la secuencia</translation>
+    </message>
+    <message>
         <source>Undo</source>
         <translation>Deshacer</translation>
     </message>

@@ -7090,6 +7090,10 @@
 <context>
     <name>viscera::app</name>
     <message>
+        <source>Use the sequence&apos;s handles</source>
+        <translation>Utiliser les poignées de la séquence</translation>
+    </message>
+    <message>
         <source>Undo</source>
         <translation>Annuler</translation>
     </message>

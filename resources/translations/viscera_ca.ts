@@ -3449,10 +3449,6 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
         <source>Use its handles</source>
         <translation>Fes servir els seus</translation>
     </message>
-    <message>
-        <source>Use the sequence&apos;s handles</source>
-        <translation>Fes servir els tiradors de la seqüència</translation>
-    </message>
 </context>
 <context>
     <name>viscera::app::PoseEditor</name>
@@ -4245,10 +4241,6 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
     <message>
         <source>it has other handles</source>
         <translation>té altres tiradors</translation>
-    </message>
-    <message>
-        <source>Use the sequence&apos;s handles</source>
-        <translation>Fes servir els tiradors de la seqüència</translation>
     </message>
     <message>
         <source>This version moves the organ differently from the one that saved the session: %1.</source>

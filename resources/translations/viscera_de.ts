@@ -3449,10 +3449,6 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
         <source>Use its handles</source>
         <translation>Deren Griffe verwenden</translation>
     </message>
-    <message>
-        <source>Use the sequence&apos;s handles</source>
-        <translation>Griffe der Sequenz verwenden</translation>
-    </message>
 </context>
 <context>
     <name>viscera::app::PoseEditor</name>
@@ -4245,10 +4241,6 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
     <message>
         <source>it has other handles</source>
         <translation>sie hat andere Griffe</translation>
-    </message>
-    <message>
-        <source>Use the sequence&apos;s handles</source>
-        <translation>Griffe der Sequenz verwenden</translation>
     </message>
     <message>
         <source>This version moves the organ differently from the one that saved the session: %1.</source>

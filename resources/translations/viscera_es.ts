@@ -3449,10 +3449,6 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
         <source>Use its handles</source>
         <translation>Usar sus tiradores</translation>
     </message>
-    <message>
-        <source>Use the sequence&apos;s handles</source>
-        <translation>Usar los tiradores de la secuencia</translation>
-    </message>
 </context>
 <context>
     <name>viscera::app::PoseEditor</name>
@@ -4245,10 +4241,6 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
     <message>
         <source>it has other handles</source>
         <translation>tiene otros tiradores</translation>
-    </message>
-    <message>
-        <source>Use the sequence&apos;s handles</source>
-        <translation>Usar los tiradores de la secuencia</translation>
     </message>
     <message>
         <source>This version moves the organ differently from the one that saved the session: %1.</source>

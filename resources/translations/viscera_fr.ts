@@ -3449,10 +3449,6 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
         <source>Use its handles</source>
         <translation>Utiliser ses poignées</translation>
     </message>
-    <message>
-        <source>Use the sequence&apos;s handles</source>
-        <translation>Utiliser les poignées de la séquence</translation>
-    </message>
 </context>
 <context>
     <name>viscera::app::PoseEditor</name>
@@ -4245,10 +4241,6 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     <message>
         <source>it has other handles</source>
         <translation>elle a d’autres poignées</translation>
-    </message>
-    <message>
-        <source>Use the sequence&apos;s handles</source>
-        <translation>Utiliser les poignées de la séquence</translation>
     </message>
     <message>
         <source>This version moves the organ differently from the one that saved the session: %1.</source>
