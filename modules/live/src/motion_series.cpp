@@ -60,7 +60,7 @@ void warnOf(const tracking::TidySeries& tidy, MotionSeries& series) {
         name, inFixed(tidy.mergedApartMm, 2)));
 }
 
-/// Of the rims of each surface only those that are the same opening in every phase.
+/// Keeps the rims of each surface that are the same opening in every phase.
 void keepCommonRims(MotionSeries& series) {
   if (series.rims.empty())
     return;

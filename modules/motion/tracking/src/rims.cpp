@@ -7,7 +7,7 @@
 namespace viscera::tracking {
 namespace {
 
-/// Of the diagonal of a surface: what is shorter is a fault of its mesh.
+/// A rim shorter than this part of the diagonal of its surface is a fault of the mesh.
 constexpr double kShortestRim = 0.2;
 
 Points edgesOf(const Points& rim) {

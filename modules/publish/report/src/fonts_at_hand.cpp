@@ -21,7 +21,7 @@ struct FontsAtHand::Application {
 
 FontsAtHand::FontsAtHand() {
   if (!QCoreApplication::instance()) {
-    // Without a desktop, Qt's warning about XDG_RUNTIME_DIR is irrelevant.
+    // Qt's warning about XDG_RUNTIME_DIR says nothing to who has no desktop.
     const QtMessageHandler before =
         qInstallMessageHandler([](QtMsgType, const QMessageLogContext&, const QString&) {});
     own_ = std::make_unique<Application>();
