@@ -50,6 +50,29 @@ protected:
     QTest::qWait(kDrawnMs);
   }
   int chosen() { return window().viewModel().state().strain.segment; }
+  void showSegmentsAtHalfABeat() {
+    window().actions()["play.strainOnOrgan"]->trigger();
+    window().viewModel().change([](presentation::ViewState& state) {
+      state.strain.moment = live::StrainMoment::instant;
+      state.heartSigns = {false, false, false, false, false}; // Nothing stands below the picture.
+    });
+    window().playback().seek(0.5);
+  }
+  /// Records one beat in eight pictures and returns the fifth; null when that fails.
+  vtkSmartPointer<vtkImageData> frameOfHalfABeat(int width) {
+    app::MoviePlan plan;
+    plan.format = app::MovieFormat::pictures;
+    plan.file = path(QStringLiteral("beat"));
+    plan.size = {width, 480};
+    plan.framesPerSecond = 10;
+    plan.caption = false;
+    if (!parts().record(plan) || !waitUntil([this] { return !parts().recorder().running(); }))
+      return nullptr;
+    const QStringList frames = QDir(plan.file).entryList(QDir::Files, QDir::Name);
+    EXPECT_EQ(frames.size(), 8);
+    return frames.size() == 8 ? scene::readPng((plan.file + QLatin1Char('/') + frames[4]).toStdString())
+                              : nullptr;
+  }
   void onEyes(QEvent::Type type, const QPointF& place) {
     auto& eyes = find<QVTKOpenGLNativeWidget>("strainEyes");
     const bool moves = type == QEvent::MouseMove;
@@ -237,24 +260,10 @@ TEST_F(PlayedStrain, IsMeasuredAlongAxesThatAreClicked) {
 /// As the window shows them at the same instant.
 TEST_F(PlayedStrain, OnTheOrganIsInMovies) {
   setViewSize(window(), 640, 480);
-  window().actions()["play.strainOnOrgan"]->trigger();
-  window().viewModel().change([](presentation::ViewState& state) {
-    state.strain.moment = live::StrainMoment::instant;
-    state.heartSigns = {false, false, false, false, false}; // Nothing stands below the picture.
-  });
-  window().playback().seek(0.5);
+  showSegmentsAtHalfABeat();
   ASSERT_TRUE(waitUntil([this] { return atPeace(window()); }));
-  app::MoviePlan plan;
-  plan.format = app::MovieFormat::pictures;
-  plan.file = path(QStringLiteral("segments"));
-  plan.size = {640, 480};
-  plan.framesPerSecond = 10;
-  plan.caption = false;
-  ASSERT_TRUE(parts().record(plan));
-  ASSERT_TRUE(waitUntil([this] { return !parts().recorder().running(); }));
-  const QStringList frames = QDir(plan.file).entryList(QDir::Files, QDir::Name);
-  ASSERT_EQ(frames.size(), 8);
-  const auto frame = scene::readPng((plan.file + QLatin1Char('/') + frames[4]).toStdString());
+  const auto frame = frameOfHalfABeat(640);
+  ASSERT_TRUE(frame);
   EXPECT_LE(scene::comparePictures(grab(window()), frame, 8).differing, 0.005) << "half a beat";
 }
 
@@ -278,12 +287,7 @@ vtkSmartPointer<vtkImageData> edgeOf(vtkImageData* frame, int x, bool left) {
 TEST_F(PlayedStrain, OnTheOrganIsInBothViewsAndBothHalvesOfMovies) {
   app::Comparison& comparison = parts().comparison();
   comparison.showSameOrgan();
-  window().actions()["play.strainOnOrgan"]->trigger();
-  window().viewModel().change([](presentation::ViewState& state) {
-    state.strain.moment = live::StrainMoment::instant;
-    state.heartSigns = {false, false, false, false, false}; // Nothing stands below the picture.
-  });
-  window().playback().seek(0.5);
+  showSegmentsAtHalfABeat();
   const auto colouredInSecond = [&] {
     for (const auto& each : comparison.workspace().document().organs())
       if (const auto actor = comparison.picture().actorOf(each->id); each->name == "LV" && actor)
@@ -292,17 +296,8 @@ TEST_F(PlayedStrain, OnTheOrganIsInBothViewsAndBothHalvesOfMovies) {
   };
   ASSERT_TRUE(waitUntil(colouredInSecond));
   ASSERT_TRUE(waitUntil([this] { return atPeace(window()); }));
-  app::MoviePlan plan;
-  plan.format = app::MovieFormat::pictures;
-  plan.file = path(QStringLiteral("halves"));
-  plan.size = {1280, 480};
-  plan.framesPerSecond = 10;
-  plan.caption = false;
-  ASSERT_TRUE(parts().record(plan));
-  ASSERT_TRUE(waitUntil([this] { return !parts().recorder().running(); }));
-  const QStringList frames = QDir(plan.file).entryList(QDir::Files, QDir::Name);
-  ASSERT_EQ(frames.size(), 8);
-  const auto frame = scene::readPng((plan.file + QLatin1Char('/') + frames[4]).toStdString());
+  const auto frame = frameOfHalfABeat(1280);
+  ASSERT_TRUE(frame);
   const int half = frame->GetDimensions()[0] / 2;
   EXPECT_LE(scene::comparePictures(edgeOf(frame, 0, false), edgeOf(frame, half, false), 8).differing, 0.005);
   EXPECT_GT(scene::comparePictures(edgeOf(frame, half, false), edgeOf(frame, half, true), 8).differing, 0.02);
