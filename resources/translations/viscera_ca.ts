@@ -3449,6 +3449,10 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
         <source>Use its handles</source>
         <translation>Fes servir els seus</translation>
     </message>
+    <message>
+        <source>posed by hand</source>
+        <translation>posat a mà</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::PoseEditor</name>

@@ -3449,6 +3449,10 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
         <source>Use its handles</source>
         <translation>Deren Griffe verwenden</translation>
     </message>
+    <message>
+        <source>posed by hand</source>
+        <translation>von Hand verformt</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::PoseEditor</name>

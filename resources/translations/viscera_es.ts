@@ -3449,6 +3449,10 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
         <source>Use its handles</source>
         <translation>Usar sus tiradores</translation>
     </message>
+    <message>
+        <source>posed by hand</source>
+        <translation>pose a mano</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::PoseEditor</name>

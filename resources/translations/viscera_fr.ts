@@ -3449,6 +3449,10 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
         <source>Use its handles</source>
         <translation>Utiliser ses poignées</translation>
     </message>
+    <message>
+        <source>posed by hand</source>
+        <translation>pose à la main</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::PoseEditor</name>

@@ -25,8 +25,10 @@
 #include "viscera/document/organ_commands.h"
 #include "viscera/heart/course_heartbeat.h"
 #include "window/modes/play_mode.h"
+#include "window/modes/stress_mode.h"
 #include "window/session/session_files.h"
 #include "window/strain/strain_model.h"
+#include "window/stress/stress_model.h"
 
 /// What a hand on the window waits for: from the event until the picture is drawn. Needs a display, such as
 /// Xvfb's.
@@ -34,7 +36,7 @@ namespace viscera::bench {
 namespace {
 
 /// For preparing the layers of a heart's wall, once.
-constexpr int kStrainPatienceMs = 300'000;
+constexpr int kMeasuredPatienceMs = 300'000;
 
 /// From making the window, as the program does at its start, until the beating heart is drawn. Without the
 /// cache the organ is made first; what the system needs to load the program comes on top.
@@ -212,24 +214,38 @@ BENCHMARK(dragTheHeart)
     ->UseManualTime()
     ->Iterations(60);
 
-/// Beside the strain of its wall (1), which a worker measures in the newest pose, or without it (0): the
-/// frame does not wait for it.
-void dragTheHeartBesideStrain(benchmark::State& state) {
-  BenchedWindow bench;
-  bench.loadHeart();
-  if (state.range(0) != 0) {
+enum class Beside { nothing, strain, stress };
+
+/// Has it measured beside the heart; false when it is not in time.
+bool showBeside(BenchedWindow& bench, Beside what) {
+  bench.window().playback().stop(); // A handle moves the own pose.
+  if (what == Beside::strain) {
     const app::StrainModel& strain = bench.window().play().strain();
     bench.window().actions()["play.strain"]->trigger();
     const auto measured = [&strain] { return strain.cycle() && !strain.busy(); };
-    if (!QTest::qWaitFor(measured, kStrainPatienceMs))
-      return state.SkipWithError("the strain is not measured");
+    return QTest::qWaitFor(measured, kMeasuredPatienceMs);
   }
-  drag(state, bench);
+  bench.key(Qt::Key_4);
+  const app::StressModel& stress = bench.window().stress().model();
+  return QTest::qWaitFor([&stress] { return stress.shown().ready(); }, kMeasuredPatienceMs);
 }
-BENCHMARK(dragTheHeartBesideStrain)
-    ->Arg(1)
-    ->Arg(0)
-    ->ArgName("strain")
+
+/// Without anything beside it (0), beside the strain of its wall (1), or as a map of stress (2): a worker
+/// measures strain in the newest pose, and the frame does not wait for it; the map is of the frame's pose.
+void dragTheHeartBeside(benchmark::State& state) {
+  BenchedWindow bench;
+  bench.loadHeart();
+  const auto beside = static_cast<Beside>(state.range(0));
+  if (beside != Beside::nothing && !showBeside(bench, beside))
+    return state.SkipWithError("what is to be beside the heart is not measured");
+  bench.settle();
+  if (beside != Beside::stress)
+    bench.key(Qt::Key_3);
+  moveTheMouse(state, bench, bench.onScreen(bench.handleInView(bench.reachableHandle())));
+}
+BENCHMARK(dragTheHeartBeside)
+    ->DenseRange(0, 2)
+    ->ArgName("beside")
     ->Unit(benchmark::kMillisecond)
     ->UseManualTime()
     ->Iterations(60);

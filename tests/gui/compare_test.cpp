@@ -205,6 +205,36 @@ TEST_F(TwoViews, TheSecondKeepsItsRateThroughAnUndoAcrossSequences) {
   EXPECT_NE(window().playback().player().ratePerMinute(), 120);
 }
 
+TEST_F(TwoViews, AHeaderBeginsWithTheVolumeOfTheChosenOrgan) {
+  compareRates();
+  const auto begin = [this](int side) {
+    settle();
+    return window().findChildren<app::SideHeader*>()[side]->volumes().section(QLatin1Char(' '), 0, 1);
+  };
+  EXPECT_TRUE(begin(0).startsWith(QStringLiteral("LV"))) << begin(0).toStdString();
+  for (const auto& organ : document().organs())
+    if (organ->name == "RA")
+      window().workspace().selection().setOrgan(organ->id);
+  EXPECT_TRUE(begin(0).startsWith(QStringLiteral("RA"))) << begin(0).toStdString();
+  EXPECT_TRUE(begin(1).startsWith(QStringLiteral("RA"))) << begin(1).toStdString();
+}
+
+TEST_F(TwoViews, ANewSessionAndAnotherOneBeginWithOneView) {
+  const QString file = path(QStringLiteral("one_view.viscera"));
+  bool saved = false;
+  window().sessions().saveTo(file, false, [&] { saved = true; });
+  ASSERT_TRUE(waitUntil([&] { return saved; })) << message().toStdString();
+  compareRates();
+  window().playback().play();
+  window().sessions().open(file);
+  ASSERT_TRUE(waitUntil([this] { return !parts().comparison().on(); })) << message().toStdString();
+  compareRates();
+  window().actions()["file.new"]->trigger();
+  settle();
+  EXPECT_TRUE(document().organs().empty());
+  EXPECT_FALSE(parts().comparison().on()) << "nothing of the other session is left";
+}
+
 /// The volumes take what the title and the phase leave.
 TEST_F(TwoViews, AHeaderWithoutRoomCutsItsVolumesFirst) {
   app::SideHeader header(1, nullptr);

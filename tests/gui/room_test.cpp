@@ -337,5 +337,23 @@ TEST(ElidedLabel, EndsWithAWholeEllipsisOrTakesAShorterForm) {
   EXPECT_EQ(label.text(), QString());
 }
 
+TEST(ElidedLabel, KeepsToTheRoomThatPaddingAndFontLeave) {
+  QWidget window;
+  auto* label = new app::ElidedLabel(&window);
+  const QString text = QStringLiteral("Shaded: normal for Liver, volume 814 to 1906 ml");
+  label->resize(label->widthFor(text), 20);
+  label->setFullText(text);
+  const auto fits = [&] {
+    return label->fontMetrics().horizontalAdvance(label->text()) < label->contentsRect().width();
+  };
+  for (const char* style : {"QLabel { padding: 0 12px; }", "QLabel { font-size: 40px; }"}) {
+    window.setStyleSheet(QLatin1String(style));
+    window.show();
+    QCoreApplication::processEvents();
+    EXPECT_TRUE(fits()) << style;
+    EXPECT_LT(label->text().size(), text.size()) << style;
+  }
+}
+
 } // namespace
 } // namespace viscera::tests

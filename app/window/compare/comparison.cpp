@@ -82,6 +82,7 @@ Comparison::Comparison(const First& first, QObject* parent) : QObject(parent), f
     syncHeaders();
   });
   connect(&first.volumes, &VolumeMonitor::shown, this, &Comparison::syncHeaders);
+  connect(&first.volumes, &VolumeMonitor::chosenChanged, this, &Comparison::syncHeaders);
 }
 
 Comparison::~Comparison() {
@@ -500,13 +501,19 @@ void Comparison::linkCameras() {
 }
 
 QString Comparison::volumesOf(int side) const {
+  const auto& lines = first_.volumes.lines();
+  const std::size_t chosen = first_.volumes.chosenLine();
   QStringList parts;
   QStringList whole;
-  for (const VolumeMonitor::Line& line : first_.volumes.lines())
-    if (line.side == side)
-      (line.cavity ? parts : whole)
-          .push_back(QStringLiteral("%1 %2").arg(line.name, formatMilliliters(line.nowMl)));
-  // The end is cut off where there is little room: cavities say more than the organ around them.
+  for (const VolumeMonitor::Line& line : lines)
+    if (line.side == side) {
+      QStringList& texts = line.cavity ? parts : whole;
+      const bool first = chosen < lines.size() && line.name == lines[chosen].name;
+      texts.insert(first ? 0 : texts.size(),
+                   QStringLiteral("%1 %2").arg(line.name, formatMilliliters(line.nowMl)));
+    }
+  // The end is cut off where there is little room: cavities say more than the organ around them, the chosen
+  // one says most.
   return (parts + whole).join(QStringLiteral("   "));
 }
 

@@ -57,6 +57,7 @@ PlayPage::PlayPage(const ModeParts& parts, PlayMode& mode, const Actions& action
   finish();
   connect(&playback_, &Playback::stateChanged, this, &PlayPage::syncState);
   connect(&volumes_, &VolumeMonitor::shown, this, &PlayPage::syncPhase);
+  connect(&playback_, &Playback::stillPoseChanged, this, &PlayPage::syncPhase);
   connect(&volumes_, &VolumeMonitor::updated, this, &PlayPage::syncTable);
   connect(&volumes_, &VolumeMonitor::linesChanged, this, &PlayPage::syncTable);
   connect(&view_, &ViewModel::changed, this, &PlayPage::syncIndices);
@@ -219,7 +220,7 @@ void PlayPage::syncState() {
 void PlayPage::syncPhase() {
   phase_->setText(!playback_.sequence() ? nothing()
                   : playback_.showing() ? inWords(playback_.player().phase())
-                                        : tr("at rest"));
+                                        : playback_.stillPose());
 }
 
 void PlayPage::fillRow(std::size_t line) {

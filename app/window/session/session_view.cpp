@@ -48,6 +48,7 @@ SessionView::SessionView(Window window, QObject* parent) : QObject(parent), wind
 void SessionView::forget() {
   stopMakingMotions();
   waiting_.reset();
+  window_.comparison.end();
   window_.view.change([](presentation::ViewState& state) {
     state.slides.clear();
     state.person = presentation::ViewState().person;
@@ -143,6 +144,7 @@ void SessionView::apply(const std::string& text) {
       presentation::viewFromJson(text, window_.workspace.document().circulation());
   stopMakingMotions();
   waiting_.reset();
+  window_.comparison.end(); // The session has its own, or none.
   Wanted wanted;
   wanted.document = window_.workspace.state();
   for (presentation::MotionChoice& motion : state.motions)

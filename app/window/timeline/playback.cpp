@@ -47,6 +47,8 @@ void Playback::watch() {
       showPending_ = true;
       workspace_.afterChange([this] { showChanges(); });
     }
+    if (change.pose() && document::atRest(change.before) != document::atRest(change.after))
+      workspace_.afterChange([this] { Q_EMIT stillPoseChanged(); });
     if (!sequence() || player_.movable())
       retractOffer();
   }));
@@ -217,6 +219,10 @@ std::optional<heart::BeatClock> Playback::clock() const {
   if (!showing())
     return std::nullopt;
   return heart::clockAt(*sequence(), player_.secondsInCycle(), player_.ratePerMinute());
+}
+
+QString Playback::stillPose() const {
+  return document::atRest(workspace_.state()) ? tr("at rest") : tr("posed by hand");
 }
 
 void Playback::seek(double fraction) {

@@ -69,6 +69,8 @@ public:
   std::optional<heart::BeatClock> clock() const;
   /// Whether the organs show the sequence's pose.
   bool showing() const { return player_.showing(); }
+  /// What the organs show while they do not show the sequence: the rest pose, or one that a hand made.
+  QString stillPose() const;
 
   /// The pose that the mode wants to show.
   live::WantedPose wantedPose() const { return player_.pose(); }
@@ -116,6 +118,8 @@ Q_SIGNALS:
   void stateChanged();
   /// The organs of all views were posed at another instant of their sequences.
   void advanced();
+  /// The organs at rest were posed by hand, or went back to rest.
+  void stillPoseChanged();
   /// Emitted when playing needs a mode that shows the sequence's pose.
   void playModeWanted();
 

@@ -80,6 +80,7 @@ TimelineBar::TimelineBar(Playback& playback, Actions& actions, QWidget* parent)
   connect(scrubber_, &PhaseScrubber::scrubbed, &playback, &Playback::seek);
   connect(&playback, &Playback::stateChanged, this, &TimelineBar::sync);
   connect(&playback, &Playback::advanced, this, &TimelineBar::syncInstant);
+  connect(&playback, &Playback::stillPoseChanged, this, &TimelineBar::syncInstant);
   sync();
 }
 
@@ -213,7 +214,7 @@ void TimelineBar::syncInstant() {
     scrubber_->setMarks({});
   scrubber_->setFraction(player.fraction());
   signs_->setFraction(player.fraction());
-  phase_->setText(playback_.showing() ? scrubber_->phaseText() : tr("at rest"));
+  phase_->setText(playback_.showing() ? scrubber_->phaseText() : playback_.stillPose());
   phase_->setToolTip(tr("%1 s into the cycle").arg(formatNumber(player.secondsInCycle(), 2)));
 }
 

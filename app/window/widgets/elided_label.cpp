@@ -26,6 +26,7 @@ void ElidedLabel::setFewestLetters(int letters) {
 
 /// The last pixel is the one that `widthFor` adds: with it, the ellipsis would lose a dot.
 void ElidedLabel::elide() {
+  ensurePolished(); // A style sheet's padding and font leave less room.
   const int room = contentsRect().width() - 1;
   QString shown = full_;
   for (const QString& form : shorter_)
@@ -49,6 +50,12 @@ QSize ElidedLabel::sizeHint() const {
 void ElidedLabel::resizeEvent(QResizeEvent* event) {
   QLabel::resizeEvent(event);
   elide();
+}
+
+void ElidedLabel::changeEvent(QEvent* event) {
+  QLabel::changeEvent(event);
+  if (event->type() == QEvent::FontChange || event->type() == QEvent::StyleChange)
+    elide();
 }
 
 } // namespace viscera::app
