@@ -3,7 +3,7 @@
 #include <benchmark/benchmark.h>
 
 #include "bench_scenes.h"
-#include "viscera/coordinates/built_in_systems.h"
+#include "viscera/coordinates/systems.h"
 #include "viscera/localised_scc/localised_s_celestial.h"
 
 namespace viscera::localised_scc {

@@ -6,7 +6,7 @@
 
 #include "picture_check.h"
 #include "view_fixture.h"
-#include "viscera/coordinates/built_in_systems.h"
+#include "viscera/coordinates/systems.h"
 #include "viscera/deformation/group_handles.h"
 #include "viscera/deformation/place_handles.h"
 #include "viscera/localised_scc/localised_s_celestial.h"

@@ -5,7 +5,7 @@
 #include <chrono>
 #include <utility>
 
-#include "viscera/coordinates/built_in_systems.h"
+#include "viscera/coordinates/systems.h"
 #include "viscera/coordinates/weights_binding.h"
 #include "viscera/localised_scc/region_layout.h"
 

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "organ_cases.h"
-#include "viscera/coordinates/built_in_systems.h"
+#include "viscera/coordinates/systems.h"
 #include "viscera/deformation/group_handles.h"
 #include "viscera/deformation/place_handles.h"
 #include "viscera/geometry/convex_hull.h"

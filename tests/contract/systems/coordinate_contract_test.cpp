@@ -10,7 +10,7 @@
 
 #include "clouds.h"
 #include "promises.h"
-#include "viscera/coordinates/built_in_systems.h"
+#include "viscera/coordinates/systems.h"
 #include "viscera/core/error.h"
 #include "viscera/deformation/tetrahedralise.h"
 #include "viscera/deformation/witness_gradients.h"

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "shapes.h"
-#include "viscera/coordinates/built_in_systems.h"
+#include "viscera/coordinates/systems.h"
 #include "viscera/deformation/group_handles.h"
 #include "viscera/deformation/place_handles.h"
 #include "viscera/localised_scc/localised_s_celestial.h"

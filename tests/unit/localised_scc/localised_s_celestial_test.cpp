@@ -11,7 +11,7 @@
 #include "clouds.h"
 #include "gradient_check.h"
 #include "group_scenes.h"
-#include "viscera/coordinates/built_in_systems.h"
+#include "viscera/coordinates/systems.h"
 #include "viscera/localised_scc/region_layout.h"
 
 namespace viscera::localised_scc {
