@@ -27,7 +27,8 @@ BoundInput BoundInputOptions::read(const CommandContext& context, std::vector<Te
   input.system = system_.system(context);
   input.options = system_.bindOptions(*input.system, context);
   input.rig = rigInput(handles_, warnings, system_.cage());
-  input.pose = pose_.empty() ? input.rig.handles.positions : poseInput(pose_, input.rig, warnings);
+  input.handles = document::handleSet(input.rig);
+  input.pose = pose_.empty() ? input.handles.positions : poseInput(pose_, input.rig, warnings);
   input.organ = organInput(organ_, context.samples, context.progress);
   return input;
 }
@@ -48,7 +49,7 @@ WitnessedOrgan interiorOf(const BoundInput& input, const live::WitnessOptions& w
     interior.sample = live::withoutCavities(live::sampleWitnesses(*input.organ.mesh, witnesses, progress),
                                             cavities, witnesses);
   }
-  interior.gradients = deformation::bindWitnesses(*input.system, input.rig.handles, interior.mesh().points,
+  interior.gradients = deformation::bindWitnesses(*input.system, input.handles, interior.mesh().points,
                                                   input.options, progress);
   warnings.insert(warnings.end(), interior.sample.remarks.begin(), interior.sample.remarks.end());
   const auto& failures = interior.gradients->failures();

@@ -16,8 +16,9 @@ namespace viscera::app::cli {
 struct BoundInput {
   std::shared_ptr<const coordinates::CoordinateSystem> system;
   coordinates::BindOptions options;
-  RigInput rig;
-  Points pose; ///< Of the handles, `n x 3` mm.
+  document::Rig rig;
+  coordinates::HandleSet handles; ///< Those of the rig.
+  Points pose;                    ///< Of the handles, `n x 3` mm.
   document::Organ organ;
 };
 

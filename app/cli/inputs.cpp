@@ -8,6 +8,7 @@
 #include "viscera/coordinates/cage/cage.h"
 #include "viscera/core/error.h"
 #include "viscera/core/phrase.h"
+#include "viscera/document/edit.h"
 #include "viscera/document/open_files.h"
 #include "viscera/document/session_file.h"
 #include "viscera/document/system_commands.h"
@@ -28,6 +29,13 @@ std::string listed(const std::vector<std::string>& names) {
     text += (i == 0 ? "" : ", ") + names[i];
   return names.size() > kLabelsNamed ? text + " and " + std::to_string(names.size() - kLabelsNamed) + " more"
                                      : text;
+}
+
+std::vector<std::string> labelsOf(const document::Rig& rig) {
+  std::vector<std::string> labels;
+  for (const document::Handle& handle : rig.handles)
+    labels.push_back(handle.label);
+  return labels;
 }
 
 void requireSize(const document::Organ& organ, const std::string& where) {
@@ -251,77 +259,66 @@ OrgansAround organsAround(const std::string& organ, const sample_organs::SampleL
   return {*holder.state().organs, labels && !labels->labels.empty() ? labels->labels.front() : ""};
 }
 
-int RigInput::indexOf(const std::string& label) const {
-  const auto found = std::find(labels.begin(), labels.end(), label);
-  if (found == labels.end())
-    throw UsageError("there is no handle \"" + label + "\"", {}, "there are " + listed(labels));
-  return static_cast<int>(found - labels.begin());
-}
-
-RigInput rigInput(const std::filesystem::path& file, std::vector<Text>& warnings,
-                  const std::filesystem::path& cage) {
+document::Rig rigInput(const std::filesystem::path& file, std::vector<Text>& warnings,
+                       const std::filesystem::path& cage) {
   const medical_io::HandleFile contents = medical_io::readHandles(file);
   for (const Text& warning : contents.warnings)
     warnings.push_back(phrase("%1: %2", file.string(), warning));
-  const document::NewRig rig = document::rigFrom(contents, file.string());
-  RigInput input;
-  input.handles.positions.resize(static_cast<Eigen::Index>(rig.handles.size()), 3);
-  for (std::size_t i = 0; i < rig.handles.size(); ++i) {
-    input.handles.positions.row(static_cast<Eigen::Index>(i)) = rig.handles[i].rest.transpose();
-    input.labels.push_back(rig.handles[i].label);
-  }
-  for (const document::NewGroup& group : rig.groups) {
-    input.handles.groups.push_back({group.name, group.handles});
-    input.groupColors.push_back(group.color);
-  }
+  document::Rig rig = document::rigFrom(contents, file.string());
   if (!cage.empty()) {
     Progress ignored;
-    input.handles.cage =
-        coordinates::cageOver(input.handles.positions, *document::readCage(cage, ignored).mesh);
+    rig.cage = document::edit::cageOf(
+        rig, coordinates::cageOver(rig.restPositions(), *document::readCage(cage, ignored).mesh));
   }
-  return input;
+  return rig;
 }
 
-RigInput drawnHandles(const std::filesystem::path& file, std::vector<Text>& warnings) {
+document::Rig drawnHandles(const std::filesystem::path& file, std::vector<Text>& warnings) {
   const medical_io::HandleFile contents = medical_io::readHandles(file);
   for (const Text& warning : contents.warnings)
     warnings.push_back(phrase("%1: %2", file.string(), warning));
-  RigInput input;
-  std::vector<Vec3> places;
+  document::Rig rig;
   for (const medical_io::HandleGroupRecord& group : contents.groups) {
-    coordinates::HandleGroup rows{group.name, {}};
-    for (const medical_io::HandleRecord& handle : group.handles) {
-      const auto known = std::find(places.begin(), places.end(), handle.position); // In another group, too.
-      rows.handles.push_back(static_cast<int>(known - places.begin()));
-      if (known == places.end()) {
-        places.push_back(handle.position);
-        input.labels.push_back(handle.label);
+    std::vector<int> rows;
+    for (const medical_io::HandleRecord& record : group.handles) {
+      const auto known =
+          std::find_if(rig.handles.begin(), rig.handles.end(),
+                       [&record](const document::Handle& handle) { return handle.rest == record.position; });
+      rows.push_back(static_cast<int>(known - rig.handles.begin()));
+      if (known == rig.handles.end()) { // Else it is in another group, too.
+        document::Handle& handle = rig.handles.emplace_back();
+        handle.id.value = rows.back() + 1;
+        handle.label = record.label;
+        handle.rest = record.position;
       }
     }
-    input.handles.groups.push_back(std::move(rows));
-    input.groupColors.push_back(group.color);
+    rig.addGroup(group.name, group.color, rows);
   }
-  input.handles.positions.resize(static_cast<Eigen::Index>(places.size()), 3);
-  for (std::size_t i = 0; i < places.size(); ++i)
-    input.handles.positions.row(static_cast<Eigen::Index>(i)) = places[i].transpose();
-  return input;
+  return rig;
 }
 
-Points poseInput(const std::filesystem::path& file, const RigInput& rest, std::vector<Text>& warnings) {
+int rowOfHandle(const document::Rig& rig, const std::string& label) {
+  const int row = rig.indexOf(label);
+  if (row < 0)
+    throw UsageError("there is no handle \"" + label + "\"", {}, "there are " + listed(labelsOf(rig)));
+  return row;
+}
+
+Points poseInput(const std::filesystem::path& file, const document::Rig& rest, std::vector<Text>& warnings) {
   const medical_io::HandleFile contents = medical_io::readHandles(file);
   for (const Text& warning : contents.warnings)
     warnings.push_back(phrase("%1: %2", file.string(), warning));
   std::map<std::string, int> rows;
-  for (std::size_t i = 0; i < rest.labels.size(); ++i)
-    rows.emplace(rest.labels[i], static_cast<int>(i));
-  Points pose = rest.handles.positions;
+  for (std::size_t i = 0; i < rest.handles.size(); ++i)
+    rows.emplace(rest.handles[i].label, static_cast<int>(i));
+  Points pose = rest.restPositions();
   std::map<std::string, Vec3> seen;
   for (const medical_io::HandleGroupRecord& group : contents.groups) {
     for (const medical_io::HandleRecord& handle : group.handles) {
       const auto row = rows.find(handle.label);
       if (row == rows.end())
         throw DataError("handle \"" + handle.label + "\" is not among the rest handles", file.string(),
-                        "the pose has to use the labels of the rest handles: " + listed(rest.labels));
+                        "the pose has to use the labels of the rest handles: " + listed(labelsOf(rest)));
       const auto [earlier, isNew] = seen.emplace(handle.label, handle.position);
       if (!isNew && earlier->second != handle.position)
         throw DataError("handle \"" + handle.label + "\" comes twice, at different places", file.string(),

@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "viscera/coordinates/handle_set.h"
 #include "viscera/core/phrase.h"
 #include "viscera/core/progress.h"
 #include "viscera/document/document.h"
@@ -76,29 +75,22 @@ struct OrgansAround {
 OrgansAround organsAround(const std::string& organ, const sample_organs::SampleLibrary& samples,
                           Progress& progress);
 
-/// The handles of a file, taken as handles at rest.
-struct RigInput {
-  coordinates::HandleSet handles;
-  std::vector<std::string> labels; ///< One for each handle.
-  std::vector<Vec3> groupColors;   ///< One for each of `handles.groups`; red green blue, 0 to 1.
-
-  /// The handle with that label. Throws `UsageError` that lists some existing labels.
-  int indexOf(const std::string& label) const;
-};
-
 /// Reads a handle file as rest handles. Throws `NoInputError`, and `DataError` also for handles that nothing
 /// can be bound to: fewer than four, all in one plane, two at one place. Where `cage` names a surface file,
 /// the handles at its vertices get its triangles; throws as `document::readCage` and `coordinates::cageOver`.
-RigInput rigInput(const std::filesystem::path& file, std::vector<Text>& warnings,
-                  const std::filesystem::path& cage = {});
+document::Rig rigInput(const std::filesystem::path& file, std::vector<Text>& warnings,
+                       const std::filesystem::path& cage = {});
 
 /// Reads a handle file as points that are only drawn, such as landmarks: any number of them, anywhere. Throws
 /// `NoInputError`, and `DataError` for what is no handle file.
-RigInput drawnHandles(const std::filesystem::path& file, std::vector<Text>& warnings);
+document::Rig drawnHandles(const std::filesystem::path& file, std::vector<Text>& warnings);
+
+/// The row of the handle with that label. Throws `UsageError` that lists some existing labels.
+int rowOfHandle(const document::Rig& rig, const std::string& label);
 
 /// Reads a handle file as a pose of `rest`, `n x 3` mm: handles are matched by label, those that the file
 /// does not have stay at rest. Throws `DataError` for a label that the rest handles do not have or that comes
 /// twice.
-Points poseInput(const std::filesystem::path& file, const RigInput& rest, std::vector<Text>& warnings);
+Points poseInput(const std::filesystem::path& file, const document::Rig& rest, std::vector<Text>& warnings);
 
 } // namespace viscera::app::cli

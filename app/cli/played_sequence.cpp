@@ -96,14 +96,7 @@ std::string ownOrgan(const std::string& sequence) {
 /// Throws when the handles of a file are not the sequence's own.
 void requireOwnHandles(const std::string& file, const sequences::Sequence& sequence,
                        std::vector<Text>& warnings) {
-  const RigInput input = rigInput(file, warnings);
-  document::Rig rig;
-  for (const auto& position : input.handles.positions.rowwise()) {
-    document::Handle handle;
-    handle.rest = position.transpose();
-    rig.handles.push_back(handle);
-  }
-  document::requireFits(rig, sequence);
+  document::requireFits(rigInput(file, warnings), sequence);
 }
 
 /// "apex=1,2,3" taken apart.

@@ -54,7 +54,7 @@ private:
 /// A sequence with the organs that it moves, already bound to their handles.
 struct PlayedSequence {
   std::shared_ptr<const sequences::Sequence> sequence;
-  document::NewRig rig;                    ///< The handles with their labels and groups; none of a session.
+  document::Rig rig;                       ///< The handles with their labels and groups; none of a session.
   std::unique_ptr<BoundDocument> document; ///< The surfaces as organs with their looks, the rig, the system.
   std::vector<PlayedSurface> surfaces;     ///< The first organs of the document, the outer surface first.
   std::vector<Text> warnings;              ///< About the files that were read.

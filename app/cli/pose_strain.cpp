@@ -25,7 +25,7 @@ constexpr std::pair<const char*, StrainDirection> kDirections[] = {
     {"thickening", StrainDirection::thickening}};
 constexpr std::size_t kPosed = 1; ///< The phase of the pose; rest is phase 0.
 
-live::MovedOrgans movedBy(const StillOrgans& organs, const RigInput& rig, const Points& pose,
+live::MovedOrgans movedBy(const StillOrgans& organs, const document::Rig& rig, const Points& pose,
                           const std::shared_ptr<const coordinates::CoordinateSystem>& system,
                           const coordinates::ParameterValues& parameters, Progress& progress) {
   live::MovedOrgans moved;
@@ -35,11 +35,11 @@ live::MovedOrgans movedBy(const StillOrgans& organs, const RigInput& rig, const 
         return anatomy::chamberNamed(organ.name) == anatomy::kLeftVentricle;
       }))
     throw DataError("No surface is a left ventricle by its name", "--strain", "name its cavity's file LV");
-  moved.handles = rig.handles;
+  moved.handles = document::handleSet(rig);
   moved.system = system;
   moved.parameters = parameters;
   moved.seconds = {0, 1};
-  moved.poses = {rig.handles.positions, pose};
+  moved.poses = {moved.handles.positions, pose};
   moved.corresponding = true;
   live::addOwnWall(organs.state(), progress, moved);
   return moved;
@@ -54,7 +54,7 @@ std::vector<std::string> strainDirectionNames() {
   return names;
 }
 
-PoseStrain strainOfPose(const StillOrgans& organs, const RigInput& rig, const Points& pose,
+PoseStrain strainOfPose(const StillOrgans& organs, const document::Rig& rig, const Points& pose,
                         const std::shared_ptr<const coordinates::CoordinateSystem>& system,
                         const coordinates::BindOptions& options, const std::string& direction,
                         Progress& progress) {

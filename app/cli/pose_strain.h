@@ -26,7 +26,7 @@ struct PoseStrain {
 /// Measures the wall of the left ventricle among `organs` in `pose` against rest, in one of
 /// `strainDirectionNames`. Throws `DataError` without a left ventricle, what `live::StrainGauge` throws, and
 /// `Cancelled`. Seconds.
-PoseStrain strainOfPose(const StillOrgans& organs, const RigInput& rig, const Points& pose,
+PoseStrain strainOfPose(const StillOrgans& organs, const document::Rig& rig, const Points& pose,
                         const std::shared_ptr<const coordinates::CoordinateSystem>& system,
                         const coordinates::BindOptions& options, const std::string& direction,
                         Progress& progress);

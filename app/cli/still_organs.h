@@ -17,8 +17,9 @@ public:
   /// The organs at rest, in their order.
   explicit StillOrgans(std::vector<document::Organ> organs);
 
-  /// Takes these handles, at rest, with the groups and the coordinates that they are for.
-  void setRig(const RigInput& rig, document::SystemChoice system);
+  /// Takes these handles, at rest, with the groups and the coordinates that they are for. All are shown, and
+  /// none as locked.
+  void setRig(document::Rig rig, document::SystemChoice system);
   document::OrganId idOf(std::size_t organ) const { return (*state_.organs)[organ]->id; }
   document::HandleId handle(int row) const {
     return state_.rig->handles.at(static_cast<std::size_t>(row)).id;

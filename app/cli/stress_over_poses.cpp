@@ -35,7 +35,7 @@ class PosedTissue {
 public:
   PosedTissue(const StressOverPosesOptions::Mapped& mapped, Progress& progress)
       : mapped_(mapped),
-        positions_(mapped.input.system->bind(mapped.input.rig.handles, mapped.interior.mesh().points,
+        positions_(mapped.input.system->bind(mapped.input.handles, mapped.interior.mesh().points,
                                              deformation::withTetgen(mapped.input.options), progress)) {}
 
   live::StressFrame at(const Points& pose) const {
@@ -71,7 +71,7 @@ LabelledSequence sequenceNamed(const std::string& name, CommandContext& context)
   request.sequence = name;
   const PlayedSequence played = playedSequence(request, context);
   LabelledSequence labelled{played.sequence, {}};
-  for (const document::NewHandle& handle : played.rig.handles)
+  for (const document::Handle& handle : played.rig.handles)
     labelled.labels.push_back(handle.label);
   return labelled;
 }
@@ -79,16 +79,16 @@ LabelledSequence sequenceNamed(const std::string& name, CommandContext& context)
 /// The rig's handles at an instant: each is displaced as the sequence's handle of its label; others stay.
 class RigPoses {
 public:
-  RigPoses(LabelledSequence of, const RigInput& rig) : of_(std::move(of)), rig_(rig) {
+  RigPoses(LabelledSequence of, const document::Rig& rig) : of_(std::move(of)), rest_(rig.restPositions()) {
     for (const std::string& label : of_.labels)
-      rows_.push_back(rig.indexOf(label));
+      rows_.push_back(rowOfHandle(rig, label));
   }
 
   double periodSeconds() const { return 60 / of_.sequence->standardRatePerMinute(); }
   Points at(double seconds) const {
     Points own;
     of_.sequence->poseAt(seconds, of_.sequence->standardRatePerMinute(), own);
-    Points pose = rig_.handles.positions;
+    Points pose = rest_;
     for (std::size_t i = 0; i < rows_.size(); ++i) {
       const auto row = static_cast<Eigen::Index>(i);
       pose.row(rows_[i]) += own.row(row) - of_.sequence->restHandles().row(row);
@@ -98,7 +98,7 @@ public:
 
 private:
   LabelledSequence of_;
-  const RigInput& rig_;
+  Points rest_;           ///< Of the rig.
   std::vector<int> rows_; ///< Of the rig, one for each handle of the sequence.
 };
 

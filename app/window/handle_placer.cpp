@@ -93,16 +93,14 @@ document::Command HandlePlacer::command(const document::OrganList& organs) const
 
 document::Command HandlePlacer::command(const document::OrganList& chosen,
                                         const document::OrganList& organs) const {
-  document::NewRig rig;
-  rig.handles = document::newHandles(around(chosen, organs));
+  document::Rig rig = document::rigAt(around(chosen, organs));
   const int corners = placement_.enclosing ? kCorners : 0;
-  document::NewGroup enclosing{tr("Enclosing").toStdString(), kEnclosingColor, {}};
-  document::NewGroup surface{tr("Surface").toStdString(), kSurfaceColor, {}};
+  std::vector<int> enclosing, surface;
   for (int i = 0; i < static_cast<int>(rig.handles.size()); ++i)
-    (i < corners ? enclosing : surface).handles.push_back(i);
-  rig.groups.push_back(std::move(surface));
+    (i < corners ? enclosing : surface).push_back(i);
+  rig.addGroup(tr("Surface").toStdString(), kSurfaceColor, surface);
   if (corners > 0)
-    rig.groups.push_back(std::move(enclosing));
+    rig.addGroup(tr("Enclosing").toStdString(), kEnclosingColor, enclosing);
   return document::replaceRig(std::move(rig), tr("Place handles").toStdString());
 }
 
@@ -110,9 +108,8 @@ document::Command HandlePlacer::commandOrBox(const document::OrganList& organs) 
   try {
     return command(organs);
   } catch (const DataError&) {
-    document::NewRig rig;
-    rig.handles = document::newHandles(deformation::enclosingHandles(endsOf(organs), placement_.boxMargin));
-    rig.groups.push_back({tr("Enclosing").toStdString(), kEnclosingColor, {0, 1, 2, 3, 4, 5, 6, 7}});
+    document::Rig rig = document::rigAt(deformation::enclosingHandles(endsOf(organs), placement_.boxMargin));
+    rig.addGroup(tr("Enclosing").toStdString(), kEnclosingColor, {0, 1, 2, 3, 4, 5, 6, 7});
     return document::replaceRig(std::move(rig), tr("Place handles").toStdString());
   }
 }

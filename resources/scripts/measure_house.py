@@ -15,11 +15,18 @@ builds nothing; paths are printed relative to the tree.
                    handles not counted
   texts            <source> in names_de.ts and viscera_de.ts
   long files       above 600 lines;  long functions: above 80 lines; both in app and modules
+  window           headers of app/window that one file includes, the source of the same name not counted; its QObjects without
+                   a widget: classes that derive from QObject itself, in files without one of Qt's widgets; its folders in a
+                   knot: those from which includes lead to another folder and back
+  lines            of .h and .cpp in app and modules
+  comments         share of the lines of .cpp that hold nothing but a comment, in per mille; lines of the median block
+  dangling         blocks of comments that open with a preposition or pronoun whose subject stands elsewhere
 """
 import argparse
 import json
 import pathlib
 import re
+import statistics
 import sys
 
 MOST_LINES_OF_FILE, MOST_LINES_OF_FUNCTION = 600, 80
@@ -28,6 +35,10 @@ CHAMBERS = ["LV", "RV", "LA", "RA"] # Small ones are ids of sample organs and of
 ORGANS = """heart ventricle atrium ventric atri myocard myocardium epicard endocard liver hepat hepar spleen kidney
   renal stomach gastr pancreas pancrea gallbladder gall bladder bowel intestin colon duoden duodenum lung brain aorta arter artery
   vein cava muscle""".split()
+DANGLING = """of in as from for with without by at on to over under than
+  it its they their them those these this that which whose who he she such""".split()
+WIDGETS = """Widget Dialog Button Box Label Layout Menu Action Bar View Edit Slider Splitter Window Shortcut ToolTip Style Delegate Frame
+  Completer Application""".split()
 LITERAL = r'"((?:[^"\\\n]|\\.)*)"'
 
 
@@ -44,11 +55,13 @@ class Tree:
     def __init__(self, root):
         self.root = root
         self.modules = sorted(f.name for f in (root / "modules").iterdir() if f.is_dir())
-        self.files = {}
+        self.files, self.written = {}, {} # Without and with comments.
         for top in ("app", "modules"):
             for file in sorted((root / top).rglob("*")):
                 if file.suffix in (".h", ".cpp"):
-                    self.files[file.relative_to(root)] = without_comments(file.read_text(encoding="utf-8", errors="replace"))
+                    text = file.read_text(encoding="utf-8", errors="replace")
+                    self.written[file.relative_to(root)] = text
+                    self.files[file.relative_to(root)] = without_comments(text)
         # "sequences" -> "motion" where the headers viscera/sequences/... lie in a folder of the module motion.
         self.owner = {}
         for folder in (root / "modules").rglob("include/viscera/*"):
@@ -191,8 +204,66 @@ def functions(text):
     return found
 
 
+def in_window(tree):
+    """The files of app/window with what they include of it."""
+    found = {}
+    for file, text in tree.files.items():
+        names = re.findall(r'^\s*#\s*include\s*"(window/[^"]+)"', text, flags=re.M)
+        found[file] = [pathlib.Path("app") / name for name in names]
+    return found
+
+
+def single_user_headers(tree):
+    """(header, its one includer) in app/window; a source of the header's own name is no includer."""
+    users = {file: [] for file in tree.files if file.parts[:2] == ("app", "window") and file.suffix == ".h"}
+    for file, included in in_window(tree).items():
+        for header in included:
+            if header in users and file.with_suffix("") != header.with_suffix(""):
+                users[header].append(file)
+    return [f"{header} <- {files[0]}" for header, files in users.items() if len(files) == 1]
+
+
+def objects_without_widget(tree):
+    """Classes that derive from QObject itself, where neither header nor source includes one of Qt's widgets."""
+    widget = re.compile(r"^\s*#\s*include\s*<Q\w*(?:" + "|".join(WIDGETS) + r")\w*>", flags=re.M)
+    return [f"{file} {name}" for file, text in tree.files.items() if file.parts[:2] == ("app", "window")
+            and not any(widget.search(tree.files.get(file.with_suffix(suffix), "")) for suffix in (".h", ".cpp"))
+            for name in re.findall(r"^\s*class (\w+)(?: final)?\s*:[^{;]*\bpublic QObject\b", text, flags=re.M)]
+
+
+def folders_in_knots(tree):
+    """Folders of app/window from which includes lead to another folder and back."""
+    pairs = {(str(file.parent), str(header.parent)) for file, included in in_window(tree).items()
+             if file.parts[:2] == ("app", "window") for header in included if file.parent != header.parent}
+    return sorted({source for source, target in pairs if source in reachable(pairs, target)})
+
+
+def comment_blocks(tree):
+    """(file, first line, its lines) of each block of comments that stands on lines of its own."""
+    found = []
+    for file, text in tree.written.items():
+        block = []
+        for number, line in enumerate(text.split("\n") + [""], start=1):
+            if line.lstrip().startswith("//"):
+                block.append(line.strip())
+            elif block:
+                found.append((file, number - len(block), block))
+                block = []
+    return found
+
+
+def dangles(block):
+    """Whether a block opens with a word whose subject stands elsewhere."""
+    first = re.match(r"//[/!]?<?\s*([A-Z][a-z]*)\b", block[0])
+    return bool(first) and first[1].lower() in DANGLING
+
+
 def measure(root):
     tree = Tree(root)
+    blocks = comment_blocks(tree)
+    in_sources = [len(block) for file, _, block in blocks if file.suffix == ".cpp"]
+    source_lines = sum(text.count("\n") for file, text in tree.written.items() if file.suffix == ".cpp")
+    dangling = [f"{file}:{line} {block[0]}" for file, line, block in blocks if dangles(block)]
     pairs = arrows(tree)
     levels = strata(tree)
     known = all(module in levels for pair in pairs for module in pair)
@@ -220,6 +291,13 @@ def measure(root):
         ("files", len(lengths), []),
         ("files too long", sum(n > MOST_LINES_OF_FILE for n in lengths.values()),
          [f"{file} {n} lines" for file, n in lengths.items() if n > MOST_LINES_OF_FILE]),
+        ("lines", sum(lengths.values()), []),
+        ("headers of the window with one includer", len(single_user_headers(tree)), single_user_headers(tree)),
+        ("objects of the window without a widget", len(objects_without_widget(tree)), objects_without_widget(tree)),
+        ("folders of the window in a knot", len(folders_in_knots(tree)), folders_in_knots(tree)),
+        ("comments in sources, per mille of lines", round(1000 * sum(in_sources) / max(source_lines, 1)), []),
+        ("lines of the median comment in sources", statistics.median_low(in_sources) if in_sources else 0, []),
+        ("comments that open without their subject", len(dangling), dangling),
     ]
 
 
@@ -236,7 +314,7 @@ def main():
         print(json.dumps({title: number for title, number, _ in rows}, indent=2))
         return
     for title, number, counted in rows:
-        print(f"{title:40} {'-' if number is None else number:>6}")
+        print(f"{title:42} {'-' if number is None else number:>6}")
         for line in counted if options.verbose else []:
             print(f"    {line}")
 

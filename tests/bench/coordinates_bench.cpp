@@ -5,8 +5,7 @@
 #include <benchmark/benchmark.h>
 
 #include "bench_scenes.h"
-#include "viscera/coordinates/celestial/s_celestial.h"
-#include "viscera/coordinates/celestial/t_celestial.h"
+#include "viscera/coordinates/systems.h"
 
 namespace viscera::coordinates {
 namespace {
@@ -28,7 +27,7 @@ BindOptions optionsOf(int threads, double locality) {
 }
 
 /// Arguments: threads, locality.
-template <class System>
+template <auto makeSystem>
 void bind(benchmark::State& state) {
   const geometry::TriangleMesh mesh = bench::bunnyOrBlob();
   HandleSet handles;
@@ -38,17 +37,17 @@ void bind(benchmark::State& state) {
   double identity = 0;
   for (auto _ : state) {
     Progress progress;
-    identity = System().bind(handles, mesh.points, options, progress)->report().identityError;
+    identity = makeSystem()->bind(handles, mesh.points, options, progress)->report().identityError;
   }
   countPerWeight(state, mesh.points.rows(), handles.positions.rows());
   state.counters["identity_error_mm"] = identity;
 }
-BENCHMARK(bind<SCelestial>)
+BENCHMARK(bind<sCelestial>)
     ->ArgsProduct({{1, 2}, {0, 2}})
     ->ArgNames({"threads", "locality"})
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime();
-BENCHMARK(bind<TCelestial>)
+BENCHMARK(bind<tCelestial>)
     ->ArgsProduct({{1, 2}, {0, 2}})
     ->ArgNames({"threads", "locality"})
     ->Unit(benchmark::kMillisecond)
@@ -95,7 +94,7 @@ void bindLarge(benchmark::State& state) {
     const double before = statusMiB("VmRSS");
     state.ResumeTiming();
     Progress progress;
-    const auto binding = SCelestial().bind(handles, points, optionsOf(2, 0), progress);
+    const auto binding = sCelestial()->bind(handles, points, optionsOf(2, 0), progress);
     state.PauseTiming();
     peak = std::max(peak, statusMiB("VmHWM") - before);
     report = binding->report();
@@ -120,7 +119,7 @@ void poseLarge(benchmark::State& state) {
   HandleSet handles;
   handles.positions = onEllipsoid(200, 1.3);
   Progress progress;
-  const auto binding = SCelestial().bind(handles, points, optionsOf(2, 0), progress);
+  const auto binding = sCelestial()->bind(handles, points, optionsOf(2, 0), progress);
   Points posed = points;
   for (auto _ : state) {
     if (state.range(0) != 0)
@@ -141,7 +140,7 @@ void gradients(benchmark::State& state) {
   for (auto _ : state) {
     Progress progress;
     benchmark::DoNotOptimize(
-        SCelestial().gradients(handles, points, optionsOf(static_cast<int>(state.range(0)), 0), progress));
+        sCelestial()->gradients(handles, points, optionsOf(static_cast<int>(state.range(0)), 0), progress));
   }
   countPerWeight(state, points.rows(), handles.positions.rows());
 }
@@ -151,7 +150,7 @@ std::unique_ptr<Binding> boundTo(const geometry::TriangleMesh& mesh, const Point
   HandleSet handles;
   handles.positions = positions;
   Progress progress;
-  return SCelestial().bind(handles, mesh.points, {}, progress);
+  return sCelestial()->bind(handles, mesh.points, {}, progress);
 }
 
 /// A new pose of all handles. Arguments: threads, large mesh or not.

@@ -4,7 +4,7 @@
 #include <benchmark/benchmark.h>
 
 #include "bench_scenes.h"
-#include "viscera/coordinates/celestial/s_celestial.h"
+#include "viscera/coordinates/systems.h"
 #include "viscera/deformation/bind_organ.h"
 #include "viscera/deformation/deformer.h"
 #include "viscera/deformation/pose_together.h"
@@ -19,7 +19,7 @@ Deformer largeDeformer(int threads) {
   handles.positions = bench::handlesFor(*organ);
   Progress progress;
   const auto binding =
-      bindOrgan(coordinates::SCelestial(), handles, organ->points, {{}, {threads}}, progress);
+      bindOrgan(*coordinates::sCelestial(), handles, organ->points, {{}, {threads}}, progress);
   return Deformer(organ, binding, handles.positions, {threads});
 }
 
@@ -73,7 +73,7 @@ public:
     for (int k = 0; k < 95; ++k) {
       Progress progress;
       organs_.emplace_back(
-          organ, bindOrgan(coordinates::SCelestial(), handles_, organ->points, {{}, threads}, progress),
+          organ, bindOrgan(*coordinates::sCelestial(), handles_, organ->points, {{}, threads}, progress),
           handles_.positions, threads);
     }
     for (Deformer& bound : organs_)

@@ -105,7 +105,7 @@ compare(f"pose of {len(large)} vertices", lambda: in_cpp("poseAllHandles/threads
 fresh = in_python(lambda: binding.pose(pose, threads=1))
 print(f"the same into a new array: {1e3 * fresh:.3f} ms")
 
-vertices = in_cpp("bind<SCelestial>/threads:1/locality:0")[1]
+vertices = in_cpp("bind<sCelestial>/threads:1/locality:0")[1]
 bunny = pathlib.Path(__file__).parents[3] / "shared/organs/bunny.obj"
 if bunny.is_file():  # the benchmark's, in mm
     lines = bunny.read_text().splitlines()
@@ -117,7 +117,7 @@ else:
 if len(small) == vertices:
     around = viscera.place_handles(small, small_triangles)
     own = viscera.as_points(small)
-    seconds = compare(f"bind {len(small)} vertices", lambda: in_cpp("bind<SCelestial>/threads:1/locality:0")[0],
+    seconds = compare(f"bind {len(small)} vertices", lambda: in_cpp("bind<sCelestial>/threads:1/locality:0")[0],
                       lambda: in_python(lambda: viscera.bind(own, around, threads=1)))
     begin = time.process_time()
     weights = s_celestial(small, around)

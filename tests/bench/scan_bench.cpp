@@ -8,7 +8,7 @@
 #include "clouds.h"
 #include "dicom_slices.h"
 #include "temporary_folder.h"
-#include "viscera/coordinates/celestial/s_celestial.h"
+#include "viscera/coordinates/systems.h"
 #include "viscera/deformation/inverse_map.h"
 #include "viscera/medical_io/scan.h"
 
@@ -105,7 +105,7 @@ void bindTheSpaceBetweenHandles(benchmark::State& state) {
   const DraggedRig rig(25);
   for (auto _ : state) {
     Progress progress;
-    const deformation::InverseMap map(coordinates::SCelestial(), rig.handles, rig.pose, {}, {}, progress);
+    const deformation::InverseMap map(*coordinates::sCelestial(), rig.handles, rig.pose, {}, {}, progress);
     state.counters["errorMm"] = map.errorMm();
     state.counters["spacingMm"] = map.spacingMm();
   }
@@ -115,7 +115,7 @@ void bindTheSpaceBetweenHandles(benchmark::State& state) {
 void warpedSlice(benchmark::State& state) {
   const DraggedRig first(20), second(25);
   Progress progress;
-  deformation::InverseMap map(coordinates::SCelestial(), first.handles, first.pose, {}, {}, progress);
+  deformation::InverseMap map(*coordinates::sCelestial(), first.handles, first.pose, {}, {}, progress);
   const deformation::SamplePlane plane{{-200, -200, 10}, {0.78, 0, 0}, {0, 0.78, 0}, kSide, kSide};
   deformation::RestPoints rest;
   bool other = false;
@@ -133,7 +133,7 @@ void warpedSlice(benchmark::State& state) {
 void poseOfTheSpace(benchmark::State& state) {
   const DraggedRig first(20), second(25);
   Progress progress;
-  deformation::InverseMap map(coordinates::SCelestial(), first.handles, first.pose, {}, {}, progress);
+  deformation::InverseMap map(*coordinates::sCelestial(), first.handles, first.pose, {}, {}, progress);
   bool other = false;
   for (auto _ : state) {
     other = !other;

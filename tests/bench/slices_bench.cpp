@@ -5,7 +5,7 @@
 
 #include "clouds.h"
 #include "shapes.h"
-#include "viscera/coordinates/celestial/s_celestial.h"
+#include "viscera/coordinates/systems.h"
 #include "viscera/deformation/inverse_map.h"
 #include "viscera/geometry/plane_cut.h"
 #include "viscera/medical_io/sample_slice.h"
@@ -75,7 +75,8 @@ void bend(benchmark::State& state) {
   const medical_io::Scan scan = bigScan();
   const SliceFrame frame = frameIn(scan, 0, 0);
   const Vec3 middle = frame.at(256, 256);
-  const coordinates::SCelestial system;
+  const auto celestial = coordinates::sCelestial();
+  const coordinates::CoordinateSystem& system = *celestial;
   const coordinates::HandleSet handles{tests::onSphere(30, 110, middle), {}, {}};
   const auto posed = [&](double mm) {
     Points pose = handles.positions;

@@ -8,7 +8,7 @@
 #include <benchmark/benchmark.h>
 
 #include "thick_cylinder.h"
-#include "viscera/coordinates/built_in_systems.h"
+#include "viscera/coordinates/systems.h"
 #include "viscera/deformation/place_handles.h"
 #include "viscera/deformation/witness_gradients.h"
 #include "viscera/strain/heart_gauge.h"

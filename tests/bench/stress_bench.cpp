@@ -5,7 +5,7 @@
 #include <benchmark/benchmark.h>
 
 #include "tetrahedra.h"
-#include "viscera/coordinates/built_in_systems.h"
+#include "viscera/coordinates/systems.h"
 #include "viscera/deformation/witness_gradients.h"
 #include "viscera/live/stress_quantity.h"
 #include "viscera/scene/tissue_actor.h"

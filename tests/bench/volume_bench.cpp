@@ -5,7 +5,7 @@
 
 #include "bench_scenes.h"
 #include "sized_surface.h"
-#include "viscera/coordinates/celestial/s_celestial.h"
+#include "viscera/coordinates/systems.h"
 #include "viscera/deformation/bind_organ.h"
 #include "viscera/deformation/deformer.h"
 #include "viscera/deformation/volume_form.h"
@@ -35,7 +35,7 @@ BoundHeart makeHeart(Eigen::Index vertices) {
       std::make_shared<geometry::TriangleMesh>(bench::withVertices(*organ.surfaces.front().mesh, vertices));
   coordinates::HandleSet handles;
   handles.positions = bench::handlesFor(*heart.rest);
-  heart.binding = bindOrgan(coordinates::SCelestial(), handles, heart.rest->points, {}, progress);
+  heart.binding = bindOrgan(*coordinates::sCelestial(), handles, heart.rest->points, {}, progress);
   heart.around = geometry::vertexTriangles(heart.rest->points.rows(), heart.rest->triangles);
   heart.pose = handles.positions;
   heart.pose.row(12) += Eigen::RowVector3d(9, -4, 6);

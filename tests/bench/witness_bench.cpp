@@ -1,7 +1,7 @@
 #include <benchmark/benchmark.h>
 
 #include "bench_scenes.h"
-#include "viscera/coordinates/celestial/s_celestial.h"
+#include "viscera/coordinates/systems.h"
 #include "viscera/deformation/grid_witnesses.h"
 #include "viscera/deformation/tetrahedralise.h"
 #include "viscera/deformation/witness_gradients.h"
@@ -28,7 +28,7 @@ void stressMap(benchmark::State& state) {
   const Threads threads{static_cast<int>(state.range(0))};
   Progress progress;
   const auto gradients =
-      bindWitnesses(coordinates::SCelestial(), scene.handles, scene.mesh.points, {{}, threads}, progress);
+      bindWitnesses(*coordinates::sCelestial(), scene.handles, scene.mesh.points, {{}, threads}, progress);
   Points pose = scene.handles.positions;
   StressMap map;
   int step = 0;
@@ -49,7 +49,7 @@ void witnessDerivatives(benchmark::State& state) {
   Progress progress;
   for (auto _ : state)
     benchmark::DoNotOptimize(
-        bindWitnesses(coordinates::SCelestial(), scene.handles, scene.mesh.points, {{}, threads}, progress));
+        bindWitnesses(*coordinates::sCelestial(), scene.handles, scene.mesh.points, {{}, threads}, progress));
 }
 BENCHMARK(witnessDerivatives)
     ->Arg(1)

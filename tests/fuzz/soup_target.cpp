@@ -2,7 +2,7 @@
 #include <memory>
 
 #include "fuzz_target.h"
-#include "viscera/coordinates/celestial/s_celestial.h"
+#include "viscera/coordinates/systems.h"
 #include "viscera/core/error.h"
 #include "viscera/deformation/bind_organ.h"
 #include "viscera/deformation/deformer.h"
@@ -77,7 +77,7 @@ void deform(const std::shared_ptr<const geometry::TriangleMesh>& mesh) {
   handles.positions = handlesAround(*mesh);
   require(handles.positions.allFinite(), "Handles have places.");
   const auto binding =
-      deformation::bindOrgan(coordinates::SCelestial(), handles, mesh->points, {{}, {1}}, progress);
+      deformation::bindOrgan(*coordinates::sCelestial(), handles, mesh->points, {{}, {1}}, progress);
   deformation::Deformer deformer(mesh, binding, handles.positions, {1});
   const double size = (mesh->points.colwise().maxCoeff() - mesh->points.colwise().minCoeff()).norm();
   require((deformer.points() - mesh->points).cwiseAbs().maxCoeff() <= 1e-6 * (1 + size),

@@ -261,7 +261,7 @@ void Walk::actOnDocument(int kind) {
   case 4: {
     const int size = kSizes[number(int(std::size(kSizes)))];
     name_ = "replace the rig by " + std::to_string(size) + " handles";
-    return perform(document::replaceRig({document::newHandles(spread(size, random_)), {}}));
+    return perform(document::replaceRig(document::rigAt(spread(size, random_))));
   }
   case 5: {
     name_ = "move a handle at rest";

@@ -5,7 +5,7 @@
 #include <memory>
 #include <utility>
 
-#include "viscera/coordinates/celestial/s_celestial.h"
+#include "viscera/coordinates/systems.h"
 
 namespace viscera::tests {
 
@@ -28,7 +28,8 @@ public:
                                              Progress& progress) const override {
     coordinates::BindOptions plain;
     plain.threads = options.threads;
-    return std::make_unique<Bound>(coordinates::SCelestial().bind(handles, points, plain, progress), counts_);
+    return std::make_unique<Bound>(coordinates::sCelestial()->bind(handles, points, plain, progress),
+                                   counts_);
   }
 
 private:

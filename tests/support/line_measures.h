@@ -4,8 +4,8 @@
 #include <stdexcept>
 
 #include "lines.h"
-#include "viscera/coordinates/built_in_systems.h"
 #include "viscera/coordinates/measure/line_profile.h"
+#include "viscera/coordinates/systems.h"
 
 /// Measures a built-in system along one of the lines, in one call.
 namespace viscera::tests {

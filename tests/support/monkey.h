@@ -113,8 +113,11 @@ private:
       return document::removeHandles(someHandles());
     case 6:
       return restMove();
-    case 7:
-      return document::replaceRig({document::newHandles(places(12)), {{text, color(), {0, 3, 5}}}});
+    case 7: {
+      document::Rig rig = document::rigAt(places(12));
+      rig.addGroup(text, color(), {0, 3, 5});
+      return document::replaceRig(std::move(rig));
+    }
     case 8:
       return document::editHandles(someHandles(),
                                    {std::nullopt, text, number(2) == 0, number(2) == 0, number(2) == 0});

@@ -11,7 +11,7 @@
 #include <Eigen/Geometry>
 
 #include "build_paths.h"
-#include "viscera/coordinates/built_in_systems.h"
+#include "viscera/coordinates/systems.h"
 #include "viscera/core/progress.h"
 #include "viscera/deformation/bind_organ.h"
 #include "viscera/geometry/volume.h"

@@ -33,6 +33,16 @@ inline std::vector<document::NewHandle> cubeHandles(double half = 60) {
   return handles;
 }
 
+/// A rig of them, without labels.
+inline document::Rig cubeRig(double half = 60) {
+  Points places(0, 3);
+  for (const document::NewHandle& handle : cubeHandles(half)) {
+    places.conservativeResize(places.rows() + 1, 3);
+    places.bottomRows(1) = handle.rest.transpose();
+  }
+  return document::rigAt(places);
+}
+
 /// A box with its corners at the first eight of `cubeHandles`.
 inline std::shared_ptr<geometry::TriangleMesh> cubeCage(double half = 60) {
   auto cage = std::make_shared<geometry::TriangleMesh>(viscera::tests::box(2 * half, 2 * half, 2 * half));

@@ -69,9 +69,9 @@ public:
 
   Outcome run(CommandContext& context) override {
     Outcome outcome;
-    const auto [system, options, rig, pose, organ] = input_.read(context, outcome.warnings);
+    const auto [system, options, rig, handles, pose, organ] = input_.read(context, outcome.warnings);
     const auto binding =
-        deformation::bindOrgan(*system, rig.handles, organ.mesh->points, options, context.progress);
+        deformation::bindOrgan(*system, handles, organ.mesh->points, options, context.progress);
     const coordinates::BindingReport& report = binding->report();
     const double identity = report.identityError / boundsOf(organ.mesh->points).diagonal();
     if (!output_.empty()) {

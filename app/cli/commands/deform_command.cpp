@@ -45,12 +45,13 @@ struct HandleMove {
 };
 
 /// The handles that the pose moves, and those that compensate.
-std::vector<HandleMove> movesOf(const RigInput& rig, const Points& asked, const Points& given) {
-  const Points& rest = rig.handles.positions;
+std::vector<HandleMove> movesOf(const document::Rig& rig, const Points& asked, const Points& given) {
+  const Points rest = rig.restPositions();
   std::vector<HandleMove> moves;
   for (Eigen::Index row = 0; row < rest.rows(); ++row) {
-    const HandleMove move{rig.labels[static_cast<std::size_t>(row)], (asked.row(row) - rest.row(row)).norm(),
-                          (given.row(row) - rest.row(row)).norm(), (given.row(row) - asked.row(row)).norm()};
+    const HandleMove move{rig.handles[static_cast<std::size_t>(row)].label,
+                          (asked.row(row) - rest.row(row)).norm(), (given.row(row) - rest.row(row)).norm(),
+                          (given.row(row) - asked.row(row)).norm()};
     if (move.askedMm > 0 || move.givenMm > 0)
       moves.push_back(move);
   }
@@ -157,10 +158,10 @@ public:
     Outcome outcome;
     BoundInput input = input_.read(context, outcome.warnings);
     takeMobility(input.organ, outcome.warnings);
-    const auto& [system, options, rig, pose, organ] = input;
+    const auto& [system, options, rig, handles, pose, organ] = input;
     deformation::Deformer deformer(organ.mesh,
-                                   live::bindMovable(organ, *system, rig.handles, options, context.progress),
-                                   rig.handles.positions, context.threads);
+                                   live::bindMovable(organ, *system, handles, options, context.progress),
+                                   handles.positions, context.threads);
     deformer.setPose(pose);
     keepVolume(deformer, input, outcome.warnings, context.progress);
 
@@ -168,7 +169,7 @@ public:
     const double nowMl = deformer.volumeMm3() / kMm3PerMl;
     const double error = (nowMl - targetMl(deformer)) / std::abs(targetMl(deformer));
     const double change = (nowMl - restMl) / std::abs(restMl);
-    const int moved = movedHandles(rig.handles.positions, deformer.pose());
+    const int moved = movedHandles(handles.positions, deformer.pose());
     const std::vector<HandleMove> moves = movesOf(rig, pose, deformer.pose());
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     outcome.json = {{"organ", organ.name},
@@ -230,13 +231,12 @@ private:
                       "close its holes first");
     std::vector<int> compensating;
     for (const std::string& label : compensate_)
-      compensating.push_back(input.rig.indexOf(label));
-    const std::vector<int> resting =
-        deformation::restingHandles(input.rig.handles.positions, deformer.pose());
+      compensating.push_back(rowOfHandle(input.rig, label));
+    const std::vector<int> resting = deformation::restingHandles(input.handles.positions, deformer.pose());
     for (const int handle : compensating)
       if (exact_ && std::find(resting.begin(), resting.end(), handle) == resting.end())
         throw UsageError("The pose moves this handle, so that it cannot compensate exactly",
-                         "--compensate " + input.rig.labels[static_cast<std::size_t>(handle)],
+                         "--compensate " + input.rig.handles[static_cast<std::size_t>(handle)].label,
                          "name handles that the pose leaves at rest");
     if (compensating.empty())
       compensating = resting;
@@ -280,7 +280,7 @@ private:
     if (transform_.empty())
       return;
     const deformation::DisplacementGrid grid = deformation::inverseDisplacements(
-        *input.system, input.rig.handles, deformer.pose(), input.options,
+        *input.system, input.handles, deformer.pose(), input.options,
         deformation::gridAround(organ.mesh->points, deformer.points(), spacing_), progress);
     medical_io::writeTransform(transform_, grid);
     outcome.json["transform"] = {{"file", transform_},

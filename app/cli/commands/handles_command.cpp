@@ -11,6 +11,7 @@
 #include "viscera/core/error.h"
 #include "viscera/deformation/place_handles.h"
 #include "viscera/document/group_commands.h"
+#include "viscera/document/open_files.h"
 #include "viscera/document/system_commands.h"
 #include "viscera/geometry/convex_hull.h"
 #include "viscera/geometry/winding_number.h"
@@ -23,44 +24,43 @@ constexpr int kEnclosing = 8; ///< Corners of a box.
 constexpr int kMostPlacedHandles = 10'000;
 constexpr int kMostGroups = 100;
 
-/// The handles before grouping, the corners that grouping added, and the groups over both.
-struct Rig {
-  Points positions;
-  Eigen::Index placed = 0; ///< The rows before are placed, those from it on were added.
-  std::vector<coordinates::HandleGroup> groups;
-  std::vector<Vec3> colors;
-};
-
 std::vector<int> rowsFrom(Eigen::Index begin, Eigen::Index end) {
   std::vector<int> rows(static_cast<std::size_t>(end - begin));
   std::iota(rows.begin(), rows.end(), static_cast<int>(begin));
   return rows;
 }
 
-/// Enclosing handles and the others as a group each.
-Rig plainRig(const Points& positions, bool enclosing) {
-  const Eigen::Index corners = enclosing ? kEnclosing : 0;
-  Rig rig{positions, positions.rows(), {}, {}};
-  if (enclosing) {
-    rig.groups.push_back({"Enclosing", rowsFrom(0, corners)});
-    rig.colors.emplace_back(0.55, 0.60, 0.65);
-  }
-  if (positions.rows() > corners) {
-    rig.groups.push_back({"Handles", rowsFrom(corners, positions.rows())});
-    rig.colors.emplace_back(1.0, 0.5, 0.2);
-  }
+/// A handle at each position, labelled by its row.
+document::Rig labelledRig(const Points& positions) {
+  document::Rig rig = document::rigAt(positions);
+  for (std::size_t i = 0; i < rig.handles.size(); ++i)
+    rig.handles[i].label = "H-" + std::to_string(i + 1);
   return rig;
 }
 
-Rig groupedRig(const Points& positions, const document::Organ& organ,
-               const document::GroupingChoice& choice) {
-  deformation::Grouping grouping =
+/// Enclosing handles and the others as a group each.
+document::Rig plainRig(const Points& positions, bool enclosing) {
+  const Eigen::Index corners = enclosing ? kEnclosing : 0;
+  document::Rig rig = labelledRig(positions);
+  if (enclosing)
+    rig.addGroup("Enclosing", {0.55, 0.60, 0.65}, rowsFrom(0, corners));
+  if (positions.rows() > corners)
+    rig.addGroup("Handles", {1.0, 0.5, 0.2}, rowsFrom(corners, positions.rows()));
+  return rig;
+}
+
+/// The handles in groups, behind them the corners that grouping added.
+document::Rig groupedRig(const Points& positions, const document::Organ& organ,
+                         const document::GroupingChoice& choice) {
+  const deformation::Grouping grouping =
       document::makeGroups(choice, {std::make_shared<const document::Organ>(organ)}, positions);
-  Rig rig{
-      Points(positions.rows() + grouping.added.rows(), 3), positions.rows(), std::move(grouping.groups), {}};
-  rig.positions << positions, grouping.added;
-  for (std::size_t i = 0; i < rig.groups.size(); ++i)
-    rig.colors.push_back(document::groupColor(i));
+  Points all(positions.rows() + grouping.added.rows(), 3);
+  all << positions, grouping.added;
+  document::Rig rig = labelledRig(all);
+  for (std::size_t i = static_cast<std::size_t>(positions.rows()); i < rig.handles.size(); ++i)
+    rig.handles[i].description = document::kAddedByGrouping;
+  for (std::size_t i = 0; i < grouping.groups.size(); ++i)
+    rig.addGroup(grouping.groups[i].name, document::groupColor(i), grouping.groups[i].handles);
   return rig;
 }
 
@@ -70,19 +70,6 @@ std::size_t outsideCage(const geometry::TriangleMesh& cage, const Points& points
   for (Eigen::Index i = 0; i < points.rows(); ++i)
     outside += winding.inside(points.row(i).transpose()) ? 0 : 1;
   return outside;
-}
-
-/// One markup list a group; a handle of several groups is in the list of each.
-medical_io::HandleFile fileOf(const Rig& rig) {
-  medical_io::HandleFile file;
-  for (std::size_t i = 0; i < rig.groups.size(); ++i) {
-    medical_io::HandleGroupRecord record{rig.groups[i].name, rig.colors[i], {}};
-    for (const int row : rig.groups[i].handles)
-      record.handles.push_back({"H-" + std::to_string(row + 1), rig.positions.row(row).transpose(),
-                                row < rig.placed ? std::string() : document::kAddedByGrouping, false, true});
-    file.groups.push_back(std::move(record));
-  }
-  return file;
 }
 
 /// `viscera handles`: places handles around an organ, or takes a cage's vertices, in groups where they are
@@ -145,21 +132,23 @@ public:
     placement.enclosing = enclosing;
     const auto cage = cage_.empty() ? nullptr : document::readCage(cage_, context.progress).mesh;
     const Points positions = cage ? cage->points : deformation::placeHandles(*organ.mesh, placement);
-    const Rig rig = grouped() ? groupedRig(positions, organ, choice) : plainRig(positions, enclosing);
-    const std::size_t outside = cage ? outsideCage(*cage, organ.mesh->points)
-                                     : geometry::ConvexHull(rig.positions).outside(organ.mesh->points).size();
+    const document::Rig rig =
+        grouped() ? groupedRig(positions, organ, choice) : plainRig(positions, enclosing);
+    const std::size_t outside =
+        cage ? outsideCage(*cage, organ.mesh->points)
+             : geometry::ConvexHull(rig.restPositions()).outside(organ.mesh->points).size();
     context.progress.throwIfCancelled();
-    medical_io::writeHandles(output_, fileOf(rig));
+    medical_io::writeHandles(output_, document::handleFile(rig));
 
     Outcome outcome;
-    const Eigen::Index added = rig.positions.rows() - rig.placed;
-    outcome.json = {{"organ", organ.name},   {"handles", rig.positions.rows()}, {"enclosing", enclosing},
-                    {"addedHandles", added}, {"outsideHull", outside},          {"file", output_}};
+    const std::size_t added = rig.handles.size() - static_cast<std::size_t>(positions.rows());
+    outcome.json = {{"organ", organ.name},   {"handles", rig.handles.size()}, {"enclosing", enclosing},
+                    {"addedHandles", added}, {"outsideHull", outside},        {"file", output_}};
     Listing listing;
-    listing.add("handles", std::to_string(rig.positions.rows()));
+    listing.add("handles", std::to_string(rig.handles.size()));
     if (grouped())
       listing.add("added", std::to_string(added) + " corners of boxes, so that every part is surrounded");
-    for (const coordinates::HandleGroup& group : rig.groups) {
+    for (const document::Group& group : rig.groups) {
       outcome.json["groups"].push_back({{"name", group.name}, {"handles", group.handles.size()}});
       listing.add("group", group.name + ", " + std::to_string(group.handles.size()) + " handles");
     }

@@ -99,10 +99,11 @@ private:
       return surfaces;
     const auto system = system_.system(context);
     const auto options = system_.bindOptions(*system, context);
-    const RigInput rig = rigInput(handles_, warnings, system_.cage());
+    const document::Rig rig = rigInput(handles_, warnings, system_.cage());
+    const coordinates::HandleSet handles = document::handleSet(rig);
     const Points pose = poseInput(pose_, rig, warnings);
     for (PosedSurface& surface : surfaces)
-      live::bindMovable(*surface.organ, *system, rig.handles, options, context.progress)
+      live::bindMovable(*surface.organ, *system, handles, options, context.progress)
           ->deform(pose, surface.points, options.threads);
     return surfaces;
   }

@@ -343,7 +343,7 @@ private:
     if (!handlesOut_.empty())
       medical_io::writeHandles(handlesOut_, played.ofSession
                                                 ? document::handleFile(*played.document->state().rig)
-                                                : document::handleFile(played.rig));
+                                                : document::handleFile(document::completed(played.rig)));
     if (landmarksOut_.empty())
       return;
     if (!played.retargeted)

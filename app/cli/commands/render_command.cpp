@@ -37,7 +37,7 @@ namespace {
 /// The contents of the given files.
 struct Contents {
   std::vector<document::Organ> organs;
-  std::optional<RigInput> rig;
+  std::optional<document::Rig> rig;
   std::optional<Points> pose;                     ///< Of the rig; none: at rest.
   std::shared_ptr<const document::ScanItem> scan; ///< Null: none was asked for, or there is none.
   std::vector<Text> warnings;
@@ -105,10 +105,10 @@ std::vector<std::shared_ptr<Values>> influencesOf(const Contents& contents, int 
                                                   const coordinates::CoordinateSystem& system,
                                                   const coordinates::BindOptions& options,
                                                   Progress& progress) {
+  const coordinates::HandleSet handles = document::handleSet(*contents.rig);
   std::vector<std::shared_ptr<Values>> influences;
   for (const document::Organ& organ : contents.organs) {
-    const auto binding =
-        deformation::bindOrgan(system, contents.rig->handles, organ.mesh->points, options, progress);
+    const auto binding = deformation::bindOrgan(system, handles, organ.mesh->points, options, progress);
     influences.push_back(std::make_shared<Values>(binding->influence(handle)));
   }
   return influences;
@@ -117,9 +117,10 @@ std::vector<std::shared_ptr<Values>> influencesOf(const Contents& contents, int 
 /// The organs and the handles in a pose.
 void showPose(StillOrgans& organs, const Contents& contents, const coordinates::CoordinateSystem& system,
               const coordinates::BindOptions& options, Progress& progress) {
+  const coordinates::HandleSet handles = document::handleSet(*contents.rig);
   for (std::size_t i = 0; i < contents.organs.size(); ++i) {
     auto points = std::make_shared<Points>();
-    live::bindMovable(contents.organs[i], system, contents.rig->handles, options, progress)
+    live::bindMovable(contents.organs[i], system, handles, options, progress)
         ->deform(*contents.pose, *points, options.threads);
     organs.setPoints(i, std::move(points));
   }
@@ -132,12 +133,12 @@ presentation::SurfaceMap stressOf(const StillOrgans& organs, const Contents& con
                                   const coordinates::CoordinateSystem& system,
                                   const coordinates::BindOptions& options, const std::string& colors,
                                   Progress& progress) {
+  const coordinates::HandleSet handles = document::handleSet(*contents.rig);
   presentation::SurfaceMap shown;
   shown.range = {0, 0};
   for (std::size_t i = 0; i < contents.organs.size(); ++i) {
     deformation::StressMap map;
-    deformation::bindWitnesses(system, contents.rig->handles, contents.organs[i].mesh->points, options,
-                               progress)
+    deformation::bindWitnesses(system, handles, contents.organs[i].mesh->points, options, progress)
         ->evaluate(*contents.pose, map, options.threads);
     auto degrees = std::make_shared<Values>(180 / std::numbers::pi * map.rotationalStress);
     shown.range.high = std::max(shown.range.high, degrees->maxCoeff());
@@ -257,13 +258,13 @@ public:
                     {"view", views_.front()},
                     {"views", views_},
                     {"organs", contents.organs.size()},
-                    {"handles", contents.rig ? contents.rig->labels.size() : 0}};
+                    {"handles", contents.rig ? contents.rig->handles.size() : 0}};
     scene::ValueRange range{0, 0};
     for (Shown& one : all) {
       if (influence_.empty())
         continue;
-      one.influences = influencesOf(contents, contents.rig->indexOf(influence_), *one.system, one.options,
-                                    context.progress);
+      one.influences = influencesOf(contents, rowOfHandle(*contents.rig, influence_), *one.system,
+                                    one.options, context.progress);
       Eigen::Index reached = 0, vertices = 0;
       for (const auto& values : one.influences) {
         range.low = std::min(range.low, values->minCoeff());
@@ -322,7 +323,7 @@ private:
     }
     if (!shown.influences.empty()) {
       map = influenceOf(shown, organs);
-      view.selection.handles = {organs.handle(contents.rig->indexOf(influence_))};
+      view.selection.handles = {organs.handle(rowOfHandle(*contents.rig, influence_))};
     }
     if (contents.pose) {
       Progress& progress = context.progress;

@@ -49,8 +49,7 @@ struct Measured {
 Measured measure(WitnessedOrgan interior, const BoundInput& input, Progress& progress) {
   Measured measured;
   measured.interior = std::move(interior);
-  input.system
-      ->bind(input.rig.handles, measured.mesh().points, deformation::withTetgen(input.options), progress)
+  input.system->bind(input.handles, measured.mesh().points, deformation::withTetgen(input.options), progress)
       ->deform(input.pose, measured.posed, input.options.threads);
   measured.interior.gradients->evaluate(input.pose, measured.map, input.options.threads);
   measured.statistics = deformation::statisticsOf(measured.map, measured.mesh().witnesses);

@@ -289,7 +289,8 @@ void TrackCommand::write(const live::PatientMotion& found) const {
                                {.name = organ.name});
   }
   if (!handlesOut_.empty())
-    medical_io::writeHandles(handlesOut_, document::handleFile(live::rigOf(found.sequence)));
+    medical_io::writeHandles(handlesOut_,
+                             document::handleFile(document::completed(live::rigOf(found.sequence))));
   live::writeSequence(output_, found.sequence);
 }
 

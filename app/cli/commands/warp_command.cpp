@@ -62,17 +62,18 @@ public:
     Outcome outcome;
     const auto system = system_.system(context);
     const coordinates::BindOptions options = system_.bindOptions(*system, context);
-    const RigInput rig = rigInput(handles_, outcome.warnings, system_.cage());
+    const document::Rig rig = rigInput(handles_, outcome.warnings, system_.cage());
+    const coordinates::HandleSet handles = document::handleSet(rig);
     const Points pose = poseInput(pose_, rig, outcome.warnings);
     const medical_io::ScanOrLabels image =
         medical_io::readScanOrLabels(scan_.file(), scan_.chosen(), context.progress, scan_.chosenPhase());
     const auto* labels = std::get_if<medical_io::LabelMap>(&image);
     const Vec3 spacing = labels ? labels->spacing() : std::get<medical_io::Scan>(image).spacing();
-    const deformation::InverseMap map(*system, rig.handles, pose, options, medical_io::warpOptions(spacing),
+    const deformation::InverseMap map(*system, handles, pose, options, medical_io::warpOptions(spacing),
                                       context.progress);
     const StiffOrgans stiff = stiffOrgans(labels, context);
     const auto bodies = live::stiffBodies(stiff, options.threads, context.progress);
-    poseBodies(stiff, {*system, rig.handles, options, pose}, map, *bodies, context.progress);
+    poseBodies(stiff, {*system, handles, options, pose}, map, *bodies, context.progress);
     const medical_io::Warp warp{map, *system, bodies->empty() ? nullptr : bodies.get()};
     Warped warped;
     if (labels)

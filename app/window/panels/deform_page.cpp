@@ -1,17 +1,25 @@
 #include "window/panels/deform_page.h"
 
 #include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QHBoxLayout>
 #include <QLabel>
+#include <QPushButton>
 #include <QSignalBlocker>
+
+#include <utility>
 
 #include "viscera/presentation/presenter.h"
 #include "window/language.h"
 #include "window/panels/position_box.h"
-#include "window/panels/volume_box.h"
 #include "window/timeline/volume_monitor.h"
+#include "window/widgets/ready_made.h"
 
 namespace viscera::app {
 namespace {
+
+constexpr double kSmallestTargetMl = 0.001;
+constexpr double kLargestTargetMl = 100000;
 
 /// "H-3, H-7", or how many there are when that would be long.
 QString namesOf(const document::Rig& rig, const std::vector<document::HandleId>& handles) {
@@ -26,6 +34,75 @@ QString namesOf(const document::Rig& rig, const std::vector<document::HandleId>&
 }
 
 } // namespace
+
+/// The controls that give the current organ a typed volume, or its volume at rest.
+class VolumeBox final : public QWidget {
+  Q_OBJECT
+
+public:
+  VolumeBox(Workspace& workspace, PoseEditor& poses, QWidget* parent = nullptr);
+
+  /// Shows the present volume, unless another one was typed.
+  void sync();
+
+private:
+  Workspace& workspace_;
+  PoseEditor& poses_;
+  QDoubleSpinBox* field_;
+  QPushButton* apply_;
+  document::OrganId shown_; ///< The organ whose volume the field shows.
+  bool typed_ = false;      ///< A number was typed and is not applied yet.
+};
+
+VolumeBox::VolumeBox(Workspace& workspace, PoseEditor& poses, QWidget* parent)
+    : QWidget(parent), workspace_(workspace), poses_(poses), field_(new QDoubleSpinBox(this)),
+      apply_(new QPushButton(tr("Apply"), this)) {
+  setObjectName(QStringLiteral("volumeBox"));
+  auto* row = makeLayout<QHBoxLayout>(this, 8);
+  auto* label = new QLabel(tr("Target"), this);
+  label->setObjectName(QStringLiteral("muted"));
+  label->setBuddy(field_);
+  field_->setObjectName(QStringLiteral("targetVolume"));
+  field_->setRange(kSmallestTargetMl, kLargestTargetMl);
+  field_->setDecimals(1);
+  field_->setSuffix(tr(" ml"));
+  field_->setButtonSymbols(QAbstractSpinBox::NoButtons);
+  field_->setAlignment(Qt::AlignRight);
+  field_->setKeyboardTracking(false);
+  field_->setAccessibleName(tr("Target volume"));
+  field_->setToolTip(tr("Give the organ this volume with the smallest motion of the compensating handles, or "
+                        "of all free ones"));
+  apply_->setObjectName(QStringLiteral("applyVolume"));
+  apply_->setToolTip(field_->toolTip());
+  row->addWidget(label);
+  row->addWidget(field_, 1);
+  row->addWidget(apply_);
+  connect(field_, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this, [this] { typed_ = true; });
+  connect(apply_, &QPushButton::clicked, this, [this] {
+    const auto organ = workspace_.currentOrgan();
+    if (organ && poses_.setVolume(organ->id, field_->value()) && organ->volumeLocked)
+      workspace_.note(tr("%1 now has the target volume; its lock keeps this volume from now on.")
+                          .arg(inWords(presentation::labelOf(*organ))));
+    apply_->setFocus();
+    typed_ = false;
+    sync();
+  });
+  sync();
+}
+
+void VolumeBox::sync() {
+  const auto organ = workspace_.currentOrgan();
+  const live::OrganVolume volume = organ ? workspace_.live().volume(organ->id) : live::OrganVolume();
+  setEnabled(volume.closed && organ && workspace_.live().deformer(organ->id));
+  const document::OrganId current = organ ? organ->id : document::OrganId();
+  if (std::exchange(shown_, current) != current)
+    typed_ = false;
+  if (typed_ || field_->hasFocus() || !volume.closed)
+    return;
+  const QSignalBlocker quiet(field_);
+  field_->setDecimals(volume.restMl < 10 ? 3 : 1);
+  field_->setValue(volume.nowMl);
+}
 
 DeformPage::DeformPage(const ModeParts& parts, const Actions& actions, QWidget* parent)
     : Page(parent), workspace_(parts.workspace), poses_(parts.poses), view_(parts.view) {
@@ -143,3 +220,5 @@ void DeformPage::syncHandles() {
 }
 
 } // namespace viscera::app
+
+#include "deform_page.moc"

@@ -98,7 +98,7 @@ bool StrainModel::posed() const {
   if (playback_.showing() || playback_.wantedPose() == live::WantedPose::rest)
     return false;
   const Points& pose = workspace_.document().pose();
-  const Points rest = document::handleSet(*workspace_.state().rig).positions;
+  const Points rest = workspace_.state().rig->restPositions();
   return pose.rows() == rest.rows() && pose != rest;
 }
 

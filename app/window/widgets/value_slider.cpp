@@ -3,15 +3,60 @@
 #include <QDoubleSpinBox>
 #include <QGridLayout>
 #include <QLabel>
+#include <QPainter>
 #include <QSignalBlocker>
 #include <QSlider>
+#include <QStyle>
 
+#include <algorithm>
 #include <cmath>
 
-#include "window/widgets/range_mark.h"
 #include "window/widgets/ready_made.h"
 
 namespace viscera::app {
+namespace {
+
+constexpr int kMarkHeight = 5;
+constexpr int kThickness = 3;
+constexpr double kNarrowestMark = 3;
+
+} // namespace
+
+/// A thin line under a slider that marks the normal part of its range.
+class RangeMark final : public QWidget {
+public:
+  explicit RangeMark(const QSlider& slider, QWidget* parent = nullptr);
+
+  /// Parts of the slider's range, 0 to 1.
+  void setPart(double from, double to);
+
+protected:
+  void paintEvent(QPaintEvent* event) override;
+
+private:
+  const QSlider& slider_;
+  double from_ = 0;
+  double to_ = 0;
+};
+
+RangeMark::RangeMark(const QSlider& slider, QWidget* parent) : QWidget(parent), slider_(slider) {
+  setFixedHeight(kMarkHeight);
+}
+
+void RangeMark::setPart(double from, double to) {
+  from_ = std::clamp(from, 0.0, 1.0);
+  to_ = std::clamp(to, from_, 1.0);
+  update();
+}
+
+/// The slider's grip keeps half its length from both ends.
+void RangeMark::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  const double inset = 0.5 * style()->pixelMetric(QStyle::PM_SliderLength, nullptr, &slider_);
+  const double length = width() - 2 * inset;
+  const QRectF part(inset + from_ * length, 0, std::max(kNarrowestMark, (to_ - from_) * length), kThickness);
+  painter.fillRect(part, palette().color(QPalette::Highlight));
+}
 
 ValueSlider::ValueSlider(const QString& name, const Range& range, QWidget* parent)
     : QWidget(parent), range_(range), slider_(new QSlider(Qt::Horizontal, this)),

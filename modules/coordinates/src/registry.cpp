@@ -4,7 +4,7 @@
 #include <set>
 #include <utility>
 
-#include "viscera/coordinates/built_in_systems.h"
+#include "viscera/coordinates/systems.h"
 #include "viscera/core/error.h"
 #include "viscera/core/phrase.h"
 

@@ -446,36 +446,32 @@ Command openCommand(Text name, OpenedFiles files, bool replacing, PlaceHandles p
           }};
 }
 
-NewRig rigFrom(const medical_io::HandleFile& file, const std::string& where) {
-  NewRig rig;
+Rig rigFrom(const medical_io::HandleFile& file, const std::string& where) {
+  Rig rig;
   std::map<std::tuple<double, double, double>, int> known;
   for (const medical_io::HandleGroupRecord& list : file.groups) {
-    NewGroup group{list.name, list.color, {}};
-    std::set<int> inList;
+    std::vector<int> rows;
     for (const medical_io::HandleRecord& record : list.handles) {
       const Vec3& p = record.position;
       const auto [found, isNew] =
           known.emplace(std::tuple(p.x(), p.y(), p.z()), static_cast<int>(rig.handles.size()));
       if (isNew)
-        rig.handles.push_back(
-            {p, std::nullopt, record.label, record.description, record.locked, record.visible});
-      if (!inList.insert(found->second).second)
+        rig.handles.push_back({HandleId{found->second + 1}, record.label, p, record.locked, record.visible,
+                               record.description});
+      if (std::find(rows.begin(), rows.end(), found->second) != rows.end())
         throw DataError("two handles are at one place",
                         phrase("%1, handles %2 and %3", where,
                                rig.handles[static_cast<std::size_t>(found->second)].label, record.label),
                         "remove one of them from the file");
-      group.handles.push_back(found->second);
+      rows.push_back(found->second);
     }
-    rig.groups.push_back(std::move(group));
+    rig.addGroup(list.name, list.color, rows);
   }
   if (rig.handles.size() < kFewestHandles)
     throw DataError(phrase("coordinates need at least four handles, there are %1", rig.handles.size()), where,
                     "add handles, or place them automatically");
-  Points positions(static_cast<Eigen::Index>(rig.handles.size()), 3);
-  for (std::size_t i = 0; i < rig.handles.size(); ++i)
-    positions.row(static_cast<Eigen::Index>(i)) = rig.handles[i].rest.transpose();
   try {
-    geometry::ConvexHull hull(positions);
+    geometry::ConvexHull hull(rig.restPositions());
   } catch (const DataError& error) {
     throw DataError(phrase("the handles enclose nothing: %1", error.problem()), where, error.tryThis());
   }
@@ -502,11 +498,6 @@ medical_io::HandleFile handleFile(const Rig& rig) {
   if (!others.handles.empty())
     file.groups.push_back(std::move(others));
   return file;
-}
-
-medical_io::HandleFile handleFile(const NewRig& rig) {
-  IdSource ids;
-  return handleFile(*replaceRig(rig).apply(DocumentState(), ids).rig);
 }
 
 Organ organFrom(const sample_organs::SampleSurface& surface, std::string name) {

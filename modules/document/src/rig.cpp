@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <map>
 #include <set>
+#include <utility>
 
+#include "viscera/core/error.h"
 #include "viscera/core/phrase.h"
 
 namespace viscera::document {
@@ -55,11 +57,34 @@ const Group* Rig::groupOf(HandleId id) const {
   return nullptr;
 }
 
+void Rig::addGroup(std::string name, const Vec3& color, const std::vector<int>& rows) {
+  GroupId last;
+  for (const Group& group : groups)
+    last = std::max(last, group.id);
+  Group added{GroupId{last.value + 1}, std::move(name), color, {}};
+  for (const int row : rows) {
+    if (row < 0 || static_cast<std::size_t>(row) >= handles.size())
+      throw UsageError(misuse("A group refers to a handle that does not exist"), added.name);
+    added.handles.push_back(handles[static_cast<std::size_t>(row)].id);
+  }
+  groups.push_back(std::move(added));
+}
+
 int Rig::cornerCount() const {
   std::set<HandleId> corners;
   for (const CageTriangle& triangle : cage)
     corners.insert(triangle.begin(), triangle.end());
   return static_cast<int>(corners.size());
+}
+
+Rig rigAt(const Points& positions) {
+  Rig rig;
+  for (Eigen::Index row = 0; row < positions.rows(); ++row) {
+    Handle& handle = rig.handles.emplace_back();
+    handle.id = HandleId{row + 1};
+    handle.rest = positions.row(row).transpose();
+  }
+  return rig;
 }
 
 Text describe(const Rig& rig, const std::vector<HandleId>& handles) {

@@ -1,6 +1,8 @@
 #include "viscera/document/rig_commands.h"
 
 #include <charconv>
+#include <map>
+#include <numeric>
 #include <set>
 #include <utility>
 
@@ -138,21 +140,40 @@ DocumentState withoutHandles(const DocumentState& state, const std::vector<Handl
   return edit::withRig(state, std::move(rig), std::move(pose));
 }
 
-DocumentState withNewRig(const DocumentState& state, const NewRig& replacement, IdSource& ids) {
+DocumentState withNewRig(const DocumentState& state, const Rig& replacement, IdSource& ids) {
   Rig rig;
   Points pose(0, 3);
-  const std::vector<HandleId> added = append(rig, pose, replacement.handles, ids);
-  for (const NewGroup& item : replacement.groups) {
+  std::vector<NewHandle> handles;
+  std::map<HandleId, Eigen::Index> rows;
+  for (const Handle& handle : replacement.handles) {
+    rows.emplace(handle.id, static_cast<Eigen::Index>(handles.size()));
+    handles.push_back(
+        {handle.rest, std::nullopt, handle.label, handle.description, handle.locked, handle.visible});
+  }
+  const std::vector<HandleId> added = append(rig, pose, handles, ids);
+  for (std::size_t i = 0; i < added.size(); ++i)
+    rig.handles[i].compensates = replacement.handles[i].compensates;
+  const auto rowOf = [&rows](HandleId id) {
+    const auto found = rows.find(id);
+    return found == rows.end() ? -1 : found->second;
+  };
+  for (const Group& item : replacement.groups) {
     Group group{ids.next<GroupId>(), freeGroupName(rig, item.name), item.color, {}};
-    const std::set<int> members(item.handles.begin(), item.handles.end());
-    for (const int index : members) {
-      if (index < 0 || index >= static_cast<int>(added.size()))
-        throw UsageError(misuse("A group refers to a handle that does not exist"), item.name);
-      group.handles.push_back(added[static_cast<std::size_t>(index)]);
-    }
+    std::set<Eigen::Index> members; // In the order of the rig.
+    for (const HandleId id : item.handles)
+      members.insert(rowOf(id));
+    if (members.contains(-1))
+      throw UsageError(misuse("A group refers to a handle that does not exist"), item.name);
+    for (const Eigen::Index row : members)
+      group.handles.push_back(added[static_cast<std::size_t>(row)]);
     rig.groups.push_back(std::move(group));
   }
-  rig.cage = edit::cageOf(rig, replacement.cage);
+  Triangles cage(static_cast<Eigen::Index>(replacement.cage.size()), 3);
+  for (Eigen::Index t = 0; t < cage.rows(); ++t)
+    for (int k = 0; k < 3; ++k)
+      cage(t, k) = static_cast<Triangles::Scalar>(
+          rowOf(replacement.cage[static_cast<std::size_t>(t)][static_cast<std::size_t>(k)]));
+  rig.cage = edit::cageOf(rig, cage);
   return edit::withRig(state, std::move(rig), std::move(pose));
 }
 
@@ -219,10 +240,15 @@ Command moveRestHandles(std::vector<HandleId> handles, Points positions) {
               const DocumentState& state, IdSource&) { return movedAtRest(state, handles, positions); }};
 }
 
-Command replaceRig(NewRig rig, Text name) {
+Command replaceRig(Rig rig, Text name) {
   return {std::move(name), [rig = std::move(rig)](const DocumentState& state, IdSource& ids) {
             return withNewRig(state, rig, ids);
           }};
+}
+
+Rig completed(const Rig& rig) {
+  IdSource ids;
+  return *replaceRig(rig).apply(DocumentState(), ids).rig;
 }
 
 Command editHandles(std::vector<HandleId> handles, HandleEdit change) {
@@ -284,20 +310,18 @@ void requireFits(const Rig& rig, const sequences::Sequence& sequence) {
           advice);
 }
 
-NewRig rigOf(const sequences::Sequence& sequence) {
-  NewRig rig;
-  rig.handles = newHandles(sequence.restHandles());
+Rig rigOf(const sequences::Sequence& sequence) {
+  Rig rig = rigAt(sequence.restHandles());
   for (const sequences::HandleGroup& group : sequence.groups()) {
-    rig.groups.push_back({group.name, group.color, group.handles});
+    rig.addGroup(group.name, group.color, group.handles);
     int number = 0;
     for (const int handle : group.handles)
       rig.handles[static_cast<std::size_t>(handle)].label = group.name + " " + std::to_string(++number);
   }
   if (rig.groups.empty()) {
-    NewGroup all{sequence.name().english(), {1.0, 0.5, 0.2}, {}};
-    for (std::size_t i = 0; i < rig.handles.size(); ++i)
-      all.handles.push_back(static_cast<int>(i));
-    rig.groups.push_back(std::move(all));
+    std::vector<int> all(rig.handles.size());
+    std::iota(all.begin(), all.end(), 0);
+    rig.addGroup(sequence.name().english(), {1.0, 0.5, 0.2}, all);
   }
   return rig;
 }

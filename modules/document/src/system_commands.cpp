@@ -23,7 +23,9 @@ DocumentState withCage(const DocumentState& state, const GivenCage& cage, IdSour
   }
   geometry::TriangleMesh outward = *cage.mesh;
   geometry::orientOutward(outward);
-  return replaceRig({newHandles(outward.points), {}, outward.triangles}).apply(state, ids);
+  Rig rig = rigAt(outward.points);
+  rig.cage = edit::cageOf(rig, outward.triangles);
+  return replaceRig(std::move(rig)).apply(state, ids);
 }
 
 } // namespace

@@ -12,14 +12,6 @@ constexpr double kSecondsOfMinute = 60;
 /// The cavity of the sample heart's left ventricle and that one's wall.
 constexpr const char *kLeftVentricle = "lv", *kOwnWall = "lv_wall";
 
-coordinates::HandleSet handlesOf(const SequenceFile& file) {
-  coordinates::HandleSet handles;
-  handles.positions = file.track.restHandles;
-  for (const sequences::HandleGroup& group : file.track.groups)
-    handles.groups.push_back({group.name, group.handles});
-  return handles;
-}
-
 } // namespace
 
 MovedOrgans movedOrgans(const SequenceFile& file, const coordinates::Registry& systems) {
@@ -28,7 +20,7 @@ MovedOrgans movedOrgans(const SequenceFile& file, const coordinates::Registry& s
                      "name one with --organ");
   MovedOrgans moved;
   moved.organs = file.organs;
-  moved.handles = handlesOf(file);
+  moved.handles = document::handleSet(rigOf(file));
   const document::SystemChoice choice = file.system.value_or(document::SystemChoice());
   moved.system = systems.find(choice.id);
   moved.parameters = choice.parameters;

@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 #include <utility>
 
 #include "tracked_volumes.h"
 #include "viscera/core/error.h"
 #include "viscera/core/phrase.h"
 #include "viscera/core/text.h"
+#include "viscera/document/rig.h"
 #include "viscera/geometry/volume.h"
 #include "viscera/medical_io/label_surfaces.h"
 #include "viscera/tracking/distance_fit.h"
@@ -80,52 +80,39 @@ std::vector<TriangleMesh> restSurfaces(const MotionSeries& series, const TrackOp
   return rest;
 }
 
-/// Handles with their labels and groups, made or given.
-struct Handles {
-  Points rest;
-  Eigen::Index corners = 0; ///< Of a box around everything, first.
-  std::vector<std::string> labels;
-  std::vector<sequences::HandleGroup> groups;
-};
-
-Handles madeHandles(const std::vector<TriangleMesh>& rest, const MotionSeries& series,
-                    const tracking::RigOptions& options) {
+/// Handles on and around the surfaces, those of the box first: a group for it and one for each surface.
+document::Rig madeRig(const std::vector<TriangleMesh>& rest, const MotionSeries& series,
+                      const tracking::RigOptions& options) {
   const tracking::RigHandles made = tracking::placeMotionHandles(rest, series.outer, options);
-  Handles handles;
-  handles.rest = made.rest;
-  handles.corners = kRigCorners;
-  handles.groups.push_back({"Box", {0.6, 0.6, 0.6}, {}});
-  for (std::size_t i = 0; i < series.names.size(); ++i)
-    handles.groups.push_back({series.names[i], groupColors()[i % groupColors().size()], {}});
-  for (Eigen::Index i = 0; i < made.rest.rows(); ++i) {
-    handles.labels.push_back("H-" + std::to_string(i + 1));
-    const auto group = static_cast<std::size_t>(made.ofSurface[static_cast<std::size_t>(i)] + 1);
-    handles.groups[group].handles.push_back(static_cast<int>(i));
+  document::Rig rig = document::rigAt(made.rest);
+  std::vector<std::vector<int>> rows(series.names.size() + 1);
+  for (std::size_t i = 0; i < rig.handles.size(); ++i) {
+    rig.handles[i].label = "H-" + std::to_string(i + 1);
+    rows[static_cast<std::size_t>(made.ofSurface[i] + 1)].push_back(static_cast<int>(i));
   }
-  return handles;
+  rig.addGroup("Box", {0.6, 0.6, 0.6}, rows[0]);
+  for (std::size_t i = 0; i < series.names.size(); ++i)
+    rig.addGroup(series.names[i], groupColors()[i % groupColors().size()], rows[i + 1]);
+  return rig;
 }
 
-/// Those of a file; one that several groups share comes once, in the first of them.
-Handles givenHandles(const medical_io::HandleFile& file) {
-  Handles handles;
-  std::set<std::string> seen;
-  std::vector<Vec3> places;
+/// The handles of a file; one that several groups share comes once, in the first of them.
+document::Rig givenRig(const medical_io::HandleFile& file) {
+  document::Rig rig;
   for (const medical_io::HandleGroupRecord& group : file.groups) {
-    sequences::HandleGroup& own = handles.groups.emplace_back();
-    own.name = group.name;
-    own.color = group.color;
-    for (const medical_io::HandleRecord& handle : group.handles) {
-      if (!seen.insert(handle.label).second)
+    std::vector<int> rows;
+    for (const medical_io::HandleRecord& record : group.handles) {
+      if (rig.indexOf(record.label) >= 0)
         continue;
-      own.handles.push_back(static_cast<int>(places.size()));
-      places.push_back(handle.position);
-      handles.labels.push_back(handle.label);
+      rows.push_back(static_cast<int>(rig.handles.size()));
+      document::Handle& handle = rig.handles.emplace_back();
+      handle.id.value = rows.back() + 1;
+      handle.label = record.label;
+      handle.rest = record.position;
     }
+    rig.addGroup(group.name, group.color, rows);
   }
-  handles.rest.resize(static_cast<Eigen::Index>(places.size()), 3);
-  for (std::size_t i = 0; i < places.size(); ++i)
-    handles.rest.row(static_cast<Eigen::Index>(i)) = places[i].transpose();
-  return handles;
+  return rig;
 }
 
 /// The targets of the surfaces in one phase.
@@ -238,17 +225,24 @@ private:
 };
 
 SequenceFile sequenceOf(const MotionSeries& series, const MotionRig& rig, const MotionFit& fit,
-                        const Handles& handles) {
+                        const document::Rig& handles) {
   SequenceFile file;
   file.track.name = "Measured";
   file.track.restHandles = rig.rest();
-  file.track.groups = handles.groups;
+  for (const document::Group& group : handles.groups) {
+    sequences::HandleGroup& rows = file.track.groups.emplace_back();
+    rows.name = group.name;
+    rows.color = group.color;
+    for (const document::HandleId id : group.handles)
+      rows.handles.push_back(handles.indexOf(id));
+  }
   file.track.periodSeconds = series.times.periodSeconds;
   file.track.loop = series.times.loop;
   file.track.interpolation = sequences::Interpolation::curve;
   for (std::size_t phase = 0; phase < fit.poses.size(); ++phase)
     file.track.keys.push_back({series.times.seconds[phase], fit.poses[phase], sequences::Easing::smooth});
-  file.labels = handles.labels;
+  for (const document::Handle& handle : handles.handles)
+    file.labels.push_back(handle.label);
   document::SystemChoice system;
   system.id = "s-celestial";
   system.parameters.set("locality", rig.locality());
@@ -320,12 +314,14 @@ PatientMotion trackMotion(const MotionSeries& series, const TrackOptions& option
   Progress quiet;
   const std::vector<TriangleMesh> rest = restSurfaces(series, options, motion.warnings, quiet, threads);
   progress.throwIfCancelled();
-  const Handles handles =
-      options.handles ? givenHandles(*options.handles) : madeHandles(rest, series, options.rig);
+  const document::Rig handles =
+      options.handles ? givenRig(*options.handles) : madeRig(rest, series, options.rig);
+  const Eigen::Index corners = options.handles ? 0 : kRigCorners;
   std::optional<MotionRig> rig;
   runPart(progress, 0.02, 0.1, [&](Progress& part) {
-    rig.emplace(rest, handles.rest, options.rig.locality,
-                tracking::softnessFor(handles.rest, handles.corners, options.rig.softness), part, threads);
+    const Points places = handles.restPositions();
+    rig.emplace(rest, places, options.rig.locality,
+                tracking::softnessFor(places, corners, options.rig.softness), part, threads);
   });
   MotionFit fit;
   runPart(progress, 0.1, 0.85, [&](Progress& part) { fit = fitted(series, *rig, options, part, threads); });

@@ -6,7 +6,7 @@
 
 #include <Eigen/Geometry>
 
-#include "viscera/coordinates/built_in_systems.h"
+#include "viscera/coordinates/systems.h"
 #include "viscera/core/error.h"
 #include "viscera/core/phrase.h"
 #include "viscera/deformation/place_handles.h"

@@ -292,13 +292,12 @@ SequenceFile sequenceFile(const document::DocumentState& state) {
   return file;
 }
 
-document::NewRig rigOf(const SequenceFile& sequence) {
-  document::NewRig rig;
-  rig.handles = document::newHandles(sequence.track.restHandles);
+document::Rig rigOf(const SequenceFile& sequence) {
+  document::Rig rig = document::rigAt(sequence.track.restHandles);
   for (std::size_t i = 0; i < rig.handles.size(); ++i)
     rig.handles[i].label = sequence.labels[i];
   for (const sequences::HandleGroup& group : sequence.track.groups)
-    rig.groups.push_back({group.name, group.color, group.handles});
+    rig.addGroup(group.name, group.color, group.handles);
   return rig;
 }
 

@@ -4,7 +4,7 @@
 #include "charts.h"
 #include "figures.h"
 #include "timing.h"
-#include "viscera/coordinates/celestial/s_celestial.h"
+#include "viscera/coordinates/systems.h"
 #include "viscera/core/text.h"
 #include "viscera/deformation/bind_organ.h"
 #include "viscera/deformation/place_handles.h"
@@ -32,7 +32,7 @@ VolumeCost volumeCost(const std::string& organ, const Bench& bench, Progress& pr
   coordinates::BindOptions options;
   options.threads = bench.threads;
   const auto binding =
-      deformation::bindOrgan(coordinates::SCelestial(), handles, mesh->points, options, progress);
+      deformation::bindOrgan(*coordinates::sCelestial(), handles, mesh->points, options, progress);
   Points pose = handles.positions, points, ofPoints, ofHandles;
   pose.row(12) += Eigen::RowVector3d(9, -4, 6);
   binding->deform(pose, points, bench.threads);

@@ -234,6 +234,22 @@ TEST_F(CliPlay, HandlesComeBackFromTheirFileInTheirGroups) {
       {"play", "heartbeat", "--organ", "sample:heart@low", "--fps", "5", "--handles", path("h.mrk.json")});
 }
 
+TEST_F(CliPlay, NamesTheHandleThatIsNotAtItsPlace) {
+  const std::vector<std::string> breathing{"play", "breathing", "--organ", "sample:liver@low", "--fps", "2"};
+  auto arguments = breathing;
+  arguments.insert(arguments.end(), {"--write-handles", path("own.mrk.json")});
+  runJson(arguments);
+  json moved = json::parse(contents(path("own.mrk.json")));
+  json& handle = moved["markups"][0]["controlPoints"][2];
+  handle["position"][0] = handle["position"][0].get<double>() + 5;
+  arguments = breathing;
+  arguments.insert(arguments.end(), {"--handles", put("moved.mrk.json", moved.dump())});
+  const test::ProcessResult said = run(arguments);
+  EXPECT_EQ(said.exitCode, kBadData);
+  EXPECT_NE(said.err.find("handle " + handle["label"].get<std::string>() + ":"), std::string::npos)
+      << said.err;
+}
+
 TEST_F(CliPlay, SaysFirstThatAMotionIsNotMadeForTheOrgan) {
   const json liver = runJson({"play", "heartbeat", "--organ", "sample:liver@low", "--fps", "2"});
   ASSERT_FALSE(liver["warnings"].empty());

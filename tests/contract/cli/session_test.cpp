@@ -19,10 +19,12 @@ protected:
     document::Document document;
     document::UndoStack undo(document);
     undo.perform(document::addOrgans({{document::readOrgan(path("cube.off")), -1}}));
-    document::NewRig rig;
-    for (const auto& corner : corners(20))
-      rig.handles.push_back({Vec3(corner[0], corner[1], corner[2])});
-    rig.groups.push_back({"All", Vec3(1, 0.5, 0), {0, 1, 2, 3, 4, 5, 6, 7}});
+    Points places(8, 3);
+    for (Eigen::Index i = 0; i < 8; ++i)
+      for (Eigen::Index axis = 0; axis < 3; ++axis)
+        places(i, axis) = corners(20)[static_cast<std::size_t>(i)][static_cast<std::size_t>(axis)];
+    document::Rig rig = document::rigAt(places);
+    rig.addGroup("All", Vec3(1, 0.5, 0), {0, 1, 2, 3, 4, 5, 6, 7});
     undo.perform(document::replaceRig(rig));
     contents_.state = document.state();
     write("rest.viscera");

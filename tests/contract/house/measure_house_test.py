@@ -10,6 +10,10 @@ SCRIPT = source / "resources/scripts/measure_house.py"
 
 FILES = {
     "app/main.cpp": 'int main() {\n  return name == "liver" || "LV" == name;\n}\n',
+    "app/window/panel.h": '#include <QWidget>\nclass Panel final : public QObject {\n};\n',
+    "app/window/a/model.h": '#include "window/b/part.h"\n/// Of the model.\nclass Model : public Base, public QObject {\n};\n',
+    "app/window/b/part.h": '#include "window/a/model.h"\n',
+    "app/window/b/part.cpp": '#include "window/b/part.h"\n#include "window/panel.h"\n// A part.\n// It draws.\n',
     "modules/core/CMakeLists.txt": "viscera_module(core STRATUM numbers)\n",
     "modules/core/include/viscera/core/arrays.h": '#include "viscera/scene/actor.h"\n',
     "modules/motion/heart/CMakeLists.txt": "viscera_module(heart STRATUM numbers)\n",
@@ -28,7 +32,10 @@ FILES = {
 EXPECTED = {
     "modules": 3, "arrows between modules": 3, "arrows in cycles": 3, "arrows upward": 1, "casts to a concrete sequence": 1,
     "files that know organs by their name": 2, "colours of a liver": 2, "translated texts": 3, "files of PhraseTranslator": 0,
-    "functions": 3, "functions too long": 1, "files": 6, "files too long": 0,
+    "functions": 3, "functions too long": 1, "files": 10, "files too long": 0,
+    "lines": 115, "headers of the window with one includer": 3, "objects of the window without a widget": 1,
+    "folders of the window in a knot": 2, "comments in sources, per mille of lines": 20,
+    "lines of the median comment in sources": 2, "comments that open without their subject": 1,
 }
 
 

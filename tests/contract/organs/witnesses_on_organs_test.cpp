@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "build_paths.h"
-#include "viscera/coordinates/celestial/s_celestial.h"
+#include "viscera/coordinates/systems.h"
 #include "viscera/deformation/witness_gradients.h"
 #include "viscera/geometry/surface_check.h"
 #include "viscera/live/witness_sampling.h"
@@ -35,7 +35,7 @@ void expectAUsableMap(const geometry::TriangleMesh& organ, WitnessOrigin worst) 
   for (int i = 0; i < 8; ++i)
     handles.positions.row(i) << (i & 1 ? high : low)[0], (i & 2 ? high : low)[1], (i & 4 ? high : low)[2];
   const auto gradients =
-      deformation::bindWitnesses(coordinates::SCelestial(), handles, sample.mesh->points, {}, progress);
+      deformation::bindWitnesses(*coordinates::sCelestial(), handles, sample.mesh->points, {}, progress);
   EXPECT_TRUE(gradients->failures().empty());
   Points pose = handles.positions;
   pose.row(7) += 0.3 * (high - low).transpose();

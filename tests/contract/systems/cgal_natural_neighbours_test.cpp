@@ -10,7 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "clouds.h"
-#include "viscera/coordinates/classical/natural_neighbours.h"
+#include "viscera/coordinates/systems.h"
 #include "viscera/geometry/convex_hull.h"
 
 namespace viscera::coordinates {
@@ -54,7 +54,7 @@ TEST(NaturalNeighboursOracle, AgreeWithCgalOnRandomClouds) {
         points.row(inside++) = points.row(i);
     ASSERT_GT(inside, 100);
     Progress progress;
-    const auto binding = NaturalNeighbours().bind(handles, points.topRows(inside), {}, progress);
+    const auto binding = naturalNeighbours()->bind(handles, points.topRows(inside), {}, progress);
     ASSERT_TRUE(binding->report().failures.empty());
     std::vector<Values> ours;
     for (int i = 0; i < count; ++i)

@@ -10,7 +10,7 @@
 
 #include "clouds.h"
 #include "promises.h"
-#include "viscera/coordinates/built_in_systems.h"
+#include "viscera/coordinates/systems.h"
 #include "viscera/core/error.h"
 #include "viscera/deformation/tetrahedralise.h"
 #include "viscera/deformation/witness_gradients.h"
@@ -30,7 +30,7 @@ std::vector<System> systems() {
     if (const Traits traits = system->traits();
         traits.positive && traits.everywhere && traits.continuous && traits.affine && !traits.needsCage)
       inner.push_back(system);
-  all.push_back(std::make_shared<localised_scc::LocalisedSCelestial>(inner));
+  all.push_back(localised_scc::localisedSCelestial(inner));
   return all;
 }
 

@@ -2,8 +2,7 @@
 
 #include "build_paths.h"
 #include "shared_organs.h"
-#include "viscera/coordinates/celestial/s_celestial.h"
-#include "viscera/coordinates/celestial/t_celestial.h"
+#include "viscera/coordinates/systems.h"
 #include "viscera/deformation/bind_organ.h"
 #include "viscera/deformation/place_handles.h"
 
@@ -12,7 +11,7 @@
 namespace viscera::coordinates {
 namespace {
 
-class BunnyTest : public testing::TestWithParam<std::shared_ptr<const CelestialSystem>> {
+class BunnyTest : public testing::TestWithParam<std::shared_ptr<const CoordinateSystem>> {
 protected:
   void SetUp() override {
     const auto bunny = tests::bunny(VISCERA_SHARED_ORGANS);
@@ -59,8 +58,7 @@ TEST_P(BunnyTest, IsBoundBitwiseTheSameByAnyNumberOfThreads) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Systems, BunnyTest,
-                         testing::Values(std::make_shared<SCelestial>(), std::make_shared<TCelestial>()),
+INSTANTIATE_TEST_SUITE_P(Systems, BunnyTest, testing::Values(sCelestial(), tCelestial()),
                          [](const auto& each) { return each.param->id().substr(0, 1) + "Celestial"; });
 
 } // namespace viscera::coordinates

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "clouds.h"
-#include "viscera/coordinates/mean_value/mean_value.h"
+#include "viscera/coordinates/systems.h"
 #include "viscera/geometry/convex_hull.h"
 
 namespace viscera::coordinates {
@@ -20,7 +20,7 @@ TEST(MeanValueOracle, AgreesWithVtkInsideACage) {
   handles.cage = geometry::ConvexHull(handles.positions).triangles();
   const Points points = tests::cloud(1000, 4, 25);
   Progress progress;
-  const auto binding = MeanValue().bind(handles, points, {}, progress);
+  const auto binding = meanValue()->bind(handles, points, {}, progress);
 
   vtkNew<vtkPoints> corners;
   corners->SetDataTypeToDouble();

@@ -1,13 +1,12 @@
 #include <gtest/gtest.h>
 
 #include "clouds.h"
-#include "viscera/coordinates/celestial/s_celestial.h"
-#include "viscera/coordinates/celestial/t_celestial.h"
+#include "viscera/coordinates/systems.h"
 
 namespace viscera::coordinates {
 namespace {
 
-using System = std::shared_ptr<const CelestialSystem>;
+using System = std::shared_ptr<const CoordinateSystem>;
 
 /// A system with a locality and a softness (mm).
 class CelestialGradientsTest : public testing::TestWithParam<std::tuple<System, double, double>> {
@@ -19,7 +18,7 @@ protected:
     options_.parameters.set("softness", softness);
   }
 
-  const CelestialSystem& system() const { return *std::get<0>(GetParam()); }
+  const CoordinateSystem& system() const { return *std::get<0>(GetParam()); }
 
   HandleSet handles_;
   BindOptions options_;
@@ -80,8 +79,7 @@ TEST_P(CelestialGradientsTest, AtAHandleExistWithSoftnessOnly) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Systems, CelestialGradientsTest,
-                         testing::Combine(testing::Values(System(std::make_shared<SCelestial>()),
-                                                          System(std::make_shared<TCelestial>())),
+                         testing::Combine(testing::Values(sCelestial(), tCelestial()),
                                           testing::Values(0.0, 2.5), testing::Values(0.0, 12.0)));
 
 } // namespace viscera::coordinates

@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "clouds.h"
-#include "viscera/coordinates/celestial/s_celestial.h"
-#include "viscera/coordinates/celestial/t_celestial.h"
+#include "viscera/coordinates/celestial/celestial_solution.h"
+#include "viscera/coordinates/systems.h"
 
 /// Where the convex problem is at its limits: at handles, on the hull's boundary, outside it, and for extreme
 /// values.
@@ -14,11 +14,13 @@ namespace {
 
 constexpr double kSize = 200; ///< Diagonal of the handles, mm, roughly.
 
-class CelestialLimitsTest : public testing::TestWithParam<std::shared_ptr<const CelestialSystem>> {
+using FunctionOf = const CelestialFunction& (*)();
+
+class CelestialLimitsTest : public testing::TestWithParam<FunctionOf> {
 protected:
   CelestialSolution<3> solve(const Points& points, const CelestialOptions& options = {}) const {
     Progress progress;
-    return GetParam()->solve<3>(handles_, points, options, progress);
+    return solveCelestial<3>(GetParam()(), handles_, points, options, progress);
   }
 
   /// Every point is bound: positive, sums of one, and reproduced to `tolerance` of the size.
@@ -179,7 +181,7 @@ TEST_P(CelestialLimitsTest, SizeAndPlaceOfTheSceneDoNotMatter) {
   Progress progress;
   for (const double scale : {1e-6, 1e-3, 1e3, 1e6}) {
     SCOPED_TRACE(scale);
-    const auto scaled = GetParam()->solve<3>(scale * handles_, scale * inside, {}, progress);
+    const auto scaled = solveCelestial<3>(GetParam()(), scale * handles_, scale * inside, {}, progress);
     ASSERT_TRUE(scaled.failures.empty());
     for (Eigen::Index point = 0; point < inside.rows(); ++point)
       for (Eigen::Index handle = 0; handle < handles_.rows(); ++handle)
@@ -192,14 +194,16 @@ TEST_P(CelestialLimitsTest, ManyHandlesAreNoTrouble) {
   const Points handles = tests::onSphere(2000, 100), points = tests::cloud(200, 8, 50);
   HandleSet set;
   set.positions = handles;
-  const auto binding = GetParam()->bind(set, points, {}, progress);
+  const auto system = GetParam() == sFunction ? sCelestial() : tCelestial();
+  const auto binding = system->bind(set, points, {}, progress);
   EXPECT_TRUE(binding->report().failures.empty());
   EXPECT_LT(binding->report().identityError, 1e-12 * kSize);
   EXPECT_GT(binding->report().minWeight, 0);
 }
 
-INSTANTIATE_TEST_SUITE_P(Systems, CelestialLimitsTest,
-                         testing::Values(std::make_shared<SCelestial>(), std::make_shared<TCelestial>()),
-                         [](const auto& each) { return each.param->id().substr(0, 1) + "Celestial"; });
+INSTANTIATE_TEST_SUITE_P(Systems, CelestialLimitsTest, testing::Values(sFunction, tFunction),
+                         [](const auto& each) {
+                           return each.param == sFunction ? "sCelestial" : "tCelestial";
+                         });
 
 } // namespace viscera::coordinates

@@ -4,17 +4,19 @@
 #include <gtest/gtest.h>
 
 #include "clouds.h"
-#include "viscera/coordinates/celestial/s_celestial.h"
-#include "viscera/coordinates/celestial/t_celestial.h"
+#include "viscera/coordinates/celestial/celestial_solution.h"
+#include "viscera/coordinates/systems.h"
 #include "viscera/core/error.h"
 
 namespace viscera::coordinates {
 namespace {
 
-CelestialSolution<3> solve(const CelestialSystem& system, const Points& handles, const Points& points,
+using FunctionOf = const CelestialFunction& (*)();
+
+CelestialSolution<3> solve(FunctionOf function, const Points& handles, const Points& points,
                            const CelestialOptions& options = {}) {
   Progress progress;
-  return system.solve<3>(handles, points, options, progress);
+  return solveCelestial<3>(function(), handles, points, options, progress);
 }
 
 Values row(const TiledWeights& weights, Eigen::Index point) {
@@ -36,7 +38,7 @@ double effectiveHandles(const Values& weights) {
 
 TEST(SCelestial, SolvesTheThesisEquationForAnyLambda) {
   const Points handles = tests::onSphere(15, 40), points = tests::cloud(50, 1, 20);
-  const auto solution = solve(SCelestial(), handles, points);
+  const auto solution = solve(sFunction, handles, points);
   for (const double lambda : {1.0, 7.3}) {
     for (Eigen::Index point = 0; point < points.rows(); ++point) {
       // Back from x to the thesis's c: x = c / s with s^2 = lambda^2 + 2 lambda |c|.
@@ -66,18 +68,18 @@ TEST(SCelestial, AcceptsLambdaAndIsNotChangedByIt) {
   const Points points = tests::cloud(100, 2, 10);
   Progress progress;
   BindOptions options;
-  const auto plain = SCelestial().bind(handles, points, options, progress);
+  const auto plain = sCelestial()->bind(handles, points, options, progress);
   options.parameters.set("lambda", 7.3);
-  const auto other = SCelestial().bind(handles, points, options, progress);
+  const auto other = sCelestial()->bind(handles, points, options, progress);
   for (int handle = 0; handle < 12; ++handle)
     EXPECT_EQ(plain->influence(handle), other->influence(handle));
   options.parameters.set("lambda", 0.5);
-  EXPECT_THROW(SCelestial().bind(handles, points, options, progress), UsageError);
+  EXPECT_THROW(sCelestial()->bind(handles, points, options, progress), UsageError);
 }
 
 TEST(TCelestial, SolvesTheThesisEquation) {
   const Points handles = tests::onSphere(15, 40), points = tests::cloud(50, 1, 20);
-  const auto solution = solve(TCelestial(), handles, points);
+  const auto solution = solve(tFunction, handles, points);
   for (Eigen::Index point = 0; point < points.rows(); ++point) {
     Vec3 sum = Vec3::Zero();
     Values weights(handles.rows());
@@ -94,7 +96,7 @@ TEST(TCelestial, SolvesTheThesisEquation) {
   }
 }
 
-class CelestialTest : public testing::TestWithParam<std::shared_ptr<const CelestialSystem>> {};
+class CelestialTest : public testing::TestWithParam<FunctionOf> {};
 
 TEST_P(CelestialTest, ReproducesPointsOfThePlane) {
   PointsOf<2> handles(9, 2), points(200, 2);
@@ -103,7 +105,7 @@ TEST_P(CelestialTest, ReproducesPointsOfThePlane) {
   Progress progress;
   for (const CelestialOptions& options :
        {CelestialOptions{}, CelestialOptions{2, 0, {}}, CelestialOptions{3, 4, {}}}) {
-    const auto solution = GetParam()->solve<2>(handles, points, options, progress);
+    const auto solution = solveCelestial<2>(GetParam()(), handles, points, options, progress);
     ASSERT_TRUE(solution.failures.empty());
     for (Eigen::Index point = 0; point < points.rows(); ++point) {
       const Values weights = row(solution.weights, point);
@@ -119,7 +121,7 @@ TEST_P(CelestialTest, OnATriangleIsBarycentric) {
   handles << 0, 0, 4, 0, 0, 2;
   points << 1, 0.5, 0.1, 1.7;
   Progress progress;
-  const auto solution = GetParam()->solve<2>(handles, points, {}, progress);
+  const auto solution = solveCelestial<2>(GetParam()(), handles, points, {}, progress);
   for (Eigen::Index point = 0; point < 2; ++point) {
     EXPECT_NEAR(solution.weights(point, 1), points(point, 0) / 4, 1e-13);
     EXPECT_NEAR(solution.weights(point, 2), points(point, 1) / 2, 1e-13);
@@ -129,10 +131,10 @@ TEST_P(CelestialTest, OnATriangleIsBarycentric) {
 TEST_P(CelestialTest, GivesAPointTheSameBitsInAnyCompany) {
   const Points handles = tests::onSphere(20, 50), points = tests::cloud(203, 5, 28);
   const CelestialOptions options{1.5, 0, {}};
-  const auto all = solve(*GetParam(), handles, points, options);
+  const auto all = solve(GetParam(), handles, points, options);
   for (const Eigen::Index first : {1, 57, 190}) {
     const Points some = points.middleRows(first, 13);
-    const auto alone = solve(*GetParam(), handles, some, options);
+    const auto alone = solve(GetParam(), handles, some, options);
     for (Eigen::Index point = 0; point < some.rows(); ++point)
       EXPECT_EQ(row(alone.weights, point), row(all.weights, first + point)) << first + point;
   }
@@ -145,7 +147,7 @@ TEST_P(CelestialTest, LocalityConcentratesTheInfluence) {
   const Points points = tests::cloud(100, 6, 30);
   double previous = 39;
   for (const double locality : {0.0, 1.0, 2.0, 3.0, 4.5, 6.0}) {
-    const auto solution = solve(*GetParam(), handles, points, {locality, 0, {}});
+    const auto solution = solve(GetParam(), handles, points, {locality, 0, {}});
     double mean = 0;
     for (Eigen::Index point = 0; point < points.rows(); ++point)
       mean += effectiveHandles(row(solution.weights, point)) / static_cast<double>(points.rows());
@@ -163,7 +165,7 @@ TEST_P(CelestialTest, SoftnessTakesTheKinkAtAHandleAway) {
     Points line(3, 3);
     for (int i = 0; i < 3; ++i)
       line.row(i) = handles.row(12) + (i - 1) * h * Eigen::RowVector3d(1, 0, 0);
-    const auto solution = solve(*GetParam(), handles, line, {0, softness, {}});
+    const auto solution = solve(GetParam(), handles, line, {0, softness, {}});
     const double left = solution.weights(1, 12) - solution.weights(0, 12);
     const double right = solution.weights(2, 12) - solution.weights(1, 12);
     return std::abs(right - left) / h;
@@ -176,7 +178,7 @@ TEST_P(CelestialTest, ReportsProgressAndStopsWhenCancelled) {
   const Points handles = tests::onSphere(20, 50), points = tests::cloud(20000, 5, 28);
   double last = 0;
   Progress whole([&](double fraction, const Text&) { last = fraction; });
-  GetParam()->solve<3>(handles, points, {0, 0, {2}}, whole);
+  solveCelestial<3>(GetParam()(), handles, points, {0, 0, {2}}, whole);
   EXPECT_EQ(last, 1);
 
   std::atomic<int> reports{0};
@@ -184,12 +186,12 @@ TEST_P(CelestialTest, ReportsProgressAndStopsWhenCancelled) {
     ++reports;
     cancelled.cancel();
   });
-  EXPECT_THROW(GetParam()->solve<3>(handles, points, {0, 0, {2}}, cancelled), Cancelled);
+  EXPECT_THROW(solveCelestial<3>(GetParam()(), handles, points, {0, 0, {2}}, cancelled), Cancelled);
   EXPECT_LT(reports, 5) << "the work went on after it was cancelled";
 }
 
-INSTANTIATE_TEST_SUITE_P(Systems, CelestialTest,
-                         testing::Values(std::make_shared<SCelestial>(), std::make_shared<TCelestial>()),
-                         [](const auto& each) { return each.param->id().substr(0, 1) + "Celestial"; });
+INSTANTIATE_TEST_SUITE_P(Systems, CelestialTest, testing::Values(sFunction, tFunction), [](const auto& each) {
+  return each.param == sFunction ? "sCelestial" : "tCelestial";
+});
 
 } // namespace viscera::coordinates

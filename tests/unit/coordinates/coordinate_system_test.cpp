@@ -10,8 +10,8 @@
 #include <gtest/gtest.h>
 
 #include "clouds.h"
-#include "viscera/coordinates/built_in_systems.h"
 #include "viscera/coordinates/pointwise_system.h"
+#include "viscera/coordinates/systems.h"
 #include "viscera/coordinates/weights_binding.h"
 
 namespace viscera::coordinates {

@@ -8,7 +8,7 @@
 
 #include "clouds.h"
 #include "shapes.h"
-#include "viscera/coordinates/built_in_systems.h"
+#include "viscera/coordinates/systems.h"
 
 namespace viscera::coordinates {
 namespace {

@@ -1,4 +1,4 @@
-#include "viscera/coordinates/mean_value/mean_value.h"
+#include "viscera/coordinates/systems.h"
 
 #include <algorithm>
 #include <cmath>
@@ -65,7 +65,7 @@ Points pointsIn(const HandleSet& handles, int count, unsigned seed, double depth
 
 std::unique_ptr<Binding> bind(const HandleSet& handles, const Points& points) {
   Progress progress;
-  return MeanValue().bind(handles, points, {}, progress);
+  return meanValue()->bind(handles, points, {}, progress);
 }
 
 Eigen::MatrixXd weightsAt(const HandleSet& handles, const Points& points) {
@@ -180,7 +180,7 @@ Eigen::MatrixXd differences(const HandleSet& handles, const Eigen::RowVector3d& 
 
 void expectSlopes(const HandleSet& handles, const Points& points, double step) {
   Progress progress;
-  const auto gradients = MeanValue().gradients(handles, points, {}, progress);
+  const auto gradients = meanValue()->gradients(handles, points, {}, progress);
   ASSERT_TRUE(gradients.closedForm);
   ASSERT_TRUE(gradients.failures.empty());
   const Eigen::Index count = handles.positions.rows();
@@ -224,7 +224,7 @@ TEST(MeanValueGradients, DoNotExistOnTheCage) {
   const HandleSet handles = sphereCage();
   Progress progress;
   const Points corner = handles.positions.row(4);
-  EXPECT_EQ(MeanValue().gradients(handles, corner, {}, progress).failures, std::vector<int>{0});
+  EXPECT_EQ(meanValue()->gradients(handles, corner, {}, progress).failures, std::vector<int>{0});
 }
 
 } // namespace

@@ -3,8 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "clouds.h"
-#include "viscera/coordinates/built_in_systems.h"
-#include "viscera/coordinates/celestial/s_celestial.h"
+#include "viscera/coordinates/systems.h"
 #include "viscera/coordinates/weights_binding.h"
 
 /// Coordinates that are kept in single precision, as those of large organs are.
@@ -65,7 +64,7 @@ TEST(SinglePrecision, IsChosenByTheSizeOfTheMatrix) {
 
 TEST(SinglePrecision, KeepsWeightsAndTheirSums) {
   const LargeOrgan scene;
-  const auto exact = bindIn(SCelestial(), scene, false), rounded = bindIn(SCelestial(), scene, true);
+  const auto exact = bindIn(*sCelestial(), scene, false), rounded = bindIn(*sCelestial(), scene, true);
   const TiledWeights &a = weightsOf(*exact), &b = weightsOf(*rounded);
   ASSERT_FALSE(a.single());
   ASSERT_TRUE(b.single());
@@ -88,7 +87,7 @@ TEST(SinglePrecision, KeepsWeightsAndTheirSums) {
 TEST(SinglePrecision, PosesTheSameNearAndFarFromTheOrigin) {
   for (const Vec3& at : {Vec3(0, 0, 0), Vec3(2e5, -3e5, 1e5)}) {
     const LargeOrgan scene(at);
-    const auto exact = bindIn(SCelestial(), scene, false), rounded = bindIn(SCelestial(), scene, true);
+    const auto exact = bindIn(*sCelestial(), scene, false), rounded = bindIn(*sCelestial(), scene, true);
     const Points pose = bentPose(scene.handles.positions);
     Points a, b;
     exact->deform(pose, a);
@@ -111,7 +110,7 @@ TEST(SinglePrecision, PosesTheSameNearAndFarFromTheOrigin) {
 /// What a pose does along a handle is what dragging that handle does, and the gradient is its transpose.
 TEST(SinglePrecision, IsOneMatrixForPosesDragsAndGradients) {
   const LargeOrgan scene;
-  const auto binding = bindIn(SCelestial(), scene, true);
+  const auto binding = bindIn(*sCelestial(), scene, true);
   const Points pose = bentPose(scene.handles.positions);
   const Vec3 delta(5, -6, 7);
   Points moved = pose;
@@ -131,13 +130,13 @@ TEST(SinglePrecision, IsOneMatrixForPosesDragsAndGradients) {
 
 TEST(SinglePrecision, GivesTheSameBitsForAnyNumberOfThreads) {
   const LargeOrgan scene(Vec3(1e4, 0, 0));
-  const auto one = bindIn(SCelestial(), scene, true, 1);
+  const auto one = bindIn(*sCelestial(), scene, true, 1);
   const Points pose = bentPose(scene.handles.positions), gradient = tests::cloud(3001, 9);
   Points points, pulled;
   one->deform(pose, points, {1});
   one->pullBack(pose, gradient, pulled, {1});
   for (const int threads : {2, 3}) {
-    const auto more = bindIn(SCelestial(), scene, true, threads);
+    const auto more = bindIn(*sCelestial(), scene, true, threads);
     expectSameReport(more->report(), one->report());
     Points otherPoints, otherPulled;
     more->deform(pose, otherPoints, {threads});
@@ -153,7 +152,7 @@ TEST(SinglePrecision, GivesTheSameBitsForAnyNumberOfThreads) {
 /// same to the bit.
 TEST(SinglePrecision, ReportSaysHowExactItIs) {
   const LargeOrgan scene(Vec3(2e5, 0, 0));
-  const auto exact = bindIn(SCelestial(), scene, false), rounded = bindIn(SCelestial(), scene, true);
+  const auto exact = bindIn(*sCelestial(), scene, false), rounded = bindIn(*sCelestial(), scene, true);
   EXPECT_TRUE(exact->report().notes.empty());
   ASSERT_EQ(rounded->report().notes.size(), 1u);
   EXPECT_NE(rounded->report().notes.front().english().find("single precision"), std::string::npos);

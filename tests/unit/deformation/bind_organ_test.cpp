@@ -5,8 +5,7 @@
 
 #include "concave_cage.h"
 #include "shapes.h"
-#include "viscera/coordinates/celestial/s_celestial.h"
-#include "viscera/coordinates/green/green_coordinates.h"
+#include "viscera/coordinates/systems.h"
 #include "viscera/core/error.h"
 #include "viscera/deformation/place_handles.h"
 
@@ -24,7 +23,7 @@ coordinates::HandleSet handlesAt(const Points& positions) {
 TEST(BindOrgan, AcceptsAnOrganInsideItsHandles) {
   const auto organ = tests::sphere(3, 40);
   Progress progress;
-  const auto binding = bindOrgan(coordinates::SCelestial(), handlesAt(enclosingHandles(organ.points)),
+  const auto binding = bindOrgan(*coordinates::sCelestial(), handlesAt(enclosingHandles(organ.points)),
                                  organ.points, {}, progress);
   EXPECT_EQ(binding->pointCount(), organ.points.rows());
   EXPECT_TRUE(binding->report().failures.empty());
@@ -43,7 +42,7 @@ TEST(BindOrgan, SaysHowManyVerticesAreOutsideAndByHowMuch) {
   ASSERT_GT(above, 0);
   Progress progress;
   try {
-    bindOrgan(coordinates::SCelestial(), handlesAt(handles), organ.points, {}, progress);
+    bindOrgan(*coordinates::sCelestial(), handlesAt(handles), organ.points, {}, progress);
     FAIL() << "vertices outside the hull were accepted";
   } catch (const DataError& error) {
     EXPECT_THAT(error.problem().english(), testing::HasSubstr(std::to_string(above) + " lie outside"));
@@ -59,7 +58,7 @@ TEST(BindOrgan, SaysThatItIsTheGivenCageThatVerticesLieOutsideOf) {
   organ << 20, 20, 20, 60, 60, 60, 60, 55, 60; // The last two lie in the dent.
   Progress progress;
   try {
-    bindOrgan(coordinates::GreenCoordinates(), handles, organ, {}, progress);
+    bindOrgan(*coordinates::greenCoordinates(), handles, organ, {}, progress);
     FAIL() << "vertices outside the cage were accepted";
   } catch (const UnboundVertices& error) {
     EXPECT_TRUE(error.cageCounts());

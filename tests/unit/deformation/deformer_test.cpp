@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "shapes.h"
-#include "viscera/coordinates/celestial/s_celestial.h"
+#include "viscera/coordinates/systems.h"
 #include "viscera/core/error.h"
 #include "viscera/deformation/bind_organ.h"
 #include "viscera/deformation/place_handles.h"
@@ -24,7 +24,7 @@ protected:
     coordinates::HandleSet handles;
     handles.positions = placeHandles(*organ, placement);
     Progress progress;
-    auto binding = bindOrgan(coordinates::SCelestial(), handles, organ->points, {{}, threads}, progress);
+    auto binding = bindOrgan(*coordinates::sCelestial(), handles, organ->points, {{}, threads}, progress);
     return Deformer(organ, binding, handles.positions, threads);
   }
 

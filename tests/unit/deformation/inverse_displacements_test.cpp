@@ -4,7 +4,7 @@
 
 #include "clouds.h"
 #include "shapes.h"
-#include "viscera/coordinates/celestial/s_celestial.h"
+#include "viscera/coordinates/systems.h"
 #include "viscera/core/error.h"
 
 namespace viscera::deformation {
@@ -22,13 +22,13 @@ protected:
   }
 
   DisplacementGrid field(const GridOptions& grid) {
-    return inverseDisplacements(coordinates::SCelestial(), handles_, pose_, {}, grid, progress_);
+    return inverseDisplacements(*coordinates::sCelestial(), handles_, pose_, {}, grid, progress_);
   }
 
   /// Where rest points go, by the coordinates alone.
   Points posed(const Points& rest) {
     Points moved;
-    coordinates::SCelestial().bind(handles_, rest, {}, progress_)->deform(pose_, moved);
+    coordinates::sCelestial()->bind(handles_, rest, {}, progress_)->deform(pose_, moved);
     return moved;
   }
 

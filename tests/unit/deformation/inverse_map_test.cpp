@@ -6,7 +6,7 @@
 
 #include "bernstein_system.h"
 #include "clouds.h"
-#include "viscera/coordinates/celestial/s_celestial.h"
+#include "viscera/coordinates/systems.h"
 #include "viscera/core/error.h"
 #include "viscera/deformation/inverse_map.h"
 
@@ -73,7 +73,8 @@ TEST(InverseMap, RefinedIsTheInverseHoweverCoarseItsGrid) {
 }
 
 TEST(InverseMap, RefinedIsExactBesideDraggedHandles) {
-  const coordinates::SCelestial system;
+  const auto celestial = coordinates::sCelestial();
+  const coordinates::CoordinateSystem& system = *celestial;
   const coordinates::HandleSet handles{tests::onSphere(30, 110), {}, {}};
   Points pose = handles.positions;
   for (int handle = 0; handle < 4; ++handle)
@@ -99,7 +100,8 @@ TEST(InverseMap, RefinedIsExactBesideDraggedHandles) {
 }
 
 TEST(InverseMap, RefinedDoesNotTearWhereTheHullEnds) {
-  const coordinates::SCelestial system;
+  const auto celestial = coordinates::sCelestial();
+  const coordinates::CoordinateSystem& system = *celestial;
   const coordinates::HandleSet handles{tests::onSphere(30, 110), {}, {}};
   Points pose = handles.positions;
   pose.row(0) *= 1 + 25.0 / 110;
@@ -130,7 +132,8 @@ TEST(InverseMap, IsExactForAnAffinePoseAndItsReverseUndoesIt) {
   for (int c = 0; c < 8; ++c)
     pose.row(c) = (affine * Vec3(corners.row(c).transpose())).transpose();
   Progress progress;
-  const coordinates::SCelestial system;
+  const auto celestial = coordinates::sCelestial();
+  const coordinates::CoordinateSystem& system = *celestial;
   const InverseMap map(system, handles, pose, {}, {.accuracyMm = 0.01}, progress);
   const Points posed = pointsWithin(-30, 30, 2000);
   const RestPoints rest = map.restPoints(posed);
@@ -146,7 +149,8 @@ TEST(InverseMap, IsExactForAnAffinePoseAndItsReverseUndoesIt) {
 /// Only affine motions are undone by the reverse of a pose: of others the posed handles have other
 /// coordinates than those at rest. The user guide says how much that is.
 TEST(InverseMap, ReverseOfASmoothPoseComesBackToAFewTenthsOfAMillimetre) {
-  const coordinates::SCelestial system;
+  const auto celestial = coordinates::sCelestial();
+  const coordinates::CoordinateSystem& system = *celestial;
   const Points rest = tests::onSphere(30, 110), inside = pointsWithin(-45, 45, 1000);
   Progress progress;
   const auto meanReturn = [&](const Points& pose) {
@@ -221,7 +225,8 @@ double allocatedMb() {
 }
 
 TEST(InverseMap, OfAHandleDraggedFarAwayTakesNoMoreMemoryAndStaysContinuous) {
-  const coordinates::SCelestial system;
+  const auto celestial = coordinates::sCelestial();
+  const coordinates::CoordinateSystem& system = *celestial;
   const coordinates::HandleSet handles{tests::onSphere(30, 110), {}, {}};
   Progress progress;
   const double diameter = 220;

@@ -4,7 +4,7 @@
 
 #include "clouds.h"
 #include "shapes.h"
-#include "viscera/coordinates/celestial/s_celestial.h"
+#include "viscera/coordinates/systems.h"
 #include "viscera/deformation/bind_organ.h"
 #include "viscera/deformation/grid_witnesses.h"
 #include "viscera/deformation/volume_lock.h"
@@ -20,11 +20,11 @@ protected:
     handles_.positions = tests::onSphere(24, 45);
     const auto ball = std::make_shared<const geometry::TriangleMesh>(tests::sphere(4, 30));
     Progress progress;
-    deformer_ = std::make_unique<Deformer>(ball, bindOrgan(system_, handles_, ball->points, {}, progress),
+    deformer_ = std::make_unique<Deformer>(ball, bindOrgan(*system_, handles_, ball->points, {}, progress),
                                            handles_.positions);
     const WitnessMesh mesh = gridWitnesses(*ball, 800, progress);
     witnesses_ = mesh.witnesses;
-    gradients_ = bindWitnesses(system_, handles_, mesh.points, {}, progress);
+    gradients_ = bindWitnesses(*system_, handles_, mesh.points, {}, progress);
     pulled_ = handles_.positions;
     pulled_.row(3) += Eigen::RowVector3d(10, 4, 18);
     pulled_.row(4) += Eigen::RowVector3d(-12, 9, 6);
@@ -44,7 +44,7 @@ protected:
     return map;
   }
 
-  coordinates::SCelestial system_;
+  std::shared_ptr<const coordinates::CoordinateSystem> system_ = coordinates::sCelestial();
   coordinates::HandleSet handles_;
   std::unique_ptr<Deformer> deformer_;
   std::shared_ptr<const WitnessGradients> gradients_;

@@ -9,8 +9,7 @@
 #include "clouds.h"
 #include "counting_system.h"
 #include "shapes.h"
-#include "viscera/coordinates/celestial/s_celestial.h"
-#include "viscera/coordinates/green/green_coordinates.h"
+#include "viscera/coordinates/systems.h"
 #include "viscera/core/error.h"
 
 namespace viscera::deformation {
@@ -22,14 +21,13 @@ class PoseTogether : public testing::Test {
 protected:
   PoseTogether() {
     handles_.positions = tests::onSphere(24, 45);
-    const coordinates::SCelestial celestial;
-    const coordinates::GreenCoordinates green;
+    const auto celestial = coordinates::sCelestial(), green = coordinates::greenCoordinates();
     const tests::CountingSystem counting(std::make_shared<tests::BindingCounts>());
-    add(celestial, tests::sphere(4, 30));
-    add(celestial, tests::sphere(5, 25));
-    add(celestial, tests::sphere(4, 20, {25, 5, 0}));
-    add(celestial, tests::sphere(1, 4, {3, 0, 8}));
-    add(green, tests::sphere(4, 18));
+    add(*celestial, tests::sphere(4, 30));
+    add(*celestial, tests::sphere(5, 25));
+    add(*celestial, tests::sphere(4, 20, {25, 5, 0}));
+    add(*celestial, tests::sphere(1, 4, {3, 0, 8}));
+    add(*green, tests::sphere(4, 18));
     add(counting, tests::sphere(3, 22));
   }
 

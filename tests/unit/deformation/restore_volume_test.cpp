@@ -7,7 +7,7 @@
 
 #include "clouds.h"
 #include "shapes.h"
-#include "viscera/coordinates/celestial/s_celestial.h"
+#include "viscera/coordinates/systems.h"
 #include "viscera/core/error.h"
 #include "viscera/deformation/bind_organ.h"
 #include "viscera/deformation/place_handles.h"
@@ -27,7 +27,7 @@ protected:
     coordinates::HandleSet handles;
     handles.positions = placeHandles(*organ, placement);
     Progress progress;
-    auto binding = bindOrgan(coordinates::SCelestial(), handles, organ->points, {}, progress);
+    auto binding = bindOrgan(*coordinates::sCelestial(), handles, organ->points, {}, progress);
     return Deformer(organ, binding, handles.positions);
   }
 

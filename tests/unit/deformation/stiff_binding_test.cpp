@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "shapes.h"
-#include "viscera/coordinates/built_in_systems.h"
+#include "viscera/coordinates/systems.h"
 #include "viscera/core/progress.h"
 #include "viscera/deformation/bind_organ.h"
 #include "viscera/deformation/deformer.h"

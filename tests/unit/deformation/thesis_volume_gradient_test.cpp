@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "shapes.h"
-#include "viscera/coordinates/built_in_systems.h"
+#include "viscera/coordinates/systems.h"
 #include "viscera/deformation/deformer.h"
 #include "viscera/deformation/place_handles.h"
 

@@ -10,7 +10,7 @@
 #include "clouds.h"
 #include "counting_system.h"
 #include "shapes.h"
-#include "viscera/coordinates/built_in_systems.h"
+#include "viscera/coordinates/systems.h"
 #include "viscera/core/error.h"
 #include "viscera/deformation/place_handles.h"
 #include "viscera/deformation/selection_motion.h"

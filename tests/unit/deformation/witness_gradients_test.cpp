@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "viscera/coordinates/built_in_systems.h"
+#include "viscera/coordinates/systems.h"
 #include "viscera/core/error.h"
 
 namespace viscera::deformation {

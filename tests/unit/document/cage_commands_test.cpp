@@ -126,7 +126,12 @@ TEST(CageCommands, RefuseACageThatIsOpenAndARigWithACageOfOtherHandles) {
   auto empty = cubeCage();
   empty->triangles.resize(0, 3);
   EXPECT_THROW(s.take(empty), DataError);
-  NewRig rig{newHandles(cubeCage()->points), {}, cubeCage()->triangles};
+  Rig rig = rigAt(cubeCage()->points);
+  const Triangles corners = cubeCage()->triangles;
+  for (const auto& triangle : corners.rowwise())
+    rig.cage.push_back({rig.handles[static_cast<std::size_t>(triangle[0])].id,
+                        rig.handles[static_cast<std::size_t>(triangle[1])].id,
+                        rig.handles[static_cast<std::size_t>(triangle[2])].id});
   rig.handles.pop_back();
   EXPECT_THROW(s.undo.perform(replaceRig(rig)), UsageError);
   EXPECT_EQ(s.document.state(), before);

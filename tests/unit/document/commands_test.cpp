@@ -189,9 +189,9 @@ TEST(RigCommands, EncloseEveryOrganWithAGroupOfEightHandles) {
 TEST(RigCommands, ReplaceTheRigWithItsGroupsAtRest) {
   Session s;
   s.undo.perform(moveHandles({s.handle(8)}, row(1, 0, 45)));
-  NewRig rig;
-  rig.handles = tests::cubeHandles(80);
-  rig.groups = {{"Left", {0, 1, 0}, {2, 0, 2}}, {"Left", {0, 0, 1}, {2, 3}}};
+  Rig rig = tests::cubeRig(80);
+  rig.addGroup("Left", {0, 1, 0}, {2, 0, 2});
+  rig.addGroup("Left", {0, 0, 1}, {2, 3});
   s.undo.perform(replaceRig(rig, "Place automatically"));
   EXPECT_EQ(s.undo.undoName().english(), "Place automatically");
   EXPECT_TRUE(atRest(s.document.state()));
@@ -200,6 +200,23 @@ TEST(RigCommands, ReplaceTheRigWithItsGroupsAtRest) {
   EXPECT_EQ(now.groups[0].handles, (std::vector<HandleId>{now.handles[0].id, now.handles[2].id}));
   EXPECT_EQ(now.groups[1].name, "Left 2");
   EXPECT_EQ(now.groupOf(now.handles[2].id), &now.groups[0]) << "a handle may be in several groups";
+}
+
+TEST(RigCommands, CompleteARigThatIsInNoDocument) {
+  Rig rig = tests::cubeRig();
+  rig.handles[3].label = "Apex";
+  rig.addGroup("Left", {0, 1, 0}, {3, 2});
+  const Rig whole = completed(rig);
+  ASSERT_EQ(whole.handles.size(), 10u);
+  EXPECT_EQ(whole.handles[0].label, "H-1");
+  EXPECT_EQ(whole.handles[3].label, "Apex");
+  EXPECT_EQ(whole.groups[0].handles, (std::vector<HandleId>{whole.handles[2].id, whole.handles[3].id}))
+      << "in the order of the rig";
+  EXPECT_EQ(handleSet(rig).groups[0].handles, (std::vector<int>{3, 2})) << "as they were given";
+  EXPECT_THROW(rig.addGroup("Right", {0, 0, 1}, {10}), UsageError);
+  EXPECT_EQ(rig.groups.size(), 1u);
+  rig.groups[0].handles.push_back(HandleId{99});
+  EXPECT_THROW(completed(rig), UsageError);
 }
 
 TEST(RigCommands, RefuseLabelsThatAreEmptyOrTaken) {

@@ -156,9 +156,7 @@ Told open(Document& document, UndoStack& undo, const std::filesystem::path& file
   const Subscription subscription = document.onChange([&told](const Change&) { ++told.changes; });
   const auto place = [](const Organ& organ, const OrganList& organs) {
     EXPECT_EQ(organ.id, organs.front()->id) << "the first new one of all";
-    NewRig rig;
-    rig.handles = newHandles(viscera::tests::onSphere(12, 200));
-    return replaceRig(std::move(rig));
+    return replaceRig(rigAt(viscera::tests::onSphere(12, 200)));
   };
   undo.perform(openCommand("Open it", openFiles({file}, progress), replacing, place));
   told.steps = inEnglish(undo.names());

@@ -252,7 +252,7 @@ TEST_F(OpenFiles, KeepHandlesInSeveralGroupsThroughAFile) {
   s.undo.perform(addGroup("A", {1, 0, 0}, {s.handle(0), s.handle(1), s.handle(8)}));
   s.undo.perform(addGroup("B", {0, 1, 0}, {s.handle(1), s.handle(9)}));
   medical_io::writeHandles(folder_ / "rig.mrk.json", handleFile(s.document.rig()));
-  const NewRig back = rigFrom(medical_io::readHandles(folder_ / "rig.mrk.json"), "rig.mrk.json");
+  const Rig back = rigFrom(medical_io::readHandles(folder_ / "rig.mrk.json"), "rig.mrk.json");
   ASSERT_EQ(back.handles.size(), 10u);
   ASSERT_EQ(back.groups.size(), 3u);
   EXPECT_EQ(back.groups[0].handles.size(), 3u);
@@ -260,7 +260,7 @@ TEST_F(OpenFiles, KeepHandlesInSeveralGroupsThroughAFile) {
   EXPECT_EQ(back.groups[1].handles[0], back.groups[0].handles[1]) << "one handle, two groups";
   EXPECT_EQ(back.groups[2].name, "Handles");
   EXPECT_EQ(back.groups[2].handles.size(), 6u);
-  for (const NewHandle& handle : back.handles) {
+  for (const Handle& handle : back.handles) {
     const int row = s.document.rig().indexOf(handle.label);
     ASSERT_GE(row, 0) << handle.label;
     EXPECT_EQ(s.document.rig().handles[static_cast<std::size_t>(row)].rest, handle.rest);

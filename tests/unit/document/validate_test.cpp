@@ -96,10 +96,14 @@ private:
       return removeHandles(some.size() > 2 ? std::vector<HandleId>{some[0]} : some);
     case 5:
       return editHandles({one(some)}, {text(), text(), false, true});
-    case 6:
-      return replaceRig(
-          {{{Vec3(0, 0, 0), place(), text()}, {Vec3(9, 0, 0)}, {Vec3(0, 9, 0)}, {Vec3(0, 0, 9)}},
-           {{text(), color(), {0, 2}}}});
+    case 6: {
+      Points corners(4, 3);
+      corners << 0, 0, 0, 9, 0, 0, 0, 9, 0, 0, 0, 9;
+      Rig rig = rigAt(corners);
+      rig.handles[0].label = text();
+      rig.addGroup(text(), color(), {0, 2});
+      return replaceRig(std::move(rig));
+    }
     default:
       return addGroup(text(), color(), some);
     }
@@ -212,7 +216,9 @@ TEST(Validate, WhatHasNoNameInAFileIsGivenOne) {
   s.undo.perform(addOrgans({tests::ball(""), tests::ball("")}));
   EXPECT_EQ(s.document.organs()[1]->name, "Organ");
   EXPECT_EQ(s.document.organs()[2]->name, "Organ 2");
-  s.undo.perform(replaceRig({tests::cubeHandles(), {{"", {1, 0, 0}, {0, 1}}}}));
+  Rig unnamed = tests::cubeRig();
+  unnamed.addGroup("", {1, 0, 0}, {0, 1});
+  s.undo.perform(replaceRig(unnamed));
   EXPECT_EQ(s.document.rig().groups[0].name, "Group");
   KeySequence keySequence;
   keySequence.name.clear();

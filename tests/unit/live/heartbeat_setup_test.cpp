@@ -169,13 +169,13 @@ TEST(HeartbeatSetup, trianglesKeepTheirShapeInEveryFrame) {
 
 TEST(HeartbeatSetup, handlesComeLabelledInTheGroupsOfTheirRoles) {
   BeatingHeart heart(Resolution::low);
-  const document::NewRig& rig = heart.setup().rig;
+  const document::Rig& rig = heart.setup().rig;
   ASSERT_EQ(static_cast<Eigen::Index>(rig.handles.size()), heart.setup().sequence->restHandles().rows());
   std::set<std::string> labels;
   std::size_t grouped = 0;
-  for (const document::NewHandle& handle : rig.handles)
+  for (const document::Handle& handle : rig.handles)
     labels.insert(handle.label);
-  for (const document::NewGroup& group : rig.groups)
+  for (const document::Group& group : rig.groups)
     grouped += group.handles.size();
   EXPECT_EQ(labels.size(), rig.handles.size());
   EXPECT_EQ(grouped, rig.handles.size());

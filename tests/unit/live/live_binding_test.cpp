@@ -304,10 +304,10 @@ TEST(LiveBinding, SaysWhatIsMissingWithTooFewOrFlatHandlesAndUnknownSystems) {
   EXPECT_EQ(l.live.status(l.organ()).state, State::unbound);
   EXPECT_THAT(l.live.status(l.organ()).message.english(), HasSubstr("add 1 more"));
   EXPECT_EQ(l.points(), l.document.organs()[0]->mesh->points);
-  document::NewRig flat;
+  Points flat(6, 3);
   for (int i = 0; i < 6; ++i)
-    flat.handles.push_back({Vec3(100 * std::cos(i), 100 * std::sin(i), 0)});
-  l.undo.perform(document::replaceRig(flat));
+    flat.row(i) << 100 * std::cos(i), 100 * std::sin(i), 0;
+  l.undo.perform(document::replaceRig(document::rigAt(flat)));
   EXPECT_EQ(l.live.status(l.organ()).state, State::failed);
   EXPECT_FALSE(l.live.status(l.organ()).message.empty());
   l.undo.undo();

@@ -199,7 +199,7 @@ TEST(VolumeKeeper, ATargetOutOfReachIsRefusedInWords) {
 TEST(VolumeKeeper, AnOrganWithoutHandlesHoldsNobodyUp) {
   Keeping s;
   s.undo.perform(document::setVolumeLocked(s.organ(), true));
-  s.undo.perform(document::replaceRig({document::newHandles(tests::row(1, 2, 3)), {}}));
+  s.undo.perform(document::replaceRig(document::rigAt(tests::row(1, 2, 3))));
   LockedMotion motion = s.keeper.begin({s.handle(0)});
   EXPECT_EQ(motion.translate({1, 0, 0}).row(0), Eigen::RowVector3d(2, 2, 3));
   EXPECT_THROW(s.keeper.poseOfVolume(s.organ(), 100), DataError);

@@ -7,7 +7,7 @@
 #include "shapes.h"
 #include "starved_zlib.h"
 #include "temporary_folder.h"
-#include "viscera/coordinates/celestial/s_celestial.h"
+#include "viscera/coordinates/systems.h"
 #include "viscera/core/error.h"
 #include "viscera/medical_io/image_file.h"
 #include "viscera/medical_io/warped_image.h"
@@ -56,14 +56,14 @@ Eigen::Affine3d someAffine() {
 class WarpedImage : public testing::Test {
 protected:
   std::unique_ptr<deformation::InverseMap> mapFor(const Points& rest, const Points& pose) {
-    return std::make_unique<deformation::InverseMap>(system_, coordinates::HandleSet{rest, {}, {}}, pose,
+    return std::make_unique<deformation::InverseMap>(*system_, coordinates::HandleSet{rest, {}, {}}, pose,
                                                      coordinates::BindOptions{}, warpOptions(Vec3(2, 2, 2)),
                                                      progress_);
   }
   Scan warped(const Scan& scan, const Points& rest, const Points& pose) {
-    return warpedScan(scan, {*mapFor(rest, pose), system_}, report_, progress_);
+    return warpedScan(scan, {*mapFor(rest, pose), *system_}, report_, progress_);
   }
-  coordinates::SCelestial system_;
+  std::shared_ptr<const coordinates::CoordinateSystem> system_ = coordinates::sCelestial();
   WarpReport report_;
   Progress progress_;
 };
@@ -139,7 +139,7 @@ TEST_F(WarpedImage, IsWithinATwentiethOfAVoxelOfTheInverseOfAnAffine) {
   const auto map = mapFor(rest, pose);
   for (int axis = 0; axis < 3; ++axis)
     rulers[std::size_t(axis)] =
-        warpedScan(rulerScan(axis, -35, Vec3(2, 2.5, 2)), {*map, system_}, report_, progress_);
+        warpedScan(rulerScan(axis, -35, Vec3(2, 2.5, 2)), {*map, *system_}, report_, progress_);
   EXPECT_LT(largestVoxelError(rulers, [](const Vec3& p) { return Vec3(someAffine().inverse() * p); }),
             kWarpAccuracy);
 }
@@ -212,7 +212,7 @@ TEST_F(WarpedImage, LabelsMoveWithTheirNamesAndAreWritten) {
                    progress_);
   Points pose = cube(38);
   pose.col(0).array() += 10;
-  const LabelMap warped = warpedLabelMap(map, {*mapFor(cube(38), pose), system_}, report_, progress_);
+  const LabelMap warped = warpedLabelMap(map, {*mapFor(cube(38), pose), *system_}, report_, progress_);
   ASSERT_GE(warped.segments.size(), 1U);
   EXPECT_EQ(warped.segments[0].name, "liver");
   EXPECT_NEAR(double(warped.segments[0].voxels), double(map.segments[0].voxels),

@@ -2,7 +2,7 @@
 
 #include "errors.h"
 #include "parts.h"
-#include "viscera/coordinates/built_in_systems.h"
+#include "viscera/coordinates/systems.h"
 #include "viscera/localised_scc/localised_s_celestial.h"
 
 namespace viscera::python {

@@ -22,7 +22,7 @@ namespace {
 namespace py = pybind11;
 using std::filesystem::path;
 
-std::vector<std::string> labelsOf(const document::NewRig& rig) {
+std::vector<std::string> labelsOf(const document::Rig& rig) {
   std::vector<std::string> labels;
   for (const auto& handle : rig.handles)
     labels.push_back(handle.label);

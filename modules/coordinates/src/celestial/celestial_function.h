@@ -1,7 +1,8 @@
 #pragma once
 
 #include "simd/usable_kernels.h"
-#include "viscera/coordinates/celestial/celestial_system.h"
+#include "viscera/coordinates/celestial/celestial_solution.h"
+#include "viscera/coordinates/coordinate_system.h"
 
 namespace viscera::coordinates {
 

@@ -1,4 +1,4 @@
-#include "viscera/coordinates/celestial/celestial_system.h"
+#include "celestial/celestial_system.h"
 
 #include <algorithm>
 #include <atomic>
@@ -127,8 +127,9 @@ CelestialSystem::CelestialSystem(SystemDescription description, const CelestialF
     : DescribedSystem(completed(std::move(description))), function_(function) {}
 
 template <int Dim>
-CelestialSolution<Dim> CelestialSystem::solve(const PointsOf<Dim>& handles, const PointsOf<Dim>& points,
-                                              const CelestialOptions& options, Progress& progress) const {
+CelestialSolution<Dim> solveCelestial(const CelestialFunction& function, const PointsOf<Dim>& handles,
+                                      const PointsOf<Dim>& points, const CelestialOptions& options,
+                                      Progress& progress) {
   requireUsableHandles<Dim>(handles);
   CelestialSolution<Dim> solution{
       TiledWeights(points.rows(), handles.rows()), PointsOf<Dim>(points.rows(), Dim), {}};
@@ -138,15 +139,14 @@ CelestialSolution<Dim> CelestialSystem::solve(const PointsOf<Dim>& handles, cons
       for (int axis = 0; axis < Dim; ++axis)
         solution.x(point, axis) = x[axis * TiledWeights::kTile + point % TiledWeights::kTile];
   };
-  solution.failures =
-      solveTiles<Dim>(function_(), handles, points, options, progress, solution.weights, keepX);
+  solution.failures = solveTiles<Dim>(function, handles, points, options, progress, solution.weights, keepX);
   return solution;
 }
 
-template CelestialSolution<2> CelestialSystem::solve<2>(const PointsOf<2>&, const PointsOf<2>&,
-                                                        const CelestialOptions&, Progress&) const;
-template CelestialSolution<3> CelestialSystem::solve<3>(const PointsOf<3>&, const PointsOf<3>&,
-                                                        const CelestialOptions&, Progress&) const;
+template CelestialSolution<2> solveCelestial<2>(const CelestialFunction&, const PointsOf<2>&,
+                                                const PointsOf<2>&, const CelestialOptions&, Progress&);
+template CelestialSolution<3> solveCelestial<3>(const CelestialFunction&, const PointsOf<3>&,
+                                                const PointsOf<3>&, const CelestialOptions&, Progress&);
 
 std::unique_ptr<Binding> CelestialSystem::bind(const HandleSet& handles, const Points& points,
                                                const BindOptions& options, Progress& progress) const {
@@ -173,7 +173,7 @@ std::unique_ptr<Binding> CelestialSystem::bind(const HandleSet& handles, const P
 CoordinateGradients CelestialSystem::gradients(const HandleSet& handles, const Points& points,
                                                const BindOptions& options, Progress& progress) const {
   const CelestialOptions celestial = optionsFrom(*this, options);
-  auto solution = solve<3>(handles.positions, points, celestial, progress);
+  auto solution = solveCelestial<3>(function_(), handles.positions, points, celestial, progress);
   return celestialGradients(function_(), handles.positions, points, celestial, solution);
 }
 

@@ -1,4 +1,4 @@
-#include "viscera/coordinates/classical/natural_neighbours.h"
+#include "viscera/coordinates/systems.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,6 +9,7 @@
 #include <Eigen/Geometry>
 
 #include "same_place.h"
+#include "viscera/coordinates/pointwise_system.h"
 #include "viscera/geometry/convex_hull.h"
 
 namespace viscera::coordinates {
@@ -186,14 +187,20 @@ private:
 
 } // namespace
 
-NaturalNeighbours::NaturalNeighbours()
-    : PointwiseSystem({.id = "natural-neighbours",
-                       .name = "Natural neighbours",
-                       .summary = "Sibson's coordinates: what a point takes from its neighbours' Voronoi "
-                                  "cells; positive and local",
-                       .traits = {.positive = true, .interpolates = true}},
-                      [](const HandleSet& handles, const ParameterValues&) {
-                        return std::make_unique<NaturalNeighbourSolver>(handles.positions);
-                      }) {}
+/// Sibson's natural neighbour coordinates (thesis 3.1.2, end; Sibson 1981; Boissonnat, Cazals 2001): the
+/// shares of the point's Voronoi cell that it takes from the cells of the handles. Positive, local, smooth
+/// but at the handles. Cells are cut from half spaces without geometric predicates, so that handles on one
+/// sphere cause no problems. O(n + k^2) cuts a point with k natural neighbours.
+std::shared_ptr<const CoordinateSystem> naturalNeighbours() {
+  return std::make_shared<PointwiseSystem>(
+      SystemDescription{.id = "natural-neighbours",
+                        .name = "Natural neighbours",
+                        .summary = "Sibson's coordinates: what a point takes from its neighbours' Voronoi "
+                                   "cells; positive and local",
+                        .traits = {.positive = true, .interpolates = true}},
+      [](const HandleSet& handles, const ParameterValues&) {
+        return std::make_unique<NaturalNeighbourSolver>(handles.positions);
+      });
+}
 
 } // namespace viscera::coordinates

@@ -1,4 +1,4 @@
-#include "viscera/coordinates/classical/wachspress.h"
+#include "viscera/coordinates/systems.h"
 
 #include <algorithm>
 #include <map>
@@ -8,6 +8,7 @@
 
 #include "cage/coplanar_groups.h"
 #include "viscera/coordinates/cage/cage.h"
+#include "viscera/coordinates/pointwise_system.h"
 #include "viscera/core/error.h"
 #include "viscera/core/phrase.h"
 
@@ -159,14 +160,22 @@ private:
 
 } // namespace
 
-Wachspress::Wachspress()
-    : PointwiseSystem(
-          {.id = "wachspress",
-           .name = "Wachspress",
-           .summary = "Rational coordinates of a convex cage; positive and smooth inside",
-           .traits = {.needsCage = true, .positive = true, .interpolates = true, .closedFormGradient = true}},
-          [](const HandleSet& handles, const ParameterValues&) {
-            return std::make_unique<WachspressSolver>(handles.positions, cageOf(handles));
-          }) {}
+/// Wachspress coordinates of a convex cage (thesis 2.3; Warren 1996, doi 10.1007/BF02127699; in this form
+/// Floater, Gillette, Sukumar 2014, doi 10.1137/130925712). With `p_f = n_f / h_f` for the faces around a
+/// corner, in order, and h the distances to their planes, the corner's weight is the sum of
+/// `det(p_1, p_j, p_j+1)`: rational functions, positive and smooth inside. The cage is `HandleSet::cage`,
+/// else the convex hull of the handles. Throws `DataError` for a cage that is not convex. O(triangles) a
+/// point.
+std::shared_ptr<const CoordinateSystem> wachspress() {
+  return std::make_shared<PointwiseSystem>(
+      SystemDescription{
+          .id = "wachspress",
+          .name = "Wachspress",
+          .summary = "Rational coordinates of a convex cage; positive and smooth inside",
+          .traits = {.needsCage = true, .positive = true, .interpolates = true, .closedFormGradient = true}},
+      [](const HandleSet& handles, const ParameterValues&) {
+        return std::make_unique<WachspressSolver>(handles.positions, cageOf(handles));
+      });
+}
 
 } // namespace viscera::coordinates

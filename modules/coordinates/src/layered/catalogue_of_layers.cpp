@@ -1,4 +1,4 @@
-#include "viscera/coordinates/layered/catalogue_of_layers.h"
+#include "viscera/coordinates/systems.h"
 
 #include <algorithm>
 #include <array>
@@ -8,7 +8,8 @@
 #include <Eigen/Geometry>
 
 #include "choice_parameter.h"
-#include "viscera/coordinates/mean_value/mean_value.h"
+#include "mean_value/mean_value_solver.h"
+#include "viscera/coordinates/pointwise_system.h"
 #include "viscera/geometry/convex_hull.h"
 
 namespace viscera::coordinates {
@@ -188,19 +189,24 @@ private:
 
 } // namespace
 
-CatalogueOfLayers::CatalogueOfLayers()
-    : PointwiseSystem(
-          {.id = "catalogue-of-layers",
-           .name = "Catalogue of layers",
-           .summary =
-               "The mean over the hull and partitions of it by the inner handles; kinks at their faces",
-           // Four handles in one plane are split along one diagonal or the other.
-           .traits = {.positive = true, .rotationInvariant = false, .smooth = false},
-           .parameters = {kPartitions, kPolyhedra}},
-          [](const HandleSet& handles, const ParameterValues& parameters) {
-            return std::make_unique<LayeredSolver>(handles.positions,
-                                                   chosen<Partitions>(parameters, kPartitions),
-                                                   chosen<Polyhedra>(parameters, kPolyhedra));
-          }) {}
+/// The mean of mean value coordinates over several layers (thesis 3.2.2): the convex hull of the handles, and
+/// partitions of it by the inner handles. `partitions`: `nested`, one partition by all inner handles one
+/// after another; or `independent`, one for each. `polyhedra`: `tetrahedra`, or `convex`, where neighbours
+/// are joined as long as their union is convex. Kinks at the faces inside. The thesis's other inner system,
+/// harmonic coordinates, is not offered. O(polyhedra + triangles) a point.
+std::shared_ptr<const CoordinateSystem> catalogueOfLayers() {
+  return std::make_shared<PointwiseSystem>(
+      SystemDescription{
+          .id = "catalogue-of-layers",
+          .name = "Catalogue of layers",
+          .summary = "The mean over the hull and partitions of it by the inner handles; kinks at their faces",
+          // Four handles in one plane are split along one diagonal or the other.
+          .traits = {.positive = true, .rotationInvariant = false, .smooth = false},
+          .parameters = {kPartitions, kPolyhedra}},
+      [](const HandleSet& handles, const ParameterValues& parameters) {
+        return std::make_unique<LayeredSolver>(handles.positions, chosen<Partitions>(parameters, kPartitions),
+                                               chosen<Polyhedra>(parameters, kPolyhedra));
+      });
+}
 
 } // namespace viscera::coordinates

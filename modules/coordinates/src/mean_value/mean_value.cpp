@@ -1,9 +1,10 @@
-#include "viscera/coordinates/mean_value/mean_value.h"
+#include "viscera/coordinates/systems.h"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
+#include "mean_value/mean_value_solver.h"
 #include "mean_value/triangle_share.h"
 #include "same_place.h"
 #include "viscera/coordinates/cage/cage.h"
@@ -93,14 +94,24 @@ std::unique_ptr<const PointSolver> meanValueSolver(Points handles, Triangles cag
   return std::make_unique<MeanValueSolver>(std::move(handles), std::move(cage));
 }
 
-MeanValue::MeanValue()
-    : PointwiseSystem(
-          {.id = "mean-value",
-           .name = "Mean value",
-           .summary = "The classical coordinates of a closed cage; positive where the cage is convex",
-           .traits = {.needsCage = true, .interpolates = true, .closedFormGradient = true}},
-          [](const HandleSet& handles, const ParameterValues&) {
-            return meanValueSolver(handles.positions, cageOf(handles));
-          }) {}
+/// Mean value coordinates of a triangulated cage (thesis 3.1 and annex B.3; Floater, Kos, Reimers 2005, doi
+/// 10.1016/j.cagd.2005.06.004; Ju, Schaefer, Warren 2005, doi 10.1145/1073204.1073229). The cage is
+/// `HandleSet::cage`, else the convex hull of the handles. Positive inside a convex cage, negative here and
+/// there in others; defined outside as well; smooth but on the cage itself. O(points x triangles).
+///
+/// Per triangle (i, j, k), with p at the origin and `m = sum of angle x unit normal` over the three planes
+/// through p and an edge, the weight of v_i is `m . (v_j x v_k) / (2 det(v_i, v_j, v_k))`. This is the
+/// thesis's (3.8) with its denominators made one, which makes its derivatives short.
+std::shared_ptr<const CoordinateSystem> meanValue() {
+  return std::make_shared<PointwiseSystem>(
+      SystemDescription{.id = "mean-value",
+                        .name = "Mean value",
+                        .summary =
+                            "The classical coordinates of a closed cage; positive where the cage is convex",
+                        .traits = {.needsCage = true, .interpolates = true, .closedFormGradient = true}},
+      [](const HandleSet& handles, const ParameterValues&) {
+        return meanValueSolver(handles.positions, cageOf(handles));
+      });
+}
 
 } // namespace viscera::coordinates

@@ -1,4 +1,4 @@
-#include "viscera/coordinates/mean_value/positive_mean_value.h"
+#include "viscera/coordinates/systems.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,6 +12,7 @@
 #include "same_place.h"
 #include "sphere/sphere_samples.h"
 #include "viscera/coordinates/cage/cage.h"
+#include "viscera/coordinates/pointwise_system.h"
 
 namespace viscera::coordinates {
 namespace {
@@ -118,20 +119,27 @@ private:
 
 } // namespace
 
-PositiveMeanValue::PositiveMeanValue()
-    : PointwiseSystem({.id = "positive-mean-value",
-                       .name = "Positive mean value",
-                       .summary = "Mean value of what can be seen of a cage, by rays; positive in any cage",
-                       .traits = {.needsCage = true,
-                                  .positive = true,
-                                  .interpolates = true,
-                                  .rotationInvariant = false,
-                                  .continuous = false,
-                                  .smooth = false},
-                       .parameters = {kLevel}},
-                      [](const HandleSet& handles, const ParameterValues& parameters) {
-                        return std::make_unique<PositiveMeanValueSolver>(
-                            handles.positions, cageOf(handles), static_cast<int>(parameters.get(kLevel)));
-                      }) {}
+/// Mean value coordinates computed from only the part of the cage that is visible from the point (thesis 2.3;
+/// Lipman, Kopf, Cohen-Or, Levin 2007, Symposium on Geometry Processing): positive in any cage. By rays to
+/// the centres of an icosahedron's triangles divided `level` times, weighted by areas; their symmetry makes
+/// the identity exact. The coordinates jump a little where a ray moves to another triangle. O(rays x
+/// triangles) a point.
+std::shared_ptr<const CoordinateSystem> positiveMeanValue() {
+  return std::make_shared<PointwiseSystem>(
+      SystemDescription{.id = "positive-mean-value",
+                        .name = "Positive mean value",
+                        .summary = "Mean value of what can be seen of a cage, by rays; positive in any cage",
+                        .traits = {.needsCage = true,
+                                   .positive = true,
+                                   .interpolates = true,
+                                   .rotationInvariant = false,
+                                   .continuous = false,
+                                   .smooth = false},
+                        .parameters = {kLevel}},
+      [](const HandleSet& handles, const ParameterValues& parameters) {
+        return std::make_unique<PositiveMeanValueSolver>(handles.positions, cageOf(handles),
+                                                         static_cast<int>(parameters.get(kLevel)));
+      });
+}
 
 } // namespace viscera::coordinates

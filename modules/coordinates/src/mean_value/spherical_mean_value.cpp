@@ -1,4 +1,4 @@
-#include "viscera/coordinates/mean_value/spherical_mean_value.h"
+#include "viscera/coordinates/systems.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,6 +12,7 @@
 #include "cage/coplanar_groups.h"
 #include "same_place.h"
 #include "viscera/coordinates/cage/cage.h"
+#include "viscera/coordinates/pointwise_system.h"
 
 namespace viscera::coordinates {
 namespace {
@@ -263,13 +264,20 @@ private:
 
 } // namespace
 
-SphericalMeanValue::SphericalMeanValue()
-    : PointwiseSystem({.id = "spherical-mean-value",
-                       .name = "Spherical mean value",
-                       .summary = "Mean value of a cage with flat polygons, whose diagonals play no part",
-                       .traits = {.needsCage = true, .interpolates = true}},
-                      [](const HandleSet& handles, const ParameterValues&) {
-                        return std::make_unique<SphericalMeanValueSolver>(handles.positions, cageOf(handles));
-                      }) {}
+/// Mean value coordinates of a cage with polygons (thesis 2.3; Langer, Belyaev, Seidel 2006, Symposium on
+/// Geometry Processing): triangles of the cage that lie in one plane, to 1e-9 of its size, are one face, and
+/// its mean vector is shared among its corners by mean value coordinates on the sphere. Over triangles it is
+/// the same as mean value coordinates; over a face of four corners the cage's diagonals play no part.
+/// O(triangles) a point.
+std::shared_ptr<const CoordinateSystem> sphericalMeanValue() {
+  return std::make_shared<PointwiseSystem>(
+      SystemDescription{.id = "spherical-mean-value",
+                        .name = "Spherical mean value",
+                        .summary = "Mean value of a cage with flat polygons, whose diagonals play no part",
+                        .traits = {.needsCage = true, .interpolates = true}},
+      [](const HandleSet& handles, const ParameterValues&) {
+        return std::make_unique<SphericalMeanValueSolver>(handles.positions, cageOf(handles));
+      });
+}
 
 } // namespace viscera::coordinates

@@ -1,4 +1,4 @@
-#include "viscera/coordinates/nspace/c_celestial.h"
+#include "viscera/coordinates/systems.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,6 +9,7 @@
 
 #include "choice_parameter.h"
 #include "nspace/direction_solver.h"
+#include "viscera/coordinates/pointwise_system.h"
 
 namespace viscera::coordinates {
 namespace {
@@ -135,26 +136,35 @@ struct Sampler {
 
 } // namespace
 
-CCelestial::CCelestial()
-    : PointwiseSystem(
-          {.id = "c-celestial",
-           .name = "C-Celestial",
-           .summary =
-               "Centroid of all positive solutions, estimated by sampling; more samples are more accurate",
-           // A walk of many steps makes a difference of the last bit a large one, so turns change something.
-           .traits = {.positive = true,
-                      .interpolates = true,
-                      .rotationInvariant = false,
-                      .everywhere = false,
-                      .continuous = false,
-                      .smooth = false},
-           .parameters = {kSampling, kSamplesAPoint, kCelestialSeed}},
-          [](const HandleSet& handles, const Points&, const BindOptions& options, Progress& progress) {
-            const ParameterValues& parameters = options.parameters;
-            return std::make_shared<const DirectionSolver>(
-                handles.positions, Sampler{chosen<Sampling>(parameters, kSampling),
-                                           static_cast<int>(parameters.get(kSamplesAPoint)),
-                                           static_cast<unsigned>(parameters.get(kCelestialSeed)), progress});
-          }) {}
+/// C-Celestial coordinates: the centroid of the positive balanced vectors within the unit sphere, by sampling
+/// (thesis 4.2). `sampling`:
+/// * `hit-and-run` (ours): a walk inside the cone and the unit ball, which loses no sample;
+/// * `sphere`, `cube`: as in the thesis, random vectors are projected, and those with a negative number
+///   rejected. With many handles almost all are rejected, and a point may have no coordinates.
+///
+/// `samples` a point, and `seed`; every point uses the same random numbers. O(samples x n) a point.
+std::shared_ptr<const CoordinateSystem> cCelestial() {
+  return std::make_shared<PointwiseSystem>(
+      SystemDescription{
+          .id = "c-celestial",
+          .name = "C-Celestial",
+          .summary =
+              "Centroid of all positive solutions, estimated by sampling; more samples are more accurate",
+          // A walk of many steps makes a difference of the last bit a large one, so turns change something.
+          .traits = {.positive = true,
+                     .interpolates = true,
+                     .rotationInvariant = false,
+                     .everywhere = false,
+                     .continuous = false,
+                     .smooth = false},
+          .parameters = {kSampling, kSamplesAPoint, kCelestialSeed}},
+      [](const HandleSet& handles, const Points&, const BindOptions& options, Progress& progress) {
+        const ParameterValues& parameters = options.parameters;
+        return std::make_shared<const DirectionSolver>(
+            handles.positions,
+            Sampler{chosen<Sampling>(parameters, kSampling), static_cast<int>(parameters.get(kSamplesAPoint)),
+                    static_cast<unsigned>(parameters.get(kCelestialSeed)), progress});
+      });
+}
 
 } // namespace viscera::coordinates

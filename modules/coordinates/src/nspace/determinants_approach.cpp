@@ -1,4 +1,4 @@
-#include "viscera/coordinates/nspace/determinants_approach.h"
+#include "viscera/coordinates/systems.h"
 
 #include <array>
 #include <vector>
@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 
 #include "nspace/direction_solver.h"
+#include "viscera/coordinates/pointwise_system.h"
 
 namespace viscera::coordinates {
 namespace {
@@ -96,15 +97,20 @@ BalanceIn<2> planeDeterminants() {
   };
 }
 
-DeterminantsApproach::DeterminantsApproach()
-    : PointwiseSystem(
-          {.id = "determinants-approach",
-           .name = "Determinants approach",
-           .summary =
-               "The mean over all tetrahedra of handles around a point; jumps where their number changes",
-           .traits = {.positive = true, .interpolates = true, .continuous = false, .smooth = false}},
-          [](const HandleSet& handles, const ParameterValues&) {
-            return std::make_unique<DirectionSolver>(handles.positions, balance);
-          }) {}
+/// Coordinates by determinants: the mean of the balanced vectors of all tetrahedra of handles that contain
+/// the point, each divided by its norm (thesis 3.3.3). Positive; jumps where the number of tetrahedra
+/// changes. O(n^4) a point.
+std::shared_ptr<const CoordinateSystem> determinantsApproach() {
+  return std::make_shared<PointwiseSystem>(
+      SystemDescription{
+          .id = "determinants-approach",
+          .name = "Determinants approach",
+          .summary =
+              "The mean over all tetrahedra of handles around a point; jumps where their number changes",
+          .traits = {.positive = true, .interpolates = true, .continuous = false, .smooth = false}},
+      [](const HandleSet& handles, const ParameterValues&) {
+        return std::make_unique<DirectionSolver>(handles.positions, balance);
+      });
+}
 
 } // namespace viscera::coordinates

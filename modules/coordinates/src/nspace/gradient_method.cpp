@@ -1,4 +1,4 @@
-#include "viscera/coordinates/nspace/gradient_method.h"
+#include "viscera/coordinates/systems.h"
 
 #include <algorithm>
 #include <limits>
@@ -9,6 +9,7 @@
 
 #include "choice_parameter.h"
 #include "nspace/direction_solver.h"
+#include "viscera/coordinates/pointwise_system.h"
 
 namespace viscera::coordinates {
 namespace {
@@ -157,20 +158,31 @@ BalanceIn<2> planeGradient(Eigen::Index handles, const ParameterValues& paramete
   return ascentOf<2>(handles, parameters);
 }
 
-GradientMethod::GradientMethod()
-    : PointwiseSystem({.id = "gradient-method",
-                       .name = "Gradient method",
-                       .summary = "Maximises the smallest weight; positive, with kinks",
-                       // With 'highest' it jumps.
-                       .traits = {.positive = true,
-                                  .interpolates = true,
-                                  .everywhere = false,
-                                  .continuous = false,
-                                  .smooth = false},
-                       .parameters = {kStop, kGradientSeed}},
-                      [](const HandleSet& handles, const ParameterValues& parameters) {
-                        return std::make_unique<DirectionSolver>(
-                            handles.positions, ascentOf<3>(handles.positions.rows(), parameters));
-                      }) {}
+/// Coordinates by gradient ascent: raises the smallest number of a balanced vector along its steepest
+/// direction; where others tie with it they are raised together (thesis 3.3.4). Parameters:
+/// * `stop`: `inside` stops as soon as no number is negative; `highest` goes on until the smallest number no
+///   longer rises, and takes the direction if it rises without limit. The thesis describes both. It promises
+///   continuity, which holds for `inside`; `highest` jumps where the order of the ties changes.
+/// * `seed`: of the random positive vector whose projection is the start, the same for all points; 0 starts
+///   from all ones.
+///
+/// Points at which the ascent ends with a negative number have no coordinates. O(n^2) a point.
+std::shared_ptr<const CoordinateSystem> gradientMethod() {
+  return std::make_shared<PointwiseSystem>(
+      SystemDescription{.id = "gradient-method",
+                        .name = "Gradient method",
+                        .summary = "Maximises the smallest weight; positive, with kinks",
+                        // With 'highest' it jumps.
+                        .traits = {.positive = true,
+                                   .interpolates = true,
+                                   .everywhere = false,
+                                   .continuous = false,
+                                   .smooth = false},
+                        .parameters = {kStop, kGradientSeed}},
+      [](const HandleSet& handles, const ParameterValues& parameters) {
+        return std::make_unique<DirectionSolver>(handles.positions,
+                                                 ascentOf<3>(handles.positions.rows(), parameters));
+      });
+}
 
 } // namespace viscera::coordinates

@@ -1,10 +1,11 @@
-#include "viscera/coordinates/nspace/wire_approach.h"
+#include "viscera/coordinates/systems.h"
 
 #include <algorithm>
 #include <utility>
 
 #include "choice_parameter.h"
 #include "nspace/direction_solver.h"
+#include "viscera/coordinates/pointwise_system.h"
 
 namespace viscera::coordinates {
 namespace {
@@ -85,15 +86,22 @@ BalanceIn<2> planeWire(const ParameterValues& parameters) {
   return wire<2>(parameters);
 }
 
-WireApproach::WireApproach()
-    : PointwiseSystem(
-          {.id = "wire-approach",
-           .name = "Wire approach",
-           .summary = "A wire in the space of balanced vectors; for many points it has no answer",
-           .traits = {.positive = true, .interpolates = true, .everywhere = false, .smooth = false},
-           .parameters = {kPoints, kConnection}},
-          [](const HandleSet& handles, const ParameterValues& parameters) {
-            return std::make_unique<DirectionSolver>(handles.positions, wire<3>(parameters));
-          }) {}
+/// Coordinates from a wire (a polygonal line) through the projections of fixed points of n-space onto the
+/// balanced vectors, cut by the positive orthant; the mean of the remaining line, weighted by length (thesis
+/// 3.3.2). `points`: `p1` the axes, `p2` all ones but one zero, `p3` the axes and their opposites.
+/// `connection`: `cycle` (the thesis's C1, or C2 with `p3`) or `complete` (C3). The wire often misses the
+/// orthant, and the point then has no coordinates. O(n^2), for the complete graph O(n^3) a point.
+std::shared_ptr<const CoordinateSystem> wireApproach() {
+  return std::make_shared<PointwiseSystem>(
+      SystemDescription{
+          .id = "wire-approach",
+          .name = "Wire approach",
+          .summary = "A wire in the space of balanced vectors; for many points it has no answer",
+          .traits = {.positive = true, .interpolates = true, .everywhere = false, .smooth = false},
+          .parameters = {kPoints, kConnection}},
+      [](const HandleSet& handles, const ParameterValues& parameters) {
+        return std::make_unique<DirectionSolver>(handles.positions, wire<3>(parameters));
+      });
+}
 
 } // namespace viscera::coordinates

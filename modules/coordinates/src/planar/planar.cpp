@@ -7,13 +7,8 @@
 
 #include "nspace/direction_solver.h"
 #include "same_place.h"
-#include "viscera/coordinates/celestial/s_celestial.h"
-#include "viscera/coordinates/celestial/t_celestial.h"
-#include "viscera/coordinates/mean_value/mean_value.h"
-#include "viscera/coordinates/nspace/determinants_approach.h"
-#include "viscera/coordinates/nspace/gradient_method.h"
-#include "viscera/coordinates/nspace/lagrange_minimisation.h"
-#include "viscera/coordinates/nspace/wire_approach.h"
+#include "viscera/coordinates/celestial/celestial_solution.h"
+#include "viscera/coordinates/systems.h"
 #include "viscera/core/error.h"
 #include "viscera/core/phrase.h"
 
@@ -114,18 +109,19 @@ bool planarMeanValue(const PointsOf<2>& handles, const Eigen::Vector2d& point, V
   return true;
 }
 
-PlanarWeights celestial(const CelestialSystem& system, const PointsOf<2>& handles, const PointsOf<2>& points,
+PlanarWeights celestial(const CoordinateSystem& inSpace, const CelestialFunction& function,
+                        const PointsOf<2>& handles, const PointsOf<2>& points,
                         const ParameterValues& parameters, Threads threads) {
-  parameters.requireWithin(system.parameters());
+  parameters.requireWithin(inSpace.parameters());
   CelestialOptions options;
   options.threads = threads;
-  for (const Parameter& parameter : system.parameters())
+  for (const Parameter& parameter : inSpace.parameters())
     if (parameter.name == "locality")
       options.locality = parameters.get(parameter);
     else if (parameter.name == "softness")
       options.softness = parameters.get(parameter);
   Progress progress;
-  CelestialSolution<2> solution = system.solve<2>(handles, points, options, progress);
+  CelestialSolution<2> solution = solveCelestial<2>(function, handles, points, options, progress);
   PlanarWeights result{Eigen::MatrixXd(points.rows(), handles.rows()), std::move(solution.failures)};
   for (Eigen::Index handle = 0; handle < handles.rows(); ++handle)
     result.weights.col(handle) = solution.weights.column(handle);
@@ -146,11 +142,11 @@ PlanarWeights planarWeights(const std::string& system, const PointsOf<2>& handle
     parameters.requireWithin(inSpace.parameters());
     return inSpace.id() == system;
   };
-  if (system == SCelestial().id())
-    return celestial(SCelestial(), handles, points, parameters, threads);
-  if (system == TCelestial().id())
-    return celestial(TCelestial(), handles, points, parameters, threads);
-  if (system == MeanValue().id() && checked(MeanValue()))
+  if (system == sCelestial()->id())
+    return celestial(*sCelestial(), sFunction(), handles, points, parameters, threads);
+  if (system == tCelestial()->id())
+    return celestial(*tCelestial(), tFunction(), handles, points, parameters, threads);
+  if (system == meanValue()->id() && checked(*meanValue()))
     return pointByPoint(
         handles, points,
         [&](const Eigen::Vector2d& point, Values& weights) {
@@ -158,13 +154,13 @@ PlanarWeights planarWeights(const std::string& system, const PointsOf<2>& handle
         },
         threads);
   const auto balance = [&]() -> BalanceIn<2> {
-    if (system == LagrangeMinimisation().id() && checked(LagrangeMinimisation()))
+    if (system == lagrangeMinimisation()->id() && checked(*lagrangeMinimisation()))
       return planeLagrange(parameters);
-    if (system == GradientMethod().id() && checked(GradientMethod()))
+    if (system == gradientMethod()->id() && checked(*gradientMethod()))
       return planeGradient(handles.rows(), parameters);
-    if (system == DeterminantsApproach().id() && checked(DeterminantsApproach()))
+    if (system == determinantsApproach()->id() && checked(*determinantsApproach()))
       return planeDeterminants();
-    if (system == WireApproach().id() && checked(WireApproach()))
+    if (system == wireApproach()->id() && checked(*wireApproach()))
       return planeWire(parameters);
     std::string known;
     for (const std::string& id : planarSystems())

@@ -1,4 +1,4 @@
-#include "viscera/coordinates/sphere/delaunay_approach.h"
+#include "viscera/coordinates/systems.h"
 
 #include <algorithm>
 #include <array>
@@ -9,6 +9,7 @@
 
 #include "mean_value/triangle_share.h"
 #include "nspace/direction_solver.h"
+#include "viscera/coordinates/pointwise_system.h"
 #include "viscera/geometry/convex_hull.h"
 
 namespace viscera::coordinates {
@@ -101,19 +102,30 @@ bool balance(const HandleDirections& sight, double width, Values& beta) {
 
 } // namespace
 
-DelaunayApproach::DelaunayApproach()
-    : PointwiseSystem(
-          {.id = "delaunay-approach",
-           .name = "Delaunay triangulation approach",
-           .summary = "Mean value over the Delaunay triangles of the handles as each point sees them; jumps "
-                      "where triangles flip, which blending reduces",
-           .traits = {.positive = true, .interpolates = true, .continuous = false, .smooth = false},
-           .parameters = {kBlend}},
-          [](const HandleSet& handles, const ParameterValues& parameters) {
-            return std::make_unique<DirectionSolver>(
-                handles.positions,
-                [width = parameters.get(kBlend) * std::numbers::pi / 180](
-                    const HandleDirections& sight, Values& beta) { return balance(sight, width, beta); });
-          }) {}
+/// Mean value coordinates over the Delaunay triangulation of the handles on the sphere around each point
+/// (thesis 3.1.1). They jump where an edge of the triangulation flips. `blend` (degrees, 0 for none) mixes in
+/// the flipped pair of triangles from where the two angles across an edge sum up to 180 degrees less `blend`,
+/// with a share that rises from 0 to one half at the flip by a cubic without slope at its ends. (The thesis's
+/// control points of that cubic do not meet in the middle; these do.) If several edges are near a flip at
+/// once, the shares of those that are farther from it are reduced, so that the coordinates are continuous at
+/// a flip and all shares stay positive. A wide blend may still jump where more flips coincide. One hull of n
+/// points a point.
+std::shared_ptr<const CoordinateSystem> delaunayApproach() {
+  return std::make_shared<PointwiseSystem>(
+      SystemDescription{
+          .id = "delaunay-approach",
+          .name = "Delaunay triangulation approach",
+          .summary = "Mean value over the Delaunay triangles of the handles as each point sees them; jumps "
+                     "where triangles flip, which blending reduces",
+          .traits = {.positive = true, .interpolates = true, .continuous = false, .smooth = false},
+          .parameters = {kBlend}},
+      [](const HandleSet& handles, const ParameterValues& parameters) {
+        return std::make_unique<DirectionSolver>(handles.positions,
+                                                 [width = parameters.get(kBlend) * std::numbers::pi /
+                                                          180](const HandleDirections& sight, Values& beta) {
+                                                   return balance(sight, width, beta);
+                                                 });
+      });
+}
 
 } // namespace viscera::coordinates

@@ -1,4 +1,4 @@
-#include "viscera/coordinates/sphere/incremental_approach.h"
+#include "viscera/coordinates/systems.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,6 +8,7 @@
 #include "choice_parameter.h"
 #include "mean_value/triangle_share.h"
 #include "nspace/direction_solver.h"
+#include "viscera/coordinates/pointwise_system.h"
 
 namespace viscera::coordinates {
 namespace {
@@ -85,16 +86,23 @@ private:
 
 } // namespace
 
-IncrementalApproach::IncrementalApproach()
-    : PointwiseSystem(
-          {.id = "incremental-approach",
-           .name = "Incremental approach",
-           .summary = "Mean value on the hull, inner handles added one by one; they may make some negative",
-           .traits = {.interpolates = true, .everywhere = false},
-           .parameters = {kLift}},
-          [](const HandleSet& handles, const ParameterValues& parameters) {
-            return std::make_unique<DirectionSolver>(
-                handles.positions, Increments(handles.positions, chosen<Lift>(parameters, kLift)));
-          }) {}
+/// Mean value coordinates of the handles on the convex hull, to which the inner handles are added one by one
+/// (thesis 3.1.3): each adds a weight of one, and the earlier ones change by `q_i . d + k`, with the vector d
+/// that keeps the balance. `k`: `one`, or `norm` for the length of d, which the thesis only proposes: no
+/// number is then negative, but d solves a quadratic equation, and where it has no positive root the point
+/// has no coordinates. O(triangles + inner handles x n) a point.
+std::shared_ptr<const CoordinateSystem> incrementalApproach() {
+  return std::make_shared<PointwiseSystem>(
+      SystemDescription{
+          .id = "incremental-approach",
+          .name = "Incremental approach",
+          .summary = "Mean value on the hull, inner handles added one by one; they may make some negative",
+          .traits = {.interpolates = true, .everywhere = false},
+          .parameters = {kLift}},
+      [](const HandleSet& handles, const ParameterValues& parameters) {
+        return std::make_unique<DirectionSolver>(
+            handles.positions, Increments(handles.positions, chosen<Lift>(parameters, kLift)));
+      });
+}
 
 } // namespace viscera::coordinates

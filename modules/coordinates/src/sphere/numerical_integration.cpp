@@ -1,4 +1,4 @@
-#include "viscera/coordinates/sphere/numerical_integration.h"
+#include "viscera/coordinates/systems.h"
 
 #include <algorithm>
 #include <array>
@@ -13,6 +13,7 @@
 #include "choice_parameter.h"
 #include "nspace/direction_solver.h"
 #include "sphere/sphere_samples.h"
+#include "viscera/coordinates/pointwise_system.h"
 #include "viscera/geometry/convex_hull.h"
 
 namespace viscera::coordinates {
@@ -105,25 +106,35 @@ struct Integral {
 
 } // namespace
 
-NumericalIntegration::NumericalIntegration()
-    : PointwiseSystem(
-          {.id = "numerical-integration",
-           .name = "Numerical integration approach",
-           .summary = "Mean value over all tetrahedra of the handles at once, by directions; "
-                      "positive, with many maxima",
-           .traits = {.positive = true,
-                      .interpolates = true,
-                      .rotationInvariant = false,
-                      .continuous = false,
-                      .smooth = false},
-           .parameters = {kDirectionSamples, kDirectionSeed}},
-          [](const HandleSet& handles, const ParameterValues& parameters) {
-            SphereSamples samples = sphereSamples(static_cast<int>(parameters.get(kDirectionSamples)));
-            samples.directions =
-                (randomTurn(static_cast<int>(parameters.get(kDirectionSeed))) * samples.directions).eval();
-            return std::make_unique<DirectionSolver>(
-                handles.positions,
-                Integral{facesOf(geometry::delaunayTetrahedra(handles.positions)), std::move(samples)});
-          }) {}
+/// The thesis's numerical integration approach (3.2.1): the faces of the handles' Delaunay tetrahedra, seen
+/// from a point, cover the sphere around it more than once; mean value coordinates are integrated over it at
+/// the centres of a divided icosahedron. A sample is shared between all triangles that hold it, as the square
+/// of the volume that each spans with the point.
+///
+/// Each sample is reproduced by every triangle that holds it, and the samples add up to zero, so identity and
+/// unity are exact for any number of samples. The integral is continuous; its sum jumps where a sample passes
+/// an edge, by less the more samples there are. `samples` is the number of divisions of the icosahedron,
+/// `seed` turns it at random; 0 leaves it as it is. O(samples x tetrahedra) a point.
+std::shared_ptr<const CoordinateSystem> numericalIntegration() {
+  return std::make_shared<PointwiseSystem>(
+      SystemDescription{.id = "numerical-integration",
+                        .name = "Numerical integration approach",
+                        .summary = "Mean value over all tetrahedra of the handles at once, by directions; "
+                                   "positive, with many maxima",
+                        .traits = {.positive = true,
+                                   .interpolates = true,
+                                   .rotationInvariant = false,
+                                   .continuous = false,
+                                   .smooth = false},
+                        .parameters = {kDirectionSamples, kDirectionSeed}},
+      [](const HandleSet& handles, const ParameterValues& parameters) {
+        SphereSamples samples = sphereSamples(static_cast<int>(parameters.get(kDirectionSamples)));
+        samples.directions =
+            (randomTurn(static_cast<int>(parameters.get(kDirectionSeed))) * samples.directions).eval();
+        return std::make_unique<DirectionSolver>(
+            handles.positions,
+            Integral{facesOf(geometry::delaunayTetrahedra(handles.positions)), std::move(samples)});
+      });
+}
 
 } // namespace viscera::coordinates

@@ -1,4 +1,4 @@
-#include "viscera/coordinates/tetrahedra/harmonic.h"
+#include "viscera/coordinates/systems.h"
 
 #include <algorithm>
 #include <numeric>
@@ -10,6 +10,7 @@
 #include "tetrahedra/last_solver.h"
 #include "tetrahedra/tetrahedra_field.h"
 #include "viscera/coordinates/cage/cage.h"
+#include "viscera/coordinates/pointwise_system.h"
 #include "viscera/core/error.h"
 #include "viscera/core/phrase.h"
 
@@ -100,19 +101,31 @@ std::unique_ptr<const PointSolver> prepareHarmonic(const HandleSet& handles, con
 
 } // namespace
 
-Harmonic::Harmonic()
-    : PointwiseSystem(
-          {.id = "harmonic",
-           .name = "Harmonic",
-           .summary =
-               "Solutions of Laplace's equation in a cage of any shape; local, and without negative lobes",
-           .traits = {.needsCage = true,
-                      .needsTetrahedra = true,
-                      .interpolates = true,
-                      .closedFormGradient = true,
-                      .rotationInvariant = false,
-                      .smooth = false},
-           .parameters = {kHarmonicResolution}},
-          keepingTheLastSolver(prepareHarmonic)) {}
+/// Harmonic coordinates (Joshi et al. 2007, doi 10.1145/1276377.1276466; thesis 2.3): inside a closed cage of
+/// any shape each coordinate is the solution of Laplace's equation that is linear on the cage's triangles, 1
+/// at its handle and 0 at the others.
+///
+/// By linear finite elements on tetrahedra whose edges are about a `resolution`-th of the cage's diagonal;
+/// the error falls with its square. Linear functions are among the elements, so identity and unity are exact
+/// on any tetrahedra. True harmonic coordinates are positive in any cage; on tetrahedra with obtuse angles
+/// the elements may fall below zero by a little, which is why the traits do not promise it. Derivatives are
+/// those of the elements: constant in each tetrahedron. Points outside the cage have no coordinates.
+/// A factorisation of about `resolution^3 / 2` unknowns, then O(handles) a point.
+std::shared_ptr<const CoordinateSystem> harmonic() {
+  return std::make_shared<PointwiseSystem>(
+      SystemDescription{
+          .id = "harmonic",
+          .name = "Harmonic",
+          .summary =
+              "Solutions of Laplace's equation in a cage of any shape; local, and without negative lobes",
+          .traits = {.needsCage = true,
+                     .needsTetrahedra = true,
+                     .interpolates = true,
+                     .closedFormGradient = true,
+                     .rotationInvariant = false,
+                     .smooth = false},
+          .parameters = {kHarmonicResolution}},
+      keepingTheLastSolver(prepareHarmonic));
+}
 
 } // namespace viscera::coordinates

@@ -6,7 +6,7 @@
 
 #include <Eigen/Geometry>
 
-#include "viscera/coordinates/celestial/s_celestial.h"
+#include "viscera/coordinates/systems.h"
 #include "viscera/core/phrase.h"
 #include "viscera/core/text.h"
 #include "viscera/deformation/grid_witnesses.h"
@@ -120,7 +120,7 @@ TissueWitnesses::TissueWitnesses(const MotionRig& rig, std::size_t outer, int wa
   coordinates::HandleSet handles;
   handles.positions = rig.rest();
   const Points witnesses = mesh.points.topRows(mesh.witnesses);
-  gradients_ = deformation::bindWitnesses(coordinates::SCelestial(), handles, witnesses, options, progress);
+  gradients_ = deformation::bindWitnesses(*coordinates::sCelestial(), handles, witnesses, options, progress);
   count_ = mesh.witnesses;
 }
 

@@ -6,7 +6,7 @@
 
 #include <Eigen/QR>
 
-#include "viscera/coordinates/celestial/s_celestial.h"
+#include "viscera/coordinates/systems.h"
 #include "viscera/core/error.h"
 #include "viscera/core/phrase.h"
 #include "viscera/deformation/bind_organ.h"
@@ -158,7 +158,7 @@ MotionRig::MotionRig(std::vector<geometry::TriangleMesh> surfaces, Points handle
   options.threads = threads;
   coordinates::HandleSet set;
   set.positions = rest_;
-  const auto binding = deformation::bindOrgan(coordinates::SCelestial(), set, points, options, progress);
+  const auto binding = deformation::bindOrgan(*coordinates::sCelestial(), set, points, options, progress);
   weights_.resize(rows, rest_.rows());
   for (Eigen::Index handle = 0; handle < rest_.rows(); ++handle)
     weights_.col(handle) = binding->influence(static_cast<int>(handle));

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include <viscera/coordinates/built_in_systems.h>
+#include <viscera/coordinates/systems.h>
 #include <viscera/core/error.h>
 #include <viscera/deformation/bind_organ.h>
 

@@ -3,7 +3,7 @@
 
 #include <QObject>
 
-#include "viscera/coordinates/built_in_systems.h"
+#include "viscera/coordinates/systems.h"
 #include "viscera/plugin/coordinate_system_plugin.h"
 
 namespace viscera::tests {

@@ -15,7 +15,7 @@
 #include <vtkUnsignedCharArray.h>
 
 #include "leaves.h"
-#include "viscera/coordinates/built_in_systems.h"
+#include "viscera/coordinates/systems.h"
 #include "viscera/coordinates/vector_bits.h"
 #include "viscera/core/error.h"
 #include "viscera/deformation/tetrahedralise.h"

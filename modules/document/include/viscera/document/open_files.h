@@ -38,7 +38,7 @@ struct OpenedFiles {
   Text name; ///< Of the undo step: "Open liver.stl".
   std::vector<NewOrgan> organs;
   std::map<std::size_t, ReadSurface> surfaces; ///< Of those `organs` that come from surface files.
-  std::optional<NewRig> rig;                   ///< When there was a handle file.
+  std::optional<Rig> rig;                      ///< When there was a handle file.
   std::shared_ptr<const ScanItem> scan;        ///< Of `openPatient`; not among what `command` adds.
   std::vector<Text> warnings;                  ///< What a user should know, each with its file's name.
   std::vector<Error> failures;                ///< Of files that could not be read, each with its file's name.
@@ -124,11 +124,10 @@ std::vector<NewOrgan> readOrgans(const std::filesystem::path& file, const std::s
 /// A handle file's contents as a rig: one group a markup list; a handle that lists share (same label, same
 /// place) is one handle in several groups. Throws `DataError` for a rig that nothing can be bound to: fewer
 /// than four handles, all in one plane, two at one place.
-NewRig rigFrom(const medical_io::HandleFile& file, const std::string& where);
-/// The rig at rest as the contents of a handle file; handles without a group form the list "Handles".
+Rig rigFrom(const medical_io::HandleFile& file, const std::string& where);
+/// The rig at rest as the contents of a handle file; handles without a group form the list "Handles". A rig
+/// of no document is `completed` first.
 medical_io::HandleFile handleFile(const Rig& rig);
-/// The same of a rig that is not in a document.
-medical_io::HandleFile handleFile(const NewRig& rig);
 
 /// One surface of a sample organ, painted as the sample is.
 Organ organFrom(const sample_organs::SampleSurface& surface, std::string name);

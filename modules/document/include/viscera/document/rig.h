@@ -40,8 +40,9 @@ struct Group {
 /// The corners of one triangle of a cage, counter-clockwise seen from outside.
 using CageTriangle = std::array<HandleId, 3>;
 
-/// The handles that all organs of a document share. The order of the handles is that of the rows of every
-/// pose.
+/// Handles with their labels, groups and cage, at rest: those that all organs of a document share, or those
+/// of a file, a sequence or an automatic placement, which `replaceRig` puts into a document. The order of the
+/// handles is that of the rows of every pose.
 struct Rig {
   std::vector<Handle> handles;
   std::vector<Group> groups;
@@ -60,11 +61,19 @@ struct Rig {
   /// The first group that a handle is in (it gives the handle its colour), or null.
   const Group* groupOf(HandleId id) const;
 
+  /// Appends a group of the handles in these rows, with an id of its own in the rig. Throws `UsageError` for
+  /// a row that does not exist.
+  void addGroup(std::string name, const Vec3& color, const std::vector<int>& rows);
+
   /// How many handles are corners of the given cage.
   int cornerCount() const;
 
   friend bool operator==(const Rig&, const Rig&) = default;
 };
+
+/// Handles at `positions` (`n x 3` mm), without labels and groups. Their ids count from 1: they are those of
+/// no document.
+Rig rigAt(const Points& positions);
 
 /// Describes handles for a user: "handle H-3", or "5 handles".
 Text describe(const Rig& rig, const std::vector<HandleId>& handles);

@@ -26,20 +26,6 @@ struct NewHandle {
   bool visible = true;
 };
 
-/// A group that is to be added to a document, with its handles as numbers in `NewRig`.
-struct NewGroup {
-  std::string name;
-  Vec3 color = {1.0, 0.5, 0.2};
-  std::vector<int> handles; ///< Indices into `NewRig::handles`.
-};
-
-/// A whole rig, handles and groups, that is to be put into a document.
-struct NewRig {
-  std::vector<NewHandle> handles;
-  std::vector<NewGroup> groups;
-  Triangles cage = {}; ///< Indices into `handles`, closed and outward; empty: the handles' convex hull.
-};
-
 /// A new handle for every row of `positions` (`n x 3`), unlabelled.
 std::vector<NewHandle> newHandles(const Points& positions);
 
@@ -63,8 +49,13 @@ Command removeHandles(std::vector<HandleId> handles);
 /// rest stays at rest exactly. Locked ones stay where they are.
 Command moveRestHandles(std::vector<HandleId> handles, Points positions);
 
-/// Replaces the rig by another one, at rest: automatic placement, a file, a sequence's own handles.
-Command replaceRig(NewRig rig, Text name = "Replace handles");
+/// Replaces the rig by another one, at rest: automatic placement, a file, a sequence's own handles. Handles
+/// and groups get ids of the document, labels and names where there are none, and numbers behind those that
+/// are taken. Throws `UsageError` for a group or a cage with a handle that the rig does not have.
+Command replaceRig(Rig rig, Text name = "Replace handles");
+
+/// The rig as `replaceRig` would put it into an empty document. Throws as above.
+Rig completed(const Rig& rig);
 
 /// The changes of a handle: label, lock, description, visibility, compensation. What is not given stays.
 struct HandleEdit {
@@ -95,6 +86,6 @@ Command resetPose();
 void requireFits(const Rig& rig, const sequences::Sequence& sequence);
 
 /// The sequence's own handles, for `replaceRig`: in its groups, each handle labelled after its group.
-NewRig rigOf(const sequences::Sequence& sequence);
+Rig rigOf(const sequences::Sequence& sequence);
 
 } // namespace viscera::document

@@ -66,7 +66,7 @@ Landmarks completeLandmarks(const std::string& sequence, const document::Organ& 
 /// A sequence that was fitted to an organ, with its handles and landmarks.
 struct RetargetedSequence {
   std::shared_ptr<const sequences::Sequence> sequence; ///< Never null.
-  document::NewRig rig;          ///< Its rest handles, in its order, with labels and groups.
+  document::Rig rig;             ///< Its rest handles, in its order, with labels and groups.
   document::SystemChoice system; ///< The coordinates for which it was made, softness in the organ's size.
   Landmarks landmarks;           ///< All landmarks that were used.
   double scale = 1;              ///< The organ's size as a multiple of the sample organ's.

@@ -48,7 +48,7 @@ void writeSequence(const std::filesystem::path& file, const SequenceFile& sequen
 SequenceFile sequenceFile(const document::DocumentState& state);
 
 /// The rig of a sequence file, in its order.
-document::NewRig rigOf(const SequenceFile& sequence);
+document::Rig rigOf(const SequenceFile& sequence);
 
 /// The command that opens a sequence file in the document, one undo step: when the rig has all its handles by
 /// label (at their rest places to 1e-6 of the size), only the key sequence; else also the file's handles and,

@@ -16,7 +16,7 @@ namespace viscera::live {
 struct SequenceSetup {
   std::shared_ptr<const sequences::Sequence> sequence; ///< Never null.
   sample_organs::SampleOrgan organ;                    ///< On whose surfaces it was calibrated.
-  document::NewRig rig;          ///< The sequence's rest handles, in its order, with labels and groups.
+  document::Rig rig;             ///< The sequence's rest handles, in its order, with labels and groups.
   document::SystemChoice system; ///< The coordinates and parameters with which it was calibrated.
 };
 
