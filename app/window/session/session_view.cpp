@@ -7,7 +7,6 @@
 #include <nlohmann/json.hpp>
 
 #include "viscera/document/rig_commands.h"
-#include "viscera/live/motion_recipe.h"
 #include "viscera/presentation/presenter.h"
 #include "viscera/sequences/volume_curve.h"
 #include "window/compare/comparison.h"
@@ -27,7 +26,7 @@ constexpr const char* kMotionsSlot = "motions";
 struct SessionView::Wanted {
   struct Motion {
     std::shared_ptr<const document::Organ> organ;
-    std::string recipe;
+    live::MotionRecipe recipe;
     std::shared_ptr<const sequences::Sequence> sequence; ///< Once it is made.
   };
   std::vector<Motion> motions;
@@ -96,7 +95,7 @@ void SessionView::gatherMotions(presentation::ViewState& state) const {
   const live::Player& player = window_.playback.player();
   int present = -1;
   for (const Playback::Motion& motion : window_.playback.motions()) {
-    if (motion.recipe.empty())
+    if (std::holds_alternative<std::monostate>(motion.recipe))
       continue;
     if (motion.sequence.get() == window_.playback.sequence())
       present = static_cast<int>(state.motions.size());

@@ -120,6 +120,36 @@ void readSwitchesOfFormat1(const JsonReader& json, const ordered_json& item, Vie
   view.shown = shownByMode(view.mode, view.playing && view.playing->shown);
 }
 
+ordered_json recipeJson(const live::MotionRecipe& recipe) {
+  if (const auto* sample = std::get_if<live::SampleMotion>(&recipe))
+    return {{"resolution", sample_organs::nameOf(sample->resolution)}, {"sequence", sample->sequence}};
+  const auto* fitted = std::get_if<live::FittedMotion>(&recipe);
+  if (!fitted)
+    return nullptr;
+  ordered_json landmarks = ordered_json::array();
+  for (const live::Landmark& point : fitted->given.points)
+    landmarks.push_back({{"position", jsonOf(point.position)}, {"role", point.role}});
+  return {{"landmarks", std::move(landmarks)}, {"sequence", fitted->sequence}};
+}
+
+/// A recipe that is damaged, or that only a newer version knows, is none: the rest of the view is opened.
+live::MotionRecipe recipeFrom(const JsonReader& json, const ordered_json& item, const std::string& place) {
+  try {
+    const auto sequence = json.valueOf<std::string>(item, "sequence", place);
+    if (!item.contains("landmarks"))
+      return live::SampleMotion{
+          sequence, sample_organs::resolutionFromName(json.valueOf<std::string>(item, "resolution", place))};
+    live::FittedMotion fitted{sequence, {}};
+    json.eachOf(item, "landmarks", place, [&](const ordered_json& point, const std::string& inList) {
+      fitted.given.points.push_back({json.valueOf<std::string>(point, "role", inList),
+                                     json.valueOf<Vec3>(point, "position", inList), false});
+    });
+    return fitted;
+  } catch (const Error&) {
+    return {};
+  }
+}
+
 SelectionState selectionFrom(const JsonReader& json, const ordered_json& item, const std::string& place) {
   SelectionState selection;
   selection.organ.value = json.valueOf<std::int64_t>(item, "organ", place);
@@ -297,8 +327,8 @@ ViewState viewFrom(const JsonReader& json, const ordered_json& item,
   take("camera", view.camera, cameraFrom);
   take("selection", view.selection, selectionFrom);
   json.eachOf(item, "motions", "", [&](const ordered_json& motion, const std::string& place) {
-    view.motions.push_back(
-        {{json.valueOf<std::int64_t>(motion, "organ", place)}, json.field(motion, "recipe", place).dump()});
+    view.motions.push_back({{json.valueOf<std::int64_t>(motion, "organ", place)},
+                            recipeFrom(json, json.field(motion, "recipe", place), place)});
   });
   take("playing", view.playing, playingFrom);
   take("compared", view.compared, comparedFrom);
@@ -372,8 +402,7 @@ std::string toJson(const ViewState& state) {
     item["selection"]["handles"].push_back(id.value);
   item["motions"] = ordered_json::array();
   for (const MotionChoice& motion : view.motions)
-    item["motions"].push_back(
-        {{"organ", motion.organ.value}, {"recipe", ordered_json::parse(motion.recipe)}});
+    item["motions"].push_back({{"organ", motion.organ.value}, {"recipe", recipeJson(motion.recipe)}});
   if (view.playing)
     visitPlaying(*view.playing, [&](const char* key, const auto& value) { item["playing"][key] = value; });
   if (view.playing && view.playing->prescribed)

@@ -68,6 +68,35 @@ TEST(ViewStateJson, APrescribedVolumeComesBackToTheLastBit) {
                DataError);
 }
 
+TEST(ViewStateJson, MotionsComeBackByTheirRecipes) {
+  live::Landmarks landmarks;
+  landmarks.points = {{"apex", Vec3(1, 2.5, -3)}, {"base", Vec3(0.1, 0, 7)}};
+  ViewState view;
+  view.motions = {{{1}, live::SampleMotion{"breathing", sample_organs::Resolution::low}},
+                  {{2}, live::FittedMotion{"heartbeat", landmarks}},
+                  {{3}, live::FittedMotion{"heartbeat", {}}},
+                  {{4}, {}}};
+  EXPECT_EQ(viewFromJson(toJson(view)).motions, view.motions);
+  EXPECT_NE(toJson(view).find(R"({"organ":1,"recipe":{"resolution":"low","sequence":"breathing"}})"),
+            std::string::npos);
+  EXPECT_NE(toJson(view).find(R"("recipe":{"landmarks":[{"position":[1.0,2.5,-3.0],"role":"apex"},)"),
+            std::string::npos)
+      << "as versions before have written them";
+}
+
+TEST(ViewStateJson, ARecipeThatIsDamagedIsNone) {
+  for (const char* damaged :
+       {"null", "[]", "7", "{}", R"({"sequence": 7, "resolution": "low"})", R"({"sequence": "heartbeat"})",
+        R"({"sequence": "heartbeat", "resolution": 7})", R"({"sequence": "heartbeat", "resolution": "huge"})",
+        R"({"sequence": "heartbeat", "landmarks": [{"role": "apex"}]})",
+        R"({"sequence": "heartbeat", "landmarks": [{"role": "apex", "position": [1, 2]}]})",
+        R"({"sequence": "heartbeat", "landmarks": {"apex": [1, 2, 3]}})"}) {
+    const ViewState view =
+        viewFromJson(R"({"format": 3, "motions": [{"organ": 5, "recipe": )" + std::string(damaged) + "}]}");
+    EXPECT_EQ(view.motions, (std::vector<MotionChoice>{{{5}, {}}})) << damaged;
+  }
+}
+
 TEST(ViewStateJson, ThatIsDamagedIsRefusedWithThePlaceOfTheMistake) {
   const auto refusal = [](const std::string& view) {
     try {

@@ -10,6 +10,7 @@
 #include "viscera/core/arrays.h"
 #include "viscera/document/circulation_choice.h"
 #include "viscera/document/ids.h"
+#include "viscera/live/motion_recipe.h"
 #include "viscera/live/strain_reading.h"
 #include "viscera/presentation/heart_signs.h"
 #include "viscera/presentation/scan_look.h"
@@ -50,10 +51,10 @@ struct Shown {
 /// The planes that drags can be mirrored at, through the middle of the organ at rest.
 enum class Mirror { off, sagittal, coronal, axial };
 
-/// A sequence that can be played, by the recipe that makes it again.
+/// A sequence that can be played.
 struct MotionChoice {
   document::OrganId organ;
-  std::string recipe; ///< motion/motion_recipe.h; JSON.
+  live::MotionRecipe recipe; ///< Makes it again.
 
   bool operator==(const MotionChoice&) const = default;
 };
