@@ -58,7 +58,7 @@ void SessionView::forget() {
   });
 }
 
-std::string SessionView::gather(bool shown) const {
+presentation::ViewState SessionView::state(bool shown) const {
   presentation::ViewState state = window_.picture.state();
   if (const auto& before = window_.slides.lookBefore(); before && !shown) {
     state.cut = before->cut;
@@ -75,20 +75,20 @@ std::string SessionView::gather(bool shown) const {
     state.shownPose = window_.workspace.live().shownPose();
   if (making_ && stillShows(*making_))
     gatherWanted(state);
-  const std::string view = presentation::toJson(state);
-  const std::string measured = window_.measured.record();
-  if (measured.empty())
-    return view;
-  auto with = nlohmann::ordered_json::parse(view);
-  with[kMeasuredField] = nlohmann::ordered_json::parse(measured);
-  return with.dump();
+  return state;
+}
+
+nlohmann::ordered_json SessionView::saved() const {
+  nlohmann::ordered_json view = presentation::toJson(state());
+  if (const auto measured = window_.measured.record())
+    view[kMeasuredField] = live::toJson(*measured);
+  return view;
 }
 
 /// Before its sequence is shown, which draws it.
-void SessionView::recallMeasured(const std::string& text) {
-  const auto view = nlohmann::ordered_json::parse(text, nullptr, false);
-  if (const auto measured = view.find(kMeasuredField); view.is_object() && measured != view.end())
-    window_.workspace.guarded([&] { window_.measured.recall(measured->dump()); });
+void SessionView::recallMeasured(const nlohmann::ordered_json& view) {
+  if (const auto measured = view.find(kMeasuredField); measured != view.end())
+    window_.workspace.guarded([&] { window_.measured.recall(live::measuredRecordFrom(*measured)); });
 }
 
 void SessionView::gatherMotions(presentation::ViewState& state) const {
@@ -137,9 +137,9 @@ void SessionView::gatherWanted(presentation::ViewState& state) const {
     state.shownPose = making_->shownPose;
 }
 
-void SessionView::apply(const std::string& text) {
+void SessionView::apply(const nlohmann::ordered_json& saved) {
   presentation::ViewState state =
-      presentation::viewFromJson(text, window_.workspace.document().circulation());
+      presentation::viewFromJson(saved, window_.workspace.document().circulation());
   stopMakingMotions();
   waiting_.reset();
   Wanted wanted;
@@ -153,7 +153,7 @@ void SessionView::apply(const std::string& text) {
   const presentation::SelectionState selection = std::exchange(state.selection, {});
   state.motions.clear();
   wanted.shownPose = std::exchange(state.shownPose, Points(0, 3));
-  recallMeasured(text);
+  recallMeasured(saved);
   window_.modes.choose(state.mode);
   window_.workspace.selection().setOrgan(selection.organ);
   window_.workspace.selection().setGroup(selection.group);

@@ -380,7 +380,7 @@ bool ViewState::operator==(const ViewState& other) const {
          shownPose == other.shownPose;
 }
 
-std::string toJson(const ViewState& state) {
+ordered_json toJson(const ViewState& state) {
   ViewState view = state;
   ordered_json item = {{"format", kFormat}, {"mode", view.mode}};
   visitShown(view.shown, [&](const char* key, bool value) { item["shown"][key] = value; });
@@ -415,13 +415,14 @@ std::string toJson(const ViewState& state) {
     item["slides"].push_back(slideJson(slide));
   if (view.shownPose.rows() > 0)
     item["shownPose"] = rowsOf(view.shownPose);
-  return item.dump();
+  return item;
 }
 
-ViewState viewFromJson(const std::string& text, const document::CirculationChoice& circulation) {
+ViewState viewFromJson(const ordered_json& item, const document::CirculationChoice& circulation) {
   const JsonReader json(kView, kViewAdvice);
   try {
-    return viewFrom(json, json.parse(text), circulation);
+    json.requireObject(item, "");
+    return viewFrom(json, item, circulation);
   } catch (const JsonError& error) {
     throw DataError("The view cannot be restored completely", error.where(), kViewAdvice);
   }

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include <nlohmann/json_fwd.hpp>
+
 #include "viscera/anatomy/norms.h"
 #include "viscera/core/arrays.h"
 #include "viscera/document/circulation_choice.h"
@@ -215,13 +217,14 @@ struct ViewState {
   bool operator==(const ViewState& other) const;
 };
 
-/// The view as JSON text, for a session (docs/session_format.md, "view").
-std::string toJson(const ViewState& view);
+/// The view as JSON, for a session (docs/session_format.md, "view").
+nlohmann::ordered_json toJson(const ViewState& view);
 
-/// Reads what `toJson` wrote, and the views of sessions of formats 1 and 2. Values that are missing or out of
+/// Reads what `toJson` made, and the views of sessions of formats 1 and 2. Values that are missing or out of
 /// range get their defaults. `circulation` is the session's: a heartbeat of those formats began at another
 /// instant, which depends on what moved the heart, and its fractions are read as those of today's beat.
-/// Throws `DataError` for text that is not a view.
-ViewState viewFromJson(const std::string& text, const document::CirculationChoice& circulation = {});
+/// Throws `DataError` for what is no view.
+ViewState viewFromJson(const nlohmann::ordered_json& item,
+                       const document::CirculationChoice& circulation = {});
 
 } // namespace viscera::presentation
