@@ -24,6 +24,16 @@
 /// because it is a setting of the user.
 namespace viscera::presentation {
 
+/// Positions of handles, `n x 3` mm. Those of different numbers of handles can be compared, too.
+struct HandlePositions : Points {
+  using Points::Points;
+  using Points::operator=;
+
+  bool operator==(const HandlePositions& other) const {
+    return rows() == other.rows() && Points::operator==(other);
+  }
+};
+
 /// Position, focus and opening angle of a camera.
 struct Camera {
   Vec3 position = Vec3::Zero(); ///< mm, LPS.
@@ -95,9 +105,9 @@ struct Compared {
   What what = What::rate;
   std::string name;         ///< The id of the coordinates, or the sample's; empty for the others.
   double ratePerMinute = 0; ///< Of the sequence in the second view; 0: none is played there.
-  Points pose;              ///< The kept one, `n x 3` mm; empty for the others.
+  HandlePositions pose;     ///< The kept one; empty for the others.
 
-  bool operator==(const Compared& other) const;
+  bool operator==(const Compared&) const = default;
 };
 
 /// A plane that cuts organs open in all modes but Stress, which has a cut of its own.
@@ -211,10 +221,10 @@ struct ViewState {
   std::optional<Playing> playing;
   std::optional<Compared> compared; ///< None: there is no second view.
   std::vector<Slide> slides;        ///< In the order in which they are shown.
-  /// The displayed positions of the handles if they differ from the document's pose, `n x 3` mm; else empty.
-  Points shownPose;
+  /// The displayed positions of the handles if they differ from the document's pose; else empty.
+  HandlePositions shownPose;
 
-  bool operator==(const ViewState& other) const;
+  bool operator==(const ViewState&) const = default;
 };
 
 /// The view as JSON, for a session (docs/session_format.md, "view").
