@@ -51,7 +51,7 @@ private:
   struct Sample {
     std::vector<document::NewOrgan> organs;
     std::shared_ptr<const sequences::Sequence> motion;
-    live::MotionRecipe recipe; ///< Of the motion.
+    live::MotionRecipe recipe; ///< Makes the motion again.
     document::NewRig rig;      ///< The motion's handles.
     document::SystemChoice system;
   };

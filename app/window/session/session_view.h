@@ -43,7 +43,7 @@ public:
   /// The present view; `shown` as a slide shows it, else with the look from before the slide: a session opens
   /// with that. Motions that are still created, and what waits for them, are in it as they were saved.
   presentation::ViewState state(bool shown = false) const;
-  /// That view for a session, with the numbers of a measured motion (docs/session_format.md).
+  /// The view as a session saves it, with the numbers of a measured motion (docs/session_format.md).
   nlohmann::ordered_json saved() const;
   /// Restores what `saved` made in the window. A worker creates the motions, which are shown when it is done.
   /// Throws `DataError` for what is not such a view, and then changes nothing.

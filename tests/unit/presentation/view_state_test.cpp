@@ -6,7 +6,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include "build_paths.h"
 #include "viscera/core/error.h"
+#include "viscera/core/json_reader.h"
 
 namespace viscera::presentation {
 namespace {
@@ -75,6 +77,13 @@ TEST(ViewStateJson, APrescribedVolumeComesBackToTheLastBit) {
                DataError);
 }
 
+/// The first versions of format 3 have written this view; most of its values are not the defaults.
+TEST(ViewStateJson, OfFormat3IsWrittenAgainByteForByte) {
+  const auto saved = ordered_json::parse(
+      readText(VISCERA_SOURCE_DIR "/tests/unit/presentation/sessions/view_format_3.json"));
+  EXPECT_EQ(toJson(viewFromJson(saved)).dump(), saved.dump());
+}
+
 TEST(ViewStateJson, MotionsComeBackByTheirRecipes) {
   live::Landmarks landmarks;
   landmarks.points = {{"apex", Vec3(1, 2.5, -3)}, {"base", Vec3(0.1, 0, 7)}};
@@ -84,7 +93,7 @@ TEST(ViewStateJson, MotionsComeBackByTheirRecipes) {
                   {{3}, live::FittedMotion{"heartbeat", {}}},
                   {{4}, {}}};
   EXPECT_EQ(viewFromJson(toJson(view)).motions, view.motions);
-  // As older versions have written them.
+  // Older versions have written the same.
   const ordered_json motions = toJson(view)["motions"];
   EXPECT_EQ(motions[0].dump(), R"({"organ":1,"recipe":{"resolution":"low","sequence":"breathing"}})");
   EXPECT_EQ(motions[1]["recipe"].dump(),
