@@ -19,7 +19,6 @@
 #include "viscera/live/live_binding.h"
 #include "viscera/live/live_stress.h"
 #include "viscera/live/motion_copy.h"
-#include "viscera/live/motion_recipe.h"
 #include "viscera/presentation/opened_heart.h"
 #include "viscera/presentation/presenter.h"
 #include "viscera/presentation/space_parts.h"
@@ -83,7 +82,7 @@ void setInstant(presentation::Scene& scene) {
   if (view.playing->motion < 0 || chosen >= view.motions.size())
     return;
   Progress quiet;
-  const std::string& recipe = view.motions[chosen].recipe;
+  const live::MotionRecipe& recipe = view.motions[chosen].recipe;
   const double fraction = view.playing->fraction, rate = view.playing->ratePerMinute;
   scene.valves = live::heartValves(recipe, *scene.state.circulation, fraction, rate, quiet);
   if (view.conduction)
@@ -119,7 +118,7 @@ std::shared_ptr<const sequences::Sequence> sequenceOf(const document::DocumentSt
   const auto chosen = static_cast<std::size_t>(motion);
   if (motion >= 0 && chosen < view.motions.size())
     if (const auto organ = state.organ(view.motions[chosen].organ)) {
-      const std::string& recipe = view.motions[chosen].recipe;
+      const live::MotionRecipe& recipe = view.motions[chosen].recipe;
       if (const std::optional<DrivingCirculation> driving = drivingOf(state, view))
         return live::circulatingHeart(context.samples, driving->name, driving->parameters,
                                       *live::sampleHeartOf(recipe), context.progress, context.threads)

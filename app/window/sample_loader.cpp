@@ -9,7 +9,6 @@
 #include "viscera/anatomy/part.h"
 #include "viscera/document/open_files.h"
 #include "viscera/document/system_commands.h"
-#include "viscera/live/motion_recipe.h"
 #include "viscera/live/sequence_setup.h"
 #include "window/heart_look.h"
 
@@ -81,7 +80,7 @@ SampleLoader::Sample SampleLoader::make(const sample_organs::SampleLibrary& libr
     live::SequenceSetup setup = live::setUpSequence(library, motion.id, resolution, progress);
     sample.organs = document::organsFrom(setup.organ);
     sample.motion = setup.sequence;
-    sample.recipe = live::sampleRecipe(motion.id, resolution);
+    sample.recipe = live::SampleMotion{motion.id, resolution};
     sample.rig = std::move(setup.rig);
     sample.system = std::move(setup.system);
     break;

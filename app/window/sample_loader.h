@@ -51,8 +51,8 @@ private:
   struct Sample {
     std::vector<document::NewOrgan> organs;
     std::shared_ptr<const sequences::Sequence> motion;
-    std::string recipe; ///< The recipe of the motion.
-    document::Rig rig;  ///< The motion's handles.
+    live::MotionRecipe recipe; ///< Makes the motion again.
+    document::Rig rig;         ///< The motion's handles.
     document::SystemChoice system;
   };
 

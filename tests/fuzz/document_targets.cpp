@@ -47,7 +47,7 @@ std::string smallSession(SessionEdit edit) {
   const viscera::tests::TemporaryFolder folder;
   document::SessionContents contents;
   contents.state = document.state();
-  contents.view = R"({"mode":"deform"})";
+  contents.view["mode"] = "deform";
   viscera::tests::write(folder / "a.viscera", contents);
   return viscera::tests::contentsOf(folder / "a.viscera");
 }

@@ -265,7 +265,7 @@ protected:
                                                document::replaceRig(setup.rig)}));
     window().workspace().selection().setOrgan(document().organs().front()->id);
     window().playback().setSequence(setup.sequence, document().organs().front()->id,
-                                    live::sampleRecipe(sequence, sample_organs::Resolution::low));
+                                    live::SampleMotion{sequence, sample_organs::Resolution::low});
     waitForPeace();
   }
 

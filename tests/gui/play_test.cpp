@@ -539,10 +539,9 @@ TEST_F(PlayMode, ASessionOfBeforeOpensAtTheInstantItWasPausedAt) {
   const double volume = volumeOf("LV");
   const double rate = window().playback().player().ratePerMinute();
   document::SessionContents contents = window().sessions().contents();
-  auto view = nlohmann::json::parse(contents.view);
+  nlohmann::ordered_json& view = contents.view;
   view["format"] = 2;
   view["playing"]["fraction"] = 0.4 - heart::kBeforeAtria * rate / 60;
-  contents.view = view.dump();
   const QString name = path(QStringLiteral("before.viscera"));
   Progress quiet;
   document::writeSession(name.toStdString(), contents, quiet);

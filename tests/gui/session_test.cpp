@@ -275,7 +275,7 @@ TEST_F(SessionTest, WhereAllFilesAreMissingTheyAreNamedAndLookedForInAFolder) {
 
 TEST_F(SessionTest, AScanThatIsNotThereIsLookedForToo) {
   document::SessionContents contents = sessions().contents();
-  contents.missingScan = R"({"name": "CT", "relative": "ct.nii", "absolute": "/nowhere/ct.nii"})";
+  contents.missingScan = {{"name", "CT"}, {"relative", "ct.nii"}, {"absolute", "/nowhere/ct.nii"}};
   Progress quiet;
   document::writeSession(path(QStringLiteral("work.viscera")).toStdString(), contents, quiet);
   open(path(QStringLiteral("work.viscera")));

@@ -27,7 +27,7 @@ bool hasJob(const JobQueue& queue, const char* slot) {
 class UnfinishedSession : public PlayMode {
 protected:
   app::Comparison& comparison() { return parts().comparison(); }
-  Json view() { return Json::parse(window().sessions().contents().view); }
+  Json view() { return window().sessions().contents().view; }
 
   QString save() {
     bool done = false;

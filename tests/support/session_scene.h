@@ -77,7 +77,8 @@ inline document::SessionContents fullContents(const viscera::tests::TemporaryFol
   s.undo.perform(document::setCirculationParameter("lvEes", 1.0 / 3));
   document::SessionContents contents;
   contents.state = s.document.state();
-  contents.view = R"({"mode":"deform","camera":{"position":[0.1,-0.0,1e+300]},"other":[1,"two",null]})";
+  contents.view = nlohmann::ordered_json::parse(
+      R"({"mode":"deform","camera":{"position":[0.1,-0.0,1e+300]},"other":[1,"two",null]})");
   return contents;
 }
 

@@ -12,7 +12,6 @@
 #include "viscera/circulation/readings.h"
 #include "viscera/circulation/scenario.h"
 #include "viscera/document/circulation_commands.h"
-#include "viscera/live/motion_recipe.h"
 #include "window/circulation/numbers_table.h"
 #include "window/language.h"
 #include "window/widgets/flow_layout.h"

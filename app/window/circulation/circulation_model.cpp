@@ -7,7 +7,6 @@
 #include "viscera/core/error.h"
 #include "viscera/core/parallel.h"
 #include "viscera/core/phrase.h"
-#include "viscera/live/motion_recipe.h"
 #include "viscera/sample_organs/sample_organ.h"
 #include "window/mailbox.h"
 

@@ -12,7 +12,6 @@
 #include <set>
 
 #include "viscera/document/measured_values.h"
-#include "viscera/live/motion_recipe.h"
 #include "viscera/live/sequence_file.h"
 #include "viscera/live/sequence_setup.h"
 #include "viscera/presentation/presenter.h"
@@ -313,7 +312,7 @@ void FitBox::take(const live::RetargetedSequence& fitted, document::OrganId orga
                   const std::string& sequence, const live::Landmarks& given) {
   if (!workspace_.document().organ(organ) || !workspace_.perform(live::useRetargeted(fitted)))
     return;
-  playback_.setSequence(fitted.sequence, organ, live::fittedRecipe(sequence, given));
+  playback_.setSequence(fitted.sequence, organ, live::FittedMotion{sequence, given});
   if (organ_ && organ_->id == organ)
     landmarks_ = fitted.landmarks;
   syncRows();

@@ -11,7 +11,6 @@
 #include "viscera/document/circulation_commands.h"
 #include "viscera/document/organ_commands.h"
 #include "viscera/heart/beating_heart.h"
-#include "viscera/live/motion_recipe.h"
 #include "viscera/live/sequence_setup.h"
 #include "viscera/presentation/strain_figure.h"
 #include "window/heart_look.h"

@@ -48,7 +48,7 @@ void ReportExport::addTo(Actions& actions) {
 }
 
 presentation::ViewState ReportExport::view() const {
-  presentation::ViewState view = presentation::viewFromJson(window_.view.gather(true));
+  presentation::ViewState view = window_.view.state(true);
   view.shown.rest = false; // The report shows the pose, even in the mode Handles.
   return view;
 }

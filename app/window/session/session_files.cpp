@@ -81,7 +81,7 @@ QString SessionFiles::name() const {
 document::SessionContents SessionFiles::contents() const {
   document::SessionContents contents;
   contents.state = workspace_.state();
-  contents.view = view_.gather();
+  contents.view = view_.saved();
   contents.embedSurfaces = contents.embedScan = embed_;
   contents.missing = missing_;
   contents.missingScan = missingScan_;

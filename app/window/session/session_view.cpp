@@ -7,7 +7,6 @@
 #include <nlohmann/json.hpp>
 
 #include "viscera/document/rig_commands.h"
-#include "viscera/live/motion_recipe.h"
 #include "viscera/presentation/presenter.h"
 #include "viscera/sequences/volume_curve.h"
 #include "window/compare/comparison.h"
@@ -23,18 +22,12 @@ constexpr const char* kMeasuredField = "measured";
 constexpr const char* kMotionsSlot = "motions";
 } // namespace
 
-/// The motions of a saved view, and the state of the present one.
+/// A saved view, and the sequences that it needs.
 struct SessionView::Wanted {
-  struct Motion {
-    std::shared_ptr<const document::Organ> organ;
-    std::string recipe;
-    std::shared_ptr<const sequences::Sequence> sequence; ///< Once it is made.
-  };
-  std::vector<Motion> motions;
-  std::optional<presentation::Playing> playing;
-  std::optional<presentation::Compared> compared;
-  Points shownPose;                 ///< As the picture was saved.
+  presentation::ViewState view;
   document::DocumentState document; ///< Of the session.
+  /// The sequences of the view's motions, once they are made; null where an organ is missing.
+  std::vector<std::shared_ptr<const sequences::Sequence>> sequences;
 };
 
 SessionView::SessionView(Window window, QObject* parent) : QObject(parent), window_(std::move(window)) {
@@ -60,7 +53,7 @@ void SessionView::forget() {
   });
 }
 
-std::string SessionView::gather(bool shown) const {
+presentation::ViewState SessionView::state(bool shown) const {
   presentation::ViewState state = window_.picture.state();
   if (const auto& before = window_.slides.lookBefore(); before && !shown) {
     state.cut = before->cut;
@@ -77,27 +70,27 @@ std::string SessionView::gather(bool shown) const {
     state.shownPose = window_.workspace.live().shownPose();
   if (making_ && stillShows(*making_))
     gatherWanted(state);
-  const std::string view = presentation::toJson(state);
-  const std::string measured = window_.measured.record();
-  if (measured.empty())
-    return view;
-  auto with = nlohmann::ordered_json::parse(view);
-  with[kMeasuredField] = nlohmann::ordered_json::parse(measured);
-  return with.dump();
+  return state;
+}
+
+nlohmann::ordered_json SessionView::saved() const {
+  nlohmann::ordered_json view = presentation::toJson(state());
+  if (const auto measured = window_.measured.record())
+    view[kMeasuredField] = live::toJson(*measured);
+  return view;
 }
 
 /// Before its sequence is shown, which draws it.
-void SessionView::recallMeasured(const std::string& text) {
-  const auto view = nlohmann::ordered_json::parse(text, nullptr, false);
-  if (const auto measured = view.find(kMeasuredField); view.is_object() && measured != view.end())
-    window_.workspace.guarded([&] { window_.measured.recall(measured->dump()); });
+void SessionView::recallMeasured(const nlohmann::ordered_json& view) {
+  if (const auto measured = view.find(kMeasuredField); measured != view.end())
+    window_.workspace.guarded([&] { window_.measured.recall(live::measuredRecordFrom(*measured)); });
 }
 
 void SessionView::gatherMotions(presentation::ViewState& state) const {
   const live::Player& player = window_.playback.player();
   int present = -1;
   for (const Playback::Motion& motion : window_.playback.motions()) {
-    if (motion.recipe.empty())
+    if (std::holds_alternative<std::monostate>(motion.recipe))
       continue;
     if (motion.sequence.get() == window_.playback.sequence())
       present = static_cast<int>(state.motions.size());
@@ -118,14 +111,16 @@ void SessionView::gatherMotions(presentation::ViewState& state) const {
 
 /// What will be shown once the motions are created: they come after those that are there by now.
 void SessionView::gatherWanted(presentation::ViewState& state) const {
+  const presentation::ViewState& wanted = making_->view;
   std::vector<int> rows; // In `state`, of each wanted motion.
-  for (const Wanted::Motion& motion : making_->motions) {
-    const bool there = motion.organ && window_.workspace.document().organ(motion.organ->id);
+  for (const presentation::MotionChoice& motion : wanted.motions) {
+    const bool there =
+        making_->document.organ(motion.organ) && window_.workspace.document().organ(motion.organ);
     rows.push_back(there ? static_cast<int>(state.motions.size()) : -1);
     if (there)
-      state.motions.push_back({motion.organ->id, motion.recipe});
+      state.motions.push_back(motion);
   }
-  if (const auto& playing = making_->playing) {
+  if (const auto& playing = wanted.playing) {
     const bool made = playing->motion >= 0 && playing->motion < static_cast<int>(rows.size());
     const int row = made ? rows[static_cast<std::size_t>(playing->motion)] : -1;
     if (playing->motion < 0 || row >= 0) {
@@ -133,57 +128,57 @@ void SessionView::gatherWanted(presentation::ViewState& state) const {
       state.playing->motion = row;
     }
   }
-  if (making_->compared)
-    state.compared = making_->compared;
+  if (wanted.compared)
+    state.compared = wanted.compared;
   if (making_->document == window_.workspace.state())
-    state.shownPose = making_->shownPose;
+    state.shownPose = wanted.shownPose;
 }
 
-void SessionView::apply(const std::string& text) {
-  presentation::ViewState state =
-      presentation::viewFromJson(text, window_.workspace.document().circulation());
+void SessionView::apply(const nlohmann::ordered_json& saved) {
+  Wanted wanted{presentation::viewFromJson(saved, window_.workspace.document().circulation()),
+                window_.workspace.state(),
+                {}};
   stopMakingMotions();
   waiting_.reset();
   window_.comparison.end(); // The session has its own, or none.
-  Wanted wanted;
-  wanted.document = window_.workspace.state();
-  for (presentation::MotionChoice& motion : state.motions)
-    wanted.motions.push_back(
-        {window_.workspace.document().organ(motion.organ), std::move(motion.recipe), nullptr});
-  wanted.playing = std::exchange(state.playing, std::nullopt);
-  wanted.compared = std::exchange(state.compared, std::nullopt);
-  const auto camera = std::exchange(state.camera, std::nullopt);
-  const presentation::SelectionState selection = std::exchange(state.selection, {});
-  state.motions.clear();
-  wanted.shownPose = std::exchange(state.shownPose, Points(0, 3));
-  recallMeasured(text);
+  recallMeasured(saved);
+  const presentation::ViewState& state = wanted.view;
   window_.modes.choose(state.mode);
-  window_.workspace.selection().setOrgan(selection.organ);
-  window_.workspace.selection().setGroup(selection.group);
-  window_.workspace.selection().setHandles(selection.handles);
-  window_.view.change([&](presentation::ViewState& view) {
-    state.mode = view.mode; // The mode that is on says what is to be seen.
-    state.shown = view.shown;
-    view = state;
+  window_.workspace.selection().setOrgan(state.selection.organ);
+  window_.workspace.selection().setGroup(state.selection.group);
+  window_.workspace.selection().setHandles(state.selection.handles);
+  window_.view.change([&state](presentation::ViewState& view) {
+    presentation::ViewState opened = state;
+    opened.mode = view.mode; // The mode that is on says what is to be seen.
+    opened.shown = view.shown;
+    opened.camera.reset(); // Other parts of the window have the rest, see `state`.
+    opened.selection = {};
+    opened.motions.clear();
+    opened.playing.reset();
+    opened.compared.reset();
+    opened.shownPose.resize(0, 3);
+    view = std::move(opened);
   });
-  if (camera)
-    presentation::lookFrom(*camera, window_.view.state(), window_.picture.view());
+  if (state.camera)
+    presentation::lookFrom(*state.camera, window_.view.state(), window_.picture.view());
   else
     Q_EMIT framingWanted();
   makeMotions(std::move(wanted));
 }
 
 void SessionView::makeMotions(Wanted wanted) {
-  if (wanted.motions.empty())
+  if (wanted.view.motions.empty())
     return show(wanted);
   making_ = std::make_shared<const Wanted>(std::move(wanted));
   window_.workspace.jobs().submit<Wanted>(
       tr("Preparing the motion").toStdString(), kMotionsSlot,
       [wanted = making_, library = sample_organs::standardLibrary()](Progress& progress) {
         Wanted made = *wanted;
-        for (Wanted::Motion& item : made.motions)
-          if (item.organ)
-            item.sequence = live::makeMotion(item.recipe, *item.organ, library, progress);
+        for (const presentation::MotionChoice& motion : made.view.motions) {
+          const auto organ = made.document.organ(motion.organ);
+          made.sequences.push_back(organ ? live::makeMotion(motion.recipe, *organ, library, progress)
+                                         : nullptr);
+        }
         return made;
       },
       [this, wanted = making_](const JobResult<Wanted>& made) {
@@ -212,20 +207,22 @@ bool SessionView::stillShows(const Wanted& wanted) const {
 
 void SessionView::show(const Wanted& wanted) {
   Playback& playback = window_.playback;
-  for (const Wanted::Motion& motion : wanted.motions)
-    if (motion.sequence && window_.workspace.document().organ(motion.organ->id))
-      playback.offer(motion.sequence, motion.organ->id, motion.recipe);
-  if (wanted.playing)
+  for (std::size_t i = 0; i < wanted.sequences.size(); ++i) {
+    const presentation::MotionChoice& motion = wanted.view.motions[i];
+    if (wanted.sequences[i] && window_.workspace.document().organ(motion.organ))
+      playback.offer(wanted.sequences[i], motion.organ, motion.recipe);
+  }
+  if (wanted.view.playing)
     play(wanted);
-  if (wanted.compared) // It shows the present motion, too.
-    window_.comparison.restore(*wanted.compared);
+  if (wanted.view.compared) // It shows the present motion, too.
+    window_.comparison.restore(*wanted.view.compared);
 }
 
 void SessionView::play(const Wanted& wanted) {
   Playback& playback = window_.playback;
-  const presentation::Playing& playing = *wanted.playing;
-  if (playing.motion >= 0 && playing.motion < static_cast<int>(wanted.motions.size()))
-    playback.choose(wanted.motions[static_cast<std::size_t>(playing.motion)].sequence.get());
+  const presentation::Playing& playing = *wanted.view.playing;
+  if (playing.motion >= 0 && playing.motion < static_cast<int>(wanted.sequences.size()))
+    playback.choose(wanted.sequences[static_cast<std::size_t>(playing.motion)].get());
   if (playback.sequence() && playing.ratePerMinute > 0) {
     // A heart that follows a circulation gets the rate of that.
     playback.setRate(std::clamp(playing.ratePerMinute, playback.sequence()->lowestRatePerMinute(),
@@ -240,7 +237,7 @@ void SessionView::play(const Wanted& wanted) {
       if (others)
         return sayMotionChanged(tr("it has other handles"));
       if (!waiting_) // While a prescribed volume waits, the handles are where the sequence alone moves them.
-        warnAboutChangedMotion(wanted.shownPose);
+        warnAboutChangedMotion(wanted.view.shownPose);
     } else if (playing.fraction > 0 && playback.wantedPose() != live::WantedPose::sequence) {
       playback.setPlace(playing.fraction);
     }

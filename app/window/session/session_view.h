@@ -4,7 +4,8 @@
 
 #include <memory>
 #include <optional>
-#include <string>
+
+#include <nlohmann/json_fwd.hpp>
 
 #include "viscera/presentation/view_state.h"
 #include "window/modes/mode_controller.h"
@@ -39,13 +40,14 @@ public:
 
   explicit SessionView(Window window, QObject* parent = nullptr);
 
-  /// The present view as JSON (docs/session_format.md); `shown` as a slide shows it, else with the look from
-  /// before the slide: a session opens with that. Motions that are still created, and what waits for them,
-  /// are in it as they were saved.
-  std::string gather(bool shown = false) const;
-  /// Restores that view in the window. A worker creates the motions, which are shown when it is done. Throws
-  /// `DataError` for text that is not such a view, and then changes nothing.
-  void apply(const std::string& view);
+  /// The present view; `shown` as a slide shows it, else with the look from before the slide: a session opens
+  /// with that. Motions that are still created, and what waits for them, are in it as they were saved.
+  presentation::ViewState state(bool shown = false) const;
+  /// The view as a session saves it, with the numbers of a measured motion (docs/session_format.md).
+  nlohmann::ordered_json saved() const;
+  /// Restores what `saved` made in the window. A worker creates the motions, which are shown when it is done.
+  /// Throws `DataError` for what is not such a view, and then changes nothing.
+  void apply(const nlohmann::ordered_json& view);
   /// Resets the parts of the view that belong to the closed document: slides, person, cuts and slices.
   void forget();
 
@@ -61,7 +63,7 @@ private:
 
   void gatherMotions(presentation::ViewState& state) const;
   void gatherWanted(presentation::ViewState& state) const;
-  void recallMeasured(const std::string& text);
+  void recallMeasured(const nlohmann::ordered_json& view);
   void makeMotions(Wanted wanted);
   void stopMakingMotions();
   bool stillShows(const Wanted& wanted) const;

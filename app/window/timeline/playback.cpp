@@ -60,14 +60,14 @@ void Playback::watch() {
 }
 
 void Playback::setSequence(std::shared_ptr<const sequences::Sequence> sequence, document::OrganId organ,
-                           std::string recipe) {
+                           live::MotionRecipe recipe) {
   const Motion motion{std::move(sequence), organ, std::move(recipe)};
   remember(motion);
   take(motion);
 }
 
 void Playback::offer(std::shared_ptr<const sequences::Sequence> sequence, document::OrganId organ,
-                     std::string recipe) {
+                     live::MotionRecipe recipe) {
   remember({std::move(sequence), organ, std::move(recipe)});
   showLater();
 }

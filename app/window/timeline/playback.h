@@ -9,6 +9,7 @@
 
 #include "viscera/heart/beating_heart.h"
 #include "viscera/heart/heart_valves.h"
+#include "viscera/live/motion_recipe.h"
 #include "viscera/live/player.h"
 #include "window/workspace.h"
 
@@ -29,8 +30,8 @@ public:
   struct Motion {
     std::shared_ptr<const sequences::Sequence> sequence;
     document::OrganId organ;
-    /// How to make the sequence again (motion_recipe.h); empty for one that the document itself holds.
-    std::string recipe;
+    /// Makes the sequence again; nothing is known for one that the document itself holds.
+    live::MotionRecipe recipe;
   };
 
   /// For the first view. `clock` returns seconds; tests and pictures pass a clock of their own.
@@ -41,10 +42,10 @@ public:
   /// Adds a sequence for an organ and makes it the present one; `motions` lists it while that organ is in the
   /// document. Null: no sequence is present.
   void setSequence(std::shared_ptr<const sequences::Sequence> sequence, document::OrganId organ,
-                   std::string recipe = {});
+                   live::MotionRecipe recipe = {});
   /// Adds a sequence to `motions` and keeps the present one.
   void offer(std::shared_ptr<const sequences::Sequence> sequence, document::OrganId organ,
-             std::string recipe = {});
+             live::MotionRecipe recipe = {});
   /// Replaces a sequence that was set or offered by another one of the same handles; if it is the present
   /// one, the instant stays, and playing goes on. Nothing happens when `known` is not known.
   void exchange(const sequences::Sequence* known, std::shared_ptr<const sequences::Sequence> sequence);

@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "viscera/document/rig_commands.h"
-#include "viscera/live/measured_record.h"
 #include "viscera/live/sequence_file.h"
 #include "viscera/scene/color_map.h"
 #include "window/heart_look.h"
@@ -137,7 +136,7 @@ void MeasuredMotion::know(const Found& found) {
   present_ = nullptr;
 }
 
-std::string MeasuredMotion::record() const {
+std::optional<live::MeasuredRecord> MeasuredMotion::record() const {
   if (!present_)
     return {};
   live::MeasuredRecord record{{}, {}, *present_->motion};
@@ -147,11 +146,10 @@ std::string MeasuredMotion::record() const {
     for (const auto& organ : workspace_.document().organs())
       if (organ->mesh == surface.mesh)
         record.organs.push_back(organ->id);
-  return live::toJson(record);
+  return record;
 }
 
-void MeasuredMotion::recall(const std::string& text) {
-  live::MeasuredRecord record = live::measuredRecordFrom(text);
+void MeasuredMotion::recall(live::MeasuredRecord record) {
   for (std::size_t i = 0; i < record.organs.size(); ++i) {
     const auto organ = workspace_.document().organ(record.organs[i]);
     if (!organ)

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "viscera/document/organ_commands.h"
+#include "viscera/live/measured_record.h"
 #include "viscera/live/motion_series.h"
 #include "viscera/live/patient_motion.h"
 #include "window/timeline/playback.h"
@@ -53,10 +54,10 @@ public:
   bool surfacesKnown() const;
   /// A caution about the limits of stress maps of the present motion; empty for none.
   QString caution() const;
-  /// The numbers of the present motion as JSON for a session; empty without one.
-  std::string record() const;
-  /// Restores the numbers of a session whose organs are in the document. Throws `DataError` for invalid text.
-  void recall(const std::string& record);
+  /// The numbers of the present motion for a session; empty without one.
+  std::optional<live::MeasuredRecord> record() const;
+  /// Restores the numbers of a session whose organs are in the document.
+  void recall(live::MeasuredRecord record);
   /// The phase nearest to the instant that is shown.
   std::size_t phaseNow() const;
   /// Shows the instant of a phase.

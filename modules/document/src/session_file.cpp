@@ -126,7 +126,7 @@ public:
 
 private:
   void insert(const MissingOrgan& missing, ordered_json& list) {
-    ordered_json record = ordered_json::parse(missing.record);
+    ordered_json record = missing.record;
     // A new organ, handle or group may have been given the number since.
     const bool isFree = taken_.count(missing.id.value) == 0;
     const std::int64_t id = isFree ? missing.id.value : *taken_.rbegin() + 1;
@@ -218,7 +218,7 @@ public:
     reader_.requireValid(cheap, {});
     const ordered_json& view = reader_.field(root, "view", "");
     reader_.requireObject(view, "view");
-    contents.view = dumped(view);
+    contents.view = view;
     readOrgans(reader_.listOf(root, "organs", ""));
     placeMeasurements();
     if (root.contains("scan"))
@@ -314,7 +314,7 @@ private:
     if (organ)
       dress(*organ, record);
     else
-      opened_.contents.missing.push_back({record.name, dumped(item), index, record.id, {}});
+      opened_.contents.missing.push_back({record.name, item, index, record.id, {}});
     opened_.surfaces.push_back(std::move(finding));
     return organ;
   }
@@ -518,10 +518,10 @@ void writeSession(const fs::path& file, const SessionContents& contents, Progres
   if (state.scan)
     root["scan"] = sessionScanJson(*state.scan, contents.embedScan, folder);
   else if (!contents.missingScan.empty())
-    root["scan"] = ordered_json::parse(contents.missingScan);
+    root["scan"] = contents.missingScan;
   if (root.contains("scan") && namesNoFolders(contents, contents.embedScan))
     forgetFolders(root["scan"]);
-  root["view"] = ordered_json::parse(contents.view);
+  root["view"] = contents.view;
   progress.throwIfCancelled();
   writeAtomically(file, [&root](std::ostream& stream) { stream << dumped(root, 1) << '\n'; });
   progress.report(1);

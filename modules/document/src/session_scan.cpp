@@ -92,7 +92,7 @@ void readSessionScan(SessionReader& reader, const ordered_json& item, const fs::
   }
   const std::string hash = reader.optionalText(item, "hash", "scan");
   const auto missing = [&](const Text& problem) {
-    opened.contents.missingScan = item.dump();
+    opened.contents.missingScan = item;
     opened.warnings.push_back(phrase("%1: %2", name, problem));
   };
   const auto file = findScan(relative, absolute, folder, alsoIn);

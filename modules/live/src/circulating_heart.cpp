@@ -15,7 +15,6 @@
 #include "viscera/core/phrase.h"
 #include "viscera/document/rig_commands.h"
 #include "viscera/heart/beating_heart.h"
-#include "viscera/live/motion_recipe.h"
 
 namespace viscera::live {
 namespace {
@@ -140,7 +139,7 @@ std::optional<heart::HeartCourse> courseOf(const circulation::Parameters& parame
 
 } // namespace
 
-std::optional<heart::ValveInstants> heartValves(const std::string& recipe,
+std::optional<heart::ValveInstants> heartValves(const MotionRecipe& recipe,
                                                 const document::CirculationChoice& choice, double fraction,
                                                 double ratePerMinute, Progress& progress) {
   if (!sampleHeartOf(recipe))
@@ -153,7 +152,7 @@ std::optional<heart::ValveInstants> heartValves(const std::string& recipe,
   return course ? course->valvesAt(fraction) : std::nullopt;
 }
 
-std::optional<heart::BeatClock> heartClock(const std::string& recipe,
+std::optional<heart::BeatClock> heartClock(const MotionRecipe& recipe,
                                            const document::CirculationChoice& choice, double fraction,
                                            double ratePerMinute, Progress& progress) {
   if (!sampleHeartOf(recipe))

@@ -89,7 +89,7 @@ MeasuredRecord recordFrom(const JsonReader& reader, const ordered_json& root) {
 
 } // namespace
 
-std::string toJson(const MeasuredRecord& record) {
+ordered_json toJson(const MeasuredRecord& record) {
   ordered_json root{{"surfaces", record.series.names},
                     {"organs", ordered_json::array()},
                     {"periodSeconds", record.series.times.periodSeconds},
@@ -109,13 +109,13 @@ std::string toJson(const MeasuredRecord& record) {
       item["surfaces"].push_back(surfaceJson(surface));
     root["phases"].push_back(std::move(item));
   }
-  return root.dump(-1, ' ', false, ordered_json::error_handler_t::replace);
+  return root;
 }
 
-MeasuredRecord measuredRecordFrom(const std::string& text) {
+MeasuredRecord measuredRecordFrom(const ordered_json& item) {
   const JsonReader reader(diagnostic("measured motion").english(), Text());
   try {
-    return recordFrom(reader, reader.parse(text));
+    return recordFrom(reader, item);
   } catch (const JsonError& error) {
     throw DataError(diagnostic("it is not a record of a measured motion"), error.where());
   }

@@ -6,7 +6,6 @@
 #include "viscera/circulation/curves.h"
 #include "viscera/circulation/periodic_state.h"
 #include "viscera/heart/cardiac_cycle.h"
-#include "viscera/live/motion_recipe.h"
 
 namespace viscera::presentation {
 namespace {
@@ -18,7 +17,7 @@ double beginsEarlierBy(const ViewState& view, const document::CirculationChoice&
   const Playing& playing = *view.playing;
   if (playing.motion < 0 || static_cast<std::size_t>(playing.motion) >= view.motions.size())
     return 0;
-  const std::string& recipe = view.motions[static_cast<std::size_t>(playing.motion)].recipe;
+  const live::MotionRecipe& recipe = view.motions[static_cast<std::size_t>(playing.motion)].recipe;
   if (live::sequenceOf(recipe) != "heartbeat")
     return 0;
   if (circulation.drives && live::sampleHeartOf(recipe))

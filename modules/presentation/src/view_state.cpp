@@ -3,51 +3,115 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <tuple>
+#include <sstream>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <variant>
 
 #include <nlohmann/json.hpp>
 
+#include "field_table.h"
 #include "former_beat.h"
-#include "look_json.h"
-#include "strain_look.h"
 #include "viscera/core/error.h"
 #include "viscera/core/json_reader.h"
+#include "viscera/presentation/stress_values.h"
 
 // The view of a session as JSON: written in format 3, read in formats 1 to 3 (docs/session_format.md).
 namespace viscera::presentation {
 namespace {
 
-using nlohmann::ordered_json;
-
 /// Since format 2 switches have names of their own; since 3 a heart's beat begins before its atria contract.
 constexpr int kFormat = 3, kNamedSwitches = 2, kBeatBeforeAtria = 3;
+constexpr const char* kView = "the session's view";
+constexpr const char* kViewAdvice = "the organs and the handles are complete; save the session anew";
 constexpr double kFastestRate = 1e6; ///< Of a sequence, a minute: its range has the last word.
-constexpr std::array<const char*, 4> kMirrors = {"off", "sagittal", "coronal", "axial"};
-constexpr std::array<const char*, 4> kCompared = {"rate", "coordinates", "pose", "sample"};
+constexpr double kShortestNormal = 1e-6;
+constexpr int kMostSegments = 17;
+constexpr double kFar = 1e6, kMostSlabMm = 200, kMostZoom = 1000; ///< Of a scan, mm and values.
 
-ordered_json cameraJson(const Camera& camera) {
-  return {{"position", jsonOf(camera.position)},
-          {"focus", jsonOf(camera.focus)},
-          {"up", jsonOf(camera.up)},
-          {"angleDegrees", camera.angleDegrees},
-          {"parallel", camera.parallel},
-          {"parallelScaleMm", camera.parallelScaleMm}};
+/// A number of the view, or `otherwise` for one that nothing can be drawn with.
+double within(double value, double low, double high, double otherwise) {
+  return value >= low && value <= high ? value : otherwise;
 }
 
-Camera cameraFrom(const JsonReader& json, const ordered_json& item, const std::string& place) {
-  Camera camera;
-  camera.position = json.valueOf<Vec3>(item, "position", place);
-  camera.focus = json.valueOf<Vec3>(item, "focus", place);
-  camera.up = json.valueOf<Vec3>(item, "up", place);
-  json.readIfThere(item, "angleDegrees", place, camera.angleDegrees);
-  json.readIfThere(item, "parallel", place, camera.parallel);
-  json.readIfThere(item, "parallelScaleMm", place, camera.parallelScaleMm);
-  return camera;
+/// Of unit length; the usual direction for a normal without any.
+Vec3 unit(const Vec3& normal) {
+  return normal.norm() > kShortestNormal ? Vec3(normal.normalized()) : Vec3(Vec3::UnitY());
 }
 
-/// The flags of a mode by their names, for reading and writing alike.
+/// The usual colours stand for those that only a newer version has.
+void requireColors(std::string& name, const std::string& usual) {
+  const auto& all = scene::colorMaps();
+  if (std::none_of(all.begin(), all.end(), [&](const scene::ColorMap& map) { return map.name == name; }))
+    name = usual;
+}
+
+} // namespace
+
+template <>
+constexpr auto kNames<Mirror> = std::array{"off", "sagittal", "coronal", "axial"};
+template <>
+constexpr auto kNames<Compared::What> = std::array{"rate", "coordinates", "pose", "sample"};
+template <>
+constexpr auto kNames<GlyphChoice> = std::array{"none", "ellipsoids", "crosses"};
+template <>
+constexpr auto kNames<scene::CutStyle> = std::array{"smooth", "crinkle"};
+template <>
+constexpr auto kNames<live::StrainDirection> =
+    std::array{"longitudinal", "circumferential", "radial", "thickening"};
+template <>
+constexpr auto kNames<live::StrainMoment> = std::array{"peak", "instant", "timeToPeak"};
+
+template <>
+struct Codec<live::StressQuantity>
+    : TextCodec<live::StressQuantity, [](auto quantity) { return live::describe(quantity).id; },
+                live::stressQuantityFromId> {};
+template <>
+struct Codec<anatomy::Sex> : TextCodec<anatomy::Sex, anatomy::idOf, anatomy::sexFromId> {};
+template <>
+struct Codec<sample_organs::Resolution>
+    : TextCodec<sample_organs::Resolution, sample_organs::nameOf, sample_organs::resolutionFromName> {};
+
+template <>
+struct Codec<scene::ValueRange> {
+  static Json write(const scene::ValueRange& range) { return {range.low, range.high}; }
+  static void read(const FieldReader& from, scene::ValueRange& range) {
+    std::array<double, 2> ends{};
+    from.json.read(from.item, from.place, ends);
+    range = {ends[0], ends[1]};
+  }
+};
+
+template <>
+struct Codec<HandlePositions> {
+  static Json write(const HandlePositions& positions) {
+    Json rows = Json::array();
+    for (const auto& row : positions.rowwise())
+      rows.push_back(jsonOf(row.transpose()));
+    return rows;
+  }
+  static void read(const FieldReader& from, HandlePositions& positions) {
+    std::vector<Vec3> rows;
+    from.json.read(from.item, from.place, rows);
+    positions.resize(static_cast<Eigen::Index>(rows.size()), 3);
+    for (std::size_t i = 0; i < rows.size(); ++i)
+      positions.row(static_cast<Eigen::Index>(i)) = rows[i].transpose();
+  }
+};
+
 template <class Visit>
-void visitShown(Shown& shown, Visit visit) {
+void visitFields(Visit& visit, Camera& camera) {
+  visit.required("position", camera.position);
+  visit.required("focus", camera.focus);
+  visit.required("up", camera.up);
+  visit("angleDegrees", camera.angleDegrees);
+  visit("parallel", camera.parallel);
+  visit("parallelScaleMm", camera.parallelScaleMm);
+}
+
+template <class Visit>
+void visitFields(Visit& visit, Shown& shown) {
   visit("rest", shown.rest);
   visit("handles", shown.handles);
   visit("movable", shown.movable);
@@ -57,38 +121,345 @@ void visitShown(Shown& shown, Visit visit) {
   visit("stress", shown.stress);
 }
 
-/// The switches of a view by their names, and by those of the actions that kept them in format 1.
 template <class Visit>
-void visitSwitches(ViewState& view, Visit visit) {
-  visit("handles", "view.handles", view.handles);
-  visit("influence", "handles.influence", view.influence);
-  visit("ghost", "view.ghost", view.ghost);
-  visit("labels", "view.labels", view.labels);
-  visit("partNames", "view.partNames", view.partNames);
-  visit("measurements", "view.measurements", view.measurements);
-  visit("orientationCube", "view.cube", view.orientationCube);
-  visit("scaleBar", "view.scale", view.scaleBar);
-  visit("gizmo", "handles.gizmo", view.gizmo);
-  visit("exactly", "handles.exactly", view.exactly);
-  visit("regions", "handles.regions", view.layout.regions);
-  visit("zones", "handles.zones", view.layout.zones);
-  visit("superRegions", "handles.superRegions", view.layout.superRegions);
-  visit("chartOfCycle", "play.cycle", view.chartOfCycle);
-  visit("circulationChart", "play.circulationChart", view.circulationChart);
-  visit("beatSigns", "play.beatSigns", view.beatSigns);
-  visit("valves", "play.valves", view.valves);
-  visit("conduction", "view.conduction", view.conduction);
+void visitFields(Visit& visit, HeartSigns& signs) {
+  visit("pressures", signs.pressures);
+  visit("loops", signs.loops);
+  visit("ecg", signs.ecg);
+  visit("valves", signs.valves);
+  visit("sounds", signs.sounds);
 }
 
 template <class Visit>
-void visitPlaying(Playing& playing, Visit visit) {
+void visitFields(Visit& visit, StressLook& look) {
+  const auto keepRange = [&] { look.range = onScale(look.quantity, look.range, look.logarithmic); };
+  keepRange(); // What is written is as it will be read.
+  visit("quantity", look.quantity);
+  visit("range", look.range);
+  visit("cutStyle", look.style);
+  visit("normal", look.normal);
+  visit("glyphs", look.glyphs);
+  visit("onSurface", look.onSurface);
+  visit("pinned", look.pinned);
+  visit("logarithmic", look.logarithmic);
+  visit("amountColors", look.amountColors);
+  visit("ratioColors", look.ratioColors);
+  visit("peak", look.peak);
+  visit("cut", look.cut);
+  visit("offset", look.offset);
+  visit("threshold", look.threshold);
+  visit("limit", look.limit);
+  visit("below", look.below);
+  visit("handles", look.handles);
+  visit("others", look.others);
+  visit("sameRange", look.sameRange);
+  visit("witnesses", look.witnesses);
+  visit("probe", look.probe);
+  visit.afterReading([&] {
+    requireColors(look.amountColors, StressLook().amountColors);
+    requireColors(look.ratioColors, StressLook().ratioColors);
+    look.normal = unit(look.normal);
+    look.offset = std::clamp(look.offset, -1.0, 1.0);
+    look.witnesses = std::clamp(look.witnesses, live::WitnessOptions::kFewest, live::WitnessOptions::kMost);
+    keepRange();
+  });
+}
+
+template <class Visit>
+void visitFields(Visit& visit, StrainLook& look) {
+  visit("chart", look.chart);
+  visit("onOrgan", look.onOrgan);
+  visit("direction", look.direction);
+  visit("moment", look.moment);
+  visit("segment", look.segment);
+  visit("reference", look.reference);
+  visit.object(look.base || look.apex || look.insertion, "axes", [&look](auto& inAxes) {
+    inAxes.required("organ", look.axesOf);
+    inAxes("base", look.base);
+    inAxes("apex", look.apex);
+    inAxes("insertion", look.insertion);
+  });
+  visit.afterReading([&] {
+    if (look.segment < 0 || look.segment > kMostSegments)
+      look.segment = 0;
+    look.reference = std::max(look.reference, 0);
+  });
+}
+
+template <class Visit>
+void visitFields(Visit& visit, SliceFraming& framing) {
+  visit("rightMm", framing.rightMm);
+  visit("upMm", framing.upMm);
+  visit("zoom", framing.zoom);
+  visit.afterReading([&] {
+    framing.rightMm = within(framing.rightMm, -kFar, kFar, 0);
+    framing.upMm = within(framing.upMm, -kFar, kFar, 0);
+    framing.zoom = within(framing.zoom, 1 / kMostZoom, kMostZoom, 1);
+  });
+}
+
+template <>
+struct Codec<std::array<SliceFraming, 3>> {
+  using Framings = std::array<SliceFraming, 3>;
+  static Json write(const Framings& framings) {
+    return Codec<std::vector<SliceFraming>>::write({framings.begin(), framings.end()});
+  }
+  static void read(const FieldReader& from, Framings& framings) {
+    std::vector<SliceFraming> all;
+    Codec<std::vector<SliceFraming>>::read(from, all);
+    all.resize(framings.size());
+    std::copy(all.begin(), all.end(), framings.begin());
+  }
+};
+
+template <class Visit>
+void visitFields(Visit& visit, ScanLook& look) {
+  visit("layout", look.layout);
+  visit.where(look.width > 0, "level", look.level);
+  visit.where(look.width > 0, "width", look.width);
+  visit("slabMm", look.slabMm);
+  visit("maximum", look.maximum);
+  visit("smooth", look.smooth);
+  visit("contours", look.contours);
+  visit("rest", look.rest);
+  visit("standing", look.standing);
+  visit("bent", look.warped);
+  visit("focus", look.focus);
+  visit("framings", look.framings);
+  visit.afterReading([&] {
+    if (look.focus && !(look.focus->cwiseAbs().maxCoeff() < kFar))
+      look.focus.reset();
+    look.level = within(look.level, -kFar, kFar, 0);
+    look.width = within(look.width, 0, kFar, 0);
+    look.slabMm = within(look.slabMm, 0, kMostSlabMm, 0);
+  });
+}
+
+template <class Visit>
+void visitFields(Visit& visit, OrganCut& cut) {
+  visit("on", cut.on);
+  visit("normal", cut.normal);
+  visit("offset", cut.offset);
+  visit("blood", cut.blood);
+  visit.afterReading([&] {
+    cut.normal = unit(cut.normal);
+    cut.offset = std::clamp(cut.offset, -1.0, 1.0);
+  });
+}
+
+template <class Visit>
+void visitFields(Visit& visit, OrganSeen& seen) {
+  visit("visible", seen.visible);
+  visit("opacity", seen.opacity);
+  visit.afterReading([&] { seen.opacity = within(seen.opacity, 0, 1, 1); });
+}
+
+template <>
+struct Codec<OrgansSeen> {
+  static Json write(const OrgansSeen& organs) {
+    Json list = Json::array();
+    for (auto [organ, seen] : organs) {
+      FieldWriter visit{list.emplace_back()};
+      visit.required("organ", organ);
+      visitFields(visit, seen);
+    }
+    return list;
+  }
+  static void read(const FieldReader& from, OrgansSeen& organs) {
+    from.json.requireList(from.item, from.place);
+    organs.clear();
+    for (std::size_t i = 0; i < from.item.size(); ++i) {
+      FieldReader visit{from.json, from.item[i], JsonReader::at(from.place, i)};
+      document::OrganId organ;
+      visit.required("organ", organ);
+      Codec<OrganSeen>::read(visit, organs[organ]);
+    }
+  }
+};
+
+template <class Visit>
+void visitFields(Visit& visit, SlideLook& look) {
+  visit("cut", look.cut);
+  visit("labels", look.labels);
+  visit("partNames", look.partNames);
+  visit("organs", look.organs);
+}
+
+template <class Visit>
+void visitFields(Visit& visit, Slide& slide) {
+  visit("caption", slide.caption);
+  visit.required("camera", slide.camera);
+  visit("fraction", slide.fraction);
+  visit("look", slide.look);
+  visit.afterReading([&] {
+    if (slide.fraction)
+      slide.fraction = std::clamp(*slide.fraction, 0.0, 1.0);
+  });
+}
+
+template <class Visit>
+void visitFields(Visit& visit, anatomy::Person& person) {
+  visit("sex", person.sex);
+  visit("bodySurfaceM2", person.bodySurfaceM2);
+  visit.afterReading([&] {
+    person.bodySurfaceM2 =
+        within(person.bodySurfaceM2, anatomy::kSmallestBodySurfaceM2, anatomy::kLargestBodySurfaceM2, 0);
+  });
+}
+
+template <class Visit>
+void visitFields(Visit& visit, SelectionState& selection) {
+  visit.required("organ", selection.organ);
+  visit.required("group", selection.group);
+  visit.required("handles", selection.handles);
+}
+
+template <class Visit>
+void visitFields(Visit& visit, Prescribed& prescribed) {
+  visit.required("organ", prescribed.organ);
+  visit.where(!prescribed.file.empty(), "file", prescribed.file);
+  visit.required("curve", prescribed.curve);
+}
+
+template <class Visit>
+void visitFields(Visit& visit, Playing& playing) {
   visit("motion", playing.motion);
   visit("fraction", playing.fraction);
   visit("ratePerMinute", playing.ratePerMinute);
   visit("speed", playing.speed);
   visit("loop", playing.loop);
   visit("shown", playing.shown);
+  visit("prescribed", playing.prescribed);
 }
+
+template <class Visit>
+void visitFields(Visit& visit, live::SampleMotion& motion) {
+  visit.required("resolution", motion.resolution);
+  visit.required("sequence", motion.sequence);
+}
+
+template <class Visit>
+void visitFields(Visit& visit, live::Landmark& landmark) {
+  visit.required("position", landmark.position);
+  visit.required("role", landmark.role);
+}
+
+template <class Visit>
+void visitFields(Visit& visit, live::FittedMotion& motion) {
+  visit.required("landmarks", motion.given.points);
+  visit.required("sequence", motion.sequence);
+}
+
+template <>
+struct Codec<std::monostate> {
+  static Json write(std::monostate) { return nullptr; }
+};
+
+template <>
+struct Codec<live::MotionRecipe> {
+  static Json write(const live::MotionRecipe& recipe) {
+    return std::visit([](const auto& known) { return Codec<std::decay_t<decltype(known)>>::write(known); },
+                      recipe);
+  }
+  /// A recipe that is damaged, or that only a newer version knows, is none: the rest of the view is opened.
+  static void read(const FieldReader& from, live::MotionRecipe& recipe) {
+    try {
+      if (from.item.contains("landmarks"))
+        Codec<live::FittedMotion>::read(from, recipe.emplace<live::FittedMotion>());
+      else
+        Codec<live::SampleMotion>::read(from, recipe.emplace<live::SampleMotion>());
+    } catch (const Error&) {
+      recipe = {};
+    }
+  }
+};
+
+template <class Visit>
+void visitFields(Visit& visit, MotionChoice& motion) {
+  visit.required("organ", motion.organ);
+  visit.required("recipe", motion.recipe);
+}
+
+template <class Visit>
+void visitFields(Visit& visit, Compared& compared) {
+  visit.required("what", compared.what);
+  visit.where(!compared.name.empty(), "name", compared.name);
+  visit.where(compared.ratePerMinute > 0, "ratePerMinute", compared.ratePerMinute);
+  visit.where(compared.pose.rows() > 0, "pose", compared.pose);
+  visit.afterReading([&] { compared.ratePerMinute = within(compared.ratePerMinute, 0, kFastestRate, 0); });
+}
+
+template <>
+struct Codec<std::optional<Compared>> {
+  /// None for what only a newer version can compare with, and where what it is about is missing.
+  static void read(const FieldReader& from, std::optional<Compared>& value) {
+    using What = Compared::What;
+    const auto what = from.json.valueOf<std::string>(from.item, "what", from.place);
+    if (std::find(kNames<What>.begin(), kNames<What>.end(), what) == kNames<What>.end())
+      return;
+    Compared compared;
+    Codec<Compared>::read(from, compared);
+    const bool named = compared.what == What::coordinates || compared.what == What::sample;
+    if (!(named && compared.name.empty()) && !(compared.what == What::pose && compared.pose.rows() == 0))
+      value = std::move(compared);
+  }
+};
+
+/// A switch has the name of its action in format 1 as well.
+template <class Visit>
+void visitFields(Visit& visit, ViewState& view) {
+  visit("mode", view.mode);
+  visit("shown", view.shown);
+  visit("camera", view.camera);
+  visit("handles", view.handles, "view.handles");
+  visit("influence", view.influence, "handles.influence");
+  visit("ghost", view.ghost, "view.ghost");
+  visit("labels", view.labels, "view.labels");
+  visit("partNames", view.partNames, "view.partNames");
+  visit("measurements", view.measurements, "view.measurements");
+  visit("orientationCube", view.orientationCube, "view.cube");
+  visit("scaleBar", view.scaleBar, "view.scale");
+  visit("gizmo", view.gizmo, "handles.gizmo");
+  visit("exactly", view.exactly, "handles.exactly");
+  visit("regions", view.layout.regions, "handles.regions");
+  visit("zones", view.layout.zones, "handles.zones");
+  visit("superRegions", view.layout.superRegions, "handles.superRegions");
+  visit("chartOfCycle", view.chartOfCycle, "play.cycle");
+  visit("circulationChart", view.circulationChart, "play.circulationChart");
+  visit("beatSigns", view.beatSigns, "play.beatSigns");
+  visit("valves", view.valves, "play.valves");
+  visit("conduction", view.conduction, "view.conduction");
+  visit("mirror", view.mirror);
+  visit("heartSigns", view.heartSigns);
+  visit("stress", view.stress);
+  visit("strain", view.strain);
+  visit("scan", view.scan);
+  visit("cut", view.cut);
+  visit.where(!view.organsSeen.empty(), "organsSeen", view.organsSeen);
+  visit("person", view.person);
+  visit("selection", view.selection);
+  visit("motions", view.motions);
+  visit("playing", view.playing);
+  visit("compared", view.compared);
+  visit.where(!view.slides.empty(), "slides", view.slides);
+  visit.where(view.shownPose.rows() > 0, "shownPose", view.shownPose);
+}
+
+namespace {
+
+/// Reads the switches of format 1 and passes over all other fields.
+struct FormerSwitches {
+  const JsonReader& json;
+  const Json& switches;
+
+  void operator()(const char*, bool& value, const char* action) const {
+    json.readIfThere(switches, action, "switches", value);
+  }
+  template <class Value>
+  void operator()(const char*, Value&) const {}
+  template <class Value>
+  void where(bool, const char*, Value&) const {}
+};
 
 /// The items that the modes of format 1 showed.
 Shown shownByMode(const std::string& mode, bool sequenceShown) {
@@ -100,301 +471,98 @@ Shown shownByMode(const std::string& mode, bool sequenceShown) {
   return shown;
 }
 
-void readSwitchesOfFormat1(const JsonReader& json, const ordered_json& item, ViewState& view) {
+/// Format 1 kept the user's settings, some of them as text.
+StressLook stressFromSettings(const JsonReader& json, const Json& settings) {
+  json.requireObject(settings, "stress");
+  Json item = Json::object();
+  for (const auto& [key, value] : settings.items())
+    item[key.substr(key.find('/') + 1)] = value;
+  if (item.contains("normal") && item.at("normal").is_string()) {
+    std::istringstream numbers(item.at("normal").get<std::string>());
+    Vec3 normal = Vec3::Zero();
+    numbers >> normal[0] >> normal[1] >> normal[2];
+    item["normal"] = jsonOf(normal);
+  }
+  StressLook look;
+  Codec<StressLook>::read({json, item, "stress"}, look);
+  return look;
+}
+
+ViewState viewOfFormat1(const JsonReader& json, Json item) {
+  ViewState view;
   const std::string place = "switches";
-  const ordered_json switches = item.value(place, ordered_json::object());
+  const Json switches = item.value(place, Json::object());
   json.requireObject(switches, place);
-  visitSwitches(view, [&](const char*, const char* action, bool& value) {
-    json.readIfThere(switches, action, place, value);
-  });
-  for (std::size_t i = 1; i < kMirrors.size(); ++i) {
+  if (item.contains("stress"))
+    view.stress = stressFromSettings(json, item.at("stress"));
+  const StressLook stress = view.stress;
+  item.erase("stress");
+  Codec<ViewState>::read({json, item, ""}, view);
+  view.stress = stress;
+  FormerSwitches visit{json, switches};
+  visitFields(visit, view);
+  for (std::size_t i = 1; i < kNames<Mirror>.size(); ++i) {
     bool mirrored = false;
-    json.readIfThere(switches, ("mirror." + std::string(kMirrors[i])).c_str(), place, mirrored);
+    json.readIfThere(switches, ("mirror." + std::string(kNames<Mirror>[i])).c_str(), place, mirrored);
     if (mirrored)
       view.mirror = static_cast<Mirror>(i);
   }
   if (view.playing)
     json.readIfThere(switches, "play.loop", place, view.playing->loop);
-  if (item.contains("stress"))
-    view.stress = stressFromSettings(json, item.at("stress"));
   view.shown = shownByMode(view.mode, view.playing && view.playing->shown);
-}
-
-SelectionState selectionFrom(const JsonReader& json, const ordered_json& item, const std::string& place) {
-  SelectionState selection;
-  selection.organ.value = json.valueOf<std::int64_t>(item, "organ", place);
-  selection.group.value = json.valueOf<std::int64_t>(item, "group", place);
-  for (const std::int64_t id : json.valueOf<std::vector<std::int64_t>>(item, "handles", place))
-    selection.handles.push_back({id});
-  return selection;
-}
-
-ordered_json prescribedJson(const Prescribed& prescribed) {
-  ordered_json item = {{"organ", prescribed.organ.value}};
-  if (!prescribed.file.empty())
-    item["file"] = prescribed.file;
-  item["curve"] = prescribed.curve;
-  return item;
-}
-
-Prescribed prescribedFrom(const JsonReader& json, const ordered_json& item, const std::string& place) {
-  Prescribed prescribed;
-  prescribed.organ.value = json.valueOf<std::int64_t>(item, "organ", place);
-  json.readIfThere(item, "file", place, prescribed.file);
-  prescribed.curve = json.valueOf<std::vector<std::array<double, 2>>>(item, "curve", place);
-  return prescribed;
-}
-
-Playing playingFrom(const JsonReader& json, const ordered_json& item, const std::string& place) {
-  Playing playing;
-  visitPlaying(playing, [&](const char* key, auto& value) { json.readIfThere(item, key, place, value); });
-  if (item.contains("prescribed"))
-    playing.prescribed = prescribedFrom(json, item.at("prescribed"), JsonReader::inside(place, "prescribed"));
-  return playing;
-}
-
-OrganCut cutFrom(const JsonReader& json, const ordered_json& item, const std::string& place) {
-  OrganCut cut;
-  json.readIfThere(item, "on", place, cut.on);
-  if (item.contains("normal"))
-    cut.normal = unit(json.valueOf<Vec3>(item, "normal", place));
-  json.readIfThere(item, "offset", place, cut.offset);
-  json.readIfThere(item, "blood", place, cut.blood);
-  cut.offset = std::clamp(std::isfinite(cut.offset) ? cut.offset : 0.0, -1.0, 1.0);
-  return cut;
-}
-
-ordered_json cutJson(const OrganCut& cut) {
-  return {{"on", cut.on}, {"normal", jsonOf(cut.normal)}, {"offset", cut.offset}, {"blood", cut.blood}};
-}
-
-ordered_json organsJson(const OrgansSeen& organs) {
-  ordered_json items = ordered_json::array();
-  for (const auto& [organ, seen] : organs)
-    items.push_back({{"organ", organ.value}, {"visible", seen.visible}, {"opacity", seen.opacity}});
-  return items;
-}
-
-OrgansSeen organsFrom(const JsonReader& json, const ordered_json& object, const char* key,
-                      const std::string& place) {
-  OrgansSeen organs;
-  json.eachOf(object, key, place, [&](const ordered_json& item, const std::string& inList) {
-    OrganSeen seen;
-    json.readIfThere(item, "visible", inList, seen.visible);
-    json.readIfThere(item, "opacity", inList, seen.opacity);
-    seen.opacity = within(seen.opacity, 0, 1, 1);
-    organs[{json.valueOf<std::int64_t>(item, "organ", inList)}] = seen;
-  });
-  return organs;
-}
-
-SlideLook slideLookFrom(const JsonReader& json, const ordered_json& item, const std::string& place) {
-  SlideLook look;
-  if (item.contains("cut"))
-    look.cut = cutFrom(json, item.at("cut"), JsonReader::inside(place, "cut"));
-  json.readIfThere(item, "labels", place, look.labels);
-  json.readIfThere(item, "partNames", place, look.partNames);
-  look.organs = organsFrom(json, item, "organs", place);
-  return look;
-}
-
-ordered_json slideJson(const Slide& slide) {
-  ordered_json item = {{"caption", slide.caption}, {"camera", cameraJson(slide.camera)}};
-  if (slide.fraction)
-    item["fraction"] = *slide.fraction;
-  if (slide.look)
-    item["look"] = {{"cut", cutJson(slide.look->cut)},
-                    {"labels", slide.look->labels},
-                    {"partNames", slide.look->partNames},
-                    {"organs", organsJson(slide.look->organs)}};
-  return item;
-}
-
-Slide slideFrom(const JsonReader& json, const ordered_json& item, const std::string& place) {
-  Slide slide;
-  json.readIfThere(item, "caption", place, slide.caption);
-  slide.camera = cameraFrom(json, json.field(item, "camera", place), JsonReader::inside(place, "camera"));
-  if (item.contains("fraction"))
-    slide.fraction = std::clamp(json.valueOf<double>(item, "fraction", place), 0.0, 1.0);
-  if (item.contains("look"))
-    slide.look = slideLookFrom(json, item.at("look"), JsonReader::inside(place, "look"));
-  return slide;
-}
-
-ordered_json rowsOf(const Points& points) {
-  ordered_json rows = ordered_json::array();
-  for (const auto& row : points.rowwise())
-    rows.push_back(jsonOf(row.transpose()));
-  return rows;
-}
-
-/// The rows of a list that may be left out.
-Points rowsFrom(const JsonReader& json, const ordered_json& object, const char* key,
-                const std::string& place) {
-  std::vector<Vec3> rows;
-  json.readIfThere(object, key, place, rows);
-  Points points(static_cast<Eigen::Index>(rows.size()), 3);
-  for (std::size_t i = 0; i < rows.size(); ++i)
-    points.row(static_cast<Eigen::Index>(i)) = rows[i].transpose();
-  return points;
-}
-
-ordered_json comparedJson(const Compared& compared) {
-  ordered_json item = {{"what", kCompared[static_cast<std::size_t>(compared.what)]}};
-  if (!compared.name.empty())
-    item["name"] = compared.name;
-  if (compared.ratePerMinute > 0)
-    item["ratePerMinute"] = compared.ratePerMinute;
-  if (compared.pose.rows() > 0)
-    item["pose"] = rowsOf(compared.pose);
-  return item;
-}
-
-/// None for what only a newer version can compare with, and where what it is about is missing.
-std::optional<Compared> comparedFrom(const JsonReader& json, const ordered_json& item,
-                                     const std::string& place) {
-  const auto what = json.valueOf<std::string>(item, "what", place);
-  if (std::find(kCompared.begin(), kCompared.end(), what) == kCompared.end())
-    return std::nullopt;
-  Compared compared;
-  compared.what = fromName<Compared::What>(kCompared, item.at("what"));
-  using What = Compared::What;
-  if (compared.what == What::coordinates || compared.what == What::sample) {
-    json.readIfThere(item, "name", place, compared.name);
-    if (compared.name.empty())
-      return std::nullopt;
-  }
-  if (compared.what == What::pose) {
-    compared.pose = rowsFrom(json, item, "pose", place);
-    if (compared.pose.rows() == 0 || !compared.pose.allFinite())
-      return std::nullopt;
-  }
-  json.readIfThere(item, "ratePerMinute", place, compared.ratePerMinute);
-  compared.ratePerMinute = within(compared.ratePerMinute, 0, kFastestRate, 0);
-  return compared;
-}
-
-anatomy::Person personFrom(const JsonReader& json, const ordered_json& item, const std::string& place) {
-  json.requireObject(item, place);
-  anatomy::Person person;
-  std::string sex;
-  json.readIfThere(item, "sex", place, sex);
-  person.sex = anatomy::sexFromId(sex);
-  json.readIfThere(item, "bodySurfaceM2", place, person.bodySurfaceM2);
-  person.bodySurfaceM2 =
-      within(person.bodySurfaceM2, anatomy::kSmallestBodySurfaceM2, anatomy::kLargestBodySurfaceM2, 0);
-  return person;
-}
-
-ViewState viewFrom(const JsonReader& json, const ordered_json& item,
-                   const document::CirculationChoice& circulation) {
-  ViewState view;
-  json.readIfThere(item, "mode", "", view.mode);
-  const auto take = [&](const char* key, auto& part, auto from) {
-    if (item.contains(key))
-      part = from(json, item.at(key), key);
-  };
-  take("camera", view.camera, cameraFrom);
-  take("selection", view.selection, selectionFrom);
-  json.eachOf(item, "motions", "", [&](const ordered_json& motion, const std::string& place) {
-    view.motions.push_back(
-        {{json.valueOf<std::int64_t>(motion, "organ", place)}, json.field(motion, "recipe", place).dump()});
-  });
-  take("playing", view.playing, playingFrom);
-  take("compared", view.compared, comparedFrom);
-  take("cut", view.cut, cutFrom);
-  view.organsSeen = organsFrom(json, item, "organsSeen", "");
-  take("person", view.person, personFrom);
-  json.eachOf(item, "slides", "", [&](const ordered_json& slide, const std::string& place) {
-    view.slides.push_back(slideFrom(json, slide, place));
-  });
-  view.shownPose = rowsFrom(json, item, "shownPose", "");
-  int format = 1;
-  json.readIfThere(item, "format", "", format);
-  if (format < kBeatBeforeAtria)
-    beginBeforeAtria(view, circulation);
-  if (format < kNamedSwitches) {
-    readSwitchesOfFormat1(json, item, view);
-    return view;
-  }
-  const ordered_json shown = item.value("shown", ordered_json::object());
-  visitShown(view.shown, [&](const char* key, bool& value) { json.readIfThere(shown, key, "shown", value); });
-  visitSwitches(view,
-                [&](const char* key, const char*, bool& value) { json.readIfThere(item, key, "", value); });
-  view.mirror = fromName<Mirror>(kMirrors, item.value("mirror", ordered_json()));
-  take("stress", view.stress, stressFrom);
-  take("strain", view.strain, strainLookFrom);
-  take("scan", view.scan, scanFrom);
-  take("heartSigns", view.heartSigns, heartSignsFrom);
   return view;
 }
 
 } // namespace
 
-bool Compared::operator==(const Compared& other) const {
-  return what == other.what && name == other.name && ratePerMinute == other.ratePerMinute &&
-         pose.rows() == other.pose.rows() && pose == other.pose;
+Json toJson(const ViewState& view) {
+  ViewState written = view;
+  Json item = {{"format", kFormat}};
+  FieldWriter visit{item};
+  visitFields(visit, written);
+  return item;
 }
 
-bool ViewState::operator==(const ViewState& other) const {
-  const auto parts = [](const ViewState& view) {
-    return std::tie(view.mode, view.shown, view.camera, view.handles, view.influence, view.ghost, view.labels,
-                    view.partNames, view.measurements, view.orientationCube, view.scaleBar, view.gizmo,
-                    view.exactly, view.mirror, view.layout.regions, view.layout.zones,
-                    view.layout.superRegions, view.chartOfCycle, view.circulationChart, view.beatSigns,
-                    view.valves, view.conduction, view.heartSigns, view.stress, view.strain, view.cut,
-                    view.organsSeen, view.person.sex, view.person.bodySurfaceM2, view.scan, view.selection,
-                    view.motions, view.playing, view.compared, view.slides);
-  };
-  return parts(*this) == parts(other) && shownPose.rows() == other.shownPose.rows() &&
-         shownPose == other.shownPose;
-}
-
-std::string toJson(const ViewState& state) {
-  ViewState view = state;
-  ordered_json item = {{"format", kFormat}, {"mode", view.mode}};
-  visitShown(view.shown, [&](const char* key, bool value) { item["shown"][key] = value; });
-  if (view.camera)
-    item["camera"] = cameraJson(*view.camera);
-  visitSwitches(view, [&](const char* key, const char*, bool value) { item[key] = value; });
-  item["mirror"] = kMirrors[static_cast<std::size_t>(view.mirror)];
-  item["heartSigns"] = heartSignsJson(view.heartSigns);
-  item["stress"] = stressJson(view.stress);
-  item["strain"] = strainLookJson(view.strain);
-  item["scan"] = scanJson(view.scan);
-  item["cut"] = cutJson(view.cut);
-  if (!view.organsSeen.empty())
-    item["organsSeen"] = organsJson(view.organsSeen);
-  item["person"] = {{"sex", anatomy::idOf(view.person.sex)}, {"bodySurfaceM2", view.person.bodySurfaceM2}};
-  item["selection"] = {{"organ", view.selection.organ.value}, {"group", view.selection.group.value}};
-  item["selection"]["handles"] = ordered_json::array();
-  for (const document::HandleId id : view.selection.handles)
-    item["selection"]["handles"].push_back(id.value);
-  item["motions"] = ordered_json::array();
-  for (const MotionChoice& motion : view.motions)
-    item["motions"].push_back(
-        {{"organ", motion.organ.value}, {"recipe", ordered_json::parse(motion.recipe)}});
-  if (view.playing)
-    visitPlaying(*view.playing, [&](const char* key, const auto& value) { item["playing"][key] = value; });
-  if (view.playing && view.playing->prescribed)
-    item["playing"]["prescribed"] = prescribedJson(*view.playing->prescribed);
-  if (view.compared)
-    item["compared"] = comparedJson(*view.compared);
-  if (!view.slides.empty())
-    item["slides"] = ordered_json::array();
-  for (const Slide& slide : view.slides)
-    item["slides"].push_back(slideJson(slide));
-  if (view.shownPose.rows() > 0)
-    item["shownPose"] = rowsOf(view.shownPose);
-  return item.dump();
-}
-
-ViewState viewFromJson(const std::string& text, const document::CirculationChoice& circulation) {
+ViewState viewFromJson(const Json& item, const document::CirculationChoice& circulation) {
   const JsonReader json(kView, kViewAdvice);
   try {
-    return viewFrom(json, json.parse(text), circulation);
+    json.requireObject(item, "");
+    int format = 1;
+    json.readIfThere(item, "format", "", format);
+    ViewState view;
+    if (format < kNamedSwitches)
+      view = viewOfFormat1(json, item);
+    else
+      Codec<ViewState>::read({json, item, ""}, view);
+    if (format < kBeatBeforeAtria)
+      beginBeforeAtria(view, circulation);
+    return view;
   } catch (const JsonError& error) {
     throw DataError("The view cannot be restored completely", error.where(), kViewAdvice);
+  }
+}
+
+StressLook habitOf(StressLook look) {
+  look.pinned = look.threshold = look.peak = false;
+  look.range = {0, 0};
+  look.probe = -1;
+  look.glyphs = GlyphChoice::none;
+  return look;
+}
+
+std::string toJson(const StressLook& look) {
+  return Codec<StressLook>::write(look).dump();
+}
+
+StressLook stressLookFromJson(const std::string& text) {
+  const JsonReader json(kView, kViewAdvice);
+  try {
+    const Json item = json.parse(text);
+    StressLook look;
+    Codec<StressLook>::read({json, item, "stress"}, look);
+    return look;
+  } catch (const JsonError&) {
+    return {};
   }
 }
 

@@ -401,7 +401,7 @@ void takeHeart(document::UndoStack& undo) {
 presentation::ViewState playingHeart(const document::Document& document) {
   presentation::ViewState view;
   view.motions = {
-      {document.organs().front()->id, live::sampleRecipe("heartbeat", sample_organs::Resolution::low)}};
+      {document.organs().front()->id, live::SampleMotion{"heartbeat", sample_organs::Resolution::low}}};
   view.playing = presentation::Playing{0, 0, 0, 1, true, true};
   return view;
 }

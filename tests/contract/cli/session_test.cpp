@@ -110,14 +110,12 @@ TEST_F(CliSession, RenderColoursByTheInfluenceOfTheHandleThatWasSelected) {
 
 TEST_F(CliSession, RenderDrawsTheStressMapAsItWasLookedAt) {
   const auto view = [this](const json& look, const std::string& session) {
-    contents_.view = json{{"mode", "stress"},
-                          {"stress", look},
-                          {"switches", {{"view.ghost", true}}},
-                          {"selection",
-                           {{"organ", contents_.state.organs->front()->id.value},
-                            {"group", 0},
-                            {"handles", json::array()}}}}
-                         .dump();
+    contents_.view = json{
+        {"mode", "stress"},
+        {"stress", look},
+        {"switches", {{"view.ghost", true}}},
+        {"selection",
+         {{"organ", contents_.state.organs->front()->id.value}, {"group", 0}, {"handles", json::array()}}}};
     write(session);
     return drawn(session, {"--view", "left"});
   };
@@ -128,7 +126,7 @@ TEST_F(CliSession, RenderDrawsTheStressMapAsItWasLookedAt) {
   ratio["stress/quantity"] = "volume-ratio";
   glyphs["stress/glyphs"] = "crosses";
   const std::string map = view(whole, "stress.viscera");
-  contents_.view = R"({"mode": "explore"})";
+  contents_.view = json::parse(R"({"mode": "explore"})");
   write("plain.viscera");
   EXPECT_NE(drawn("plain.viscera", {"--view", "left"}), map);
   EXPECT_NE(view(cut, "cut.viscera"), map);
@@ -144,7 +142,7 @@ TEST_F(CliSession, RenderDrawsGhostsLabelsAndRegionsThatWereSwitchedOn) {
   contents_.state.organs = std::make_shared<document::OrganList>(
       document::OrganList{std::make_shared<const document::Organ>(std::move(ball))});
   const auto view = [this](const std::string& mode, const std::string& name, bool on) {
-    contents_.view = json{{"mode", mode}, {"switches", {{name, on}}}}.dump();
+    contents_.view = json{{"mode", mode}, {"switches", {{name, on}}}};
     write("overlay.viscera");
     return drawn("overlay.viscera", {}, "600x400"); // Labels need room.
   };
@@ -175,7 +173,7 @@ TEST_F(CliSession, MeasurementsAreListedAndDrawnUnlessTheyWereHidden) {
   EXPECT_NEAR(listed[0]["valueAtRest"].get<double>(), 20, 1e-9);
   EXPECT_EQ(listed[0]["unit"], "mm");
   EXPECT_NE(drawn("measured.viscera"), without);
-  contents_.view = R"({"switches": {"view.measurements": false}})";
+  contents_.view = json::parse(R"({"switches": {"view.measurements": false}})");
   write("hidden.viscera");
   EXPECT_EQ(drawn("hidden.viscera"), without);
 }
@@ -187,7 +185,7 @@ TEST_F(CliSession, RenderDrawsASliceAsTheWindowShowedIt) {
   contents_.state.scan = std::make_shared<const document::ScanItem>(
       document::openScanFile(put("ct.nii", tests::niftiFile(image)), {}, progress));
   const auto slice = [this](const std::string& session, const std::string& look) {
-    contents_.view = R"({"format": 2, "mode": "deform", "scan": )" + look + "}";
+    contents_.view = json{{"format", 2}, {"mode", "deform"}, {"scan", json::parse(look)}};
     write(session);
     const json drawn =
         runJson({"render", path(session), "--slice", "axial:2", "-o", path("s.png"), "--size", "300x240"});
@@ -212,7 +210,7 @@ TEST_F(CliSession, DamagedOnesAndOnesWithOtherThingsAreRefused) {
   expectFailure({"info", path("none.viscera")}, kNoInput, "none.viscera");
   expectFailure({"render", path("posed.viscera"), path("cube.off"), "-o", path("x.png")}, kUsage,
                 "posed.viscera");
-  contents_.view = R"({"camera": "far away"})";
+  contents_.view = json::parse(R"({"camera": "far away"})");
   write("odd.viscera");
   expectFailure({"render", path("odd.viscera"), "-o", path("x.png")}, kBadData, "--view");
   EXPECT_FALSE(std::filesystem::exists(path("x.png")));

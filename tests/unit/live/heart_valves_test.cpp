@@ -144,19 +144,19 @@ TEST(HeartValves, OfTheTextbooksBeatMoveWithItsPhases) {
 }
 
 TEST(HeartValves, OfASessionAreThoseOfItsMotion) {
-  const std::string heart = sampleRecipe("heartbeat", sample_organs::Resolution::low);
+  const MotionRecipe heart = SampleMotion{"heartbeat", sample_organs::Resolution::low};
   document::CirculationChoice choice;
   Progress quiet;
   EXPECT_EQ(heartValves(heart, choice, 0.4, 75, quiet),
             heart::textbookValves(heart::CardiacCycle().beat(75), 0.4 * 60 / 75));
   choice.drives = true;
   EXPECT_EQ(heartValves(heart, choice, 0.2, 72, quiet), courseOf(choice.parameters).valvesAt(0.2));
-  EXPECT_EQ(heartValves(sampleRecipe("breathing", sample_organs::Resolution::low), choice, 0.2, 72, quiet),
+  EXPECT_EQ(heartValves(SampleMotion{"breathing", sample_organs::Resolution::low}, choice, 0.2, 72, quiet),
             std::nullopt);
 }
 
 TEST(HeartClock, OfASessionCountsFromTheContractionOfItsVentricles) {
-  const std::string heart = sampleRecipe("heartbeat", sample_organs::Resolution::low);
+  const MotionRecipe heart = SampleMotion{"heartbeat", sample_organs::Resolution::low};
   document::CirculationChoice choice;
   Progress quiet;
   EXPECT_EQ(heartClock(heart, choice, 0.4, 75, quiet),
@@ -168,7 +168,7 @@ TEST(HeartClock, OfASessionCountsFromTheContractionOfItsVentricles) {
   EXPECT_NEAR(clock->seconds, cycle - clock->conduction - heart::kBeforeAtria, 0.01)
       << "the drawn beat begins before the atria contract";
   EXPECT_EQ(clock->conduction, choice.parameters.conduction);
-  EXPECT_EQ(heartClock(sampleRecipe("breathing", sample_organs::Resolution::low), choice, 0.2, 72, quiet),
+  EXPECT_EQ(heartClock(SampleMotion{"breathing", sample_organs::Resolution::low}, choice, 0.2, 72, quiet),
             std::nullopt);
 }
 

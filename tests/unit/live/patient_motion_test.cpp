@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <nlohmann/json.hpp>
+
 #include "beating_labels.h"
 #include "beating_shell.h"
 #include "temporary_folder.h"
@@ -12,6 +14,8 @@
 
 namespace viscera::live {
 namespace {
+
+using nlohmann::ordered_json;
 
 /// The shell whose motion is known, as surfaces.
 MotionSeries shellSeries(std::size_t phases) {
@@ -145,14 +149,14 @@ TEST(PatientMotion, ComesBackFromItsFileWithItsOrgans) {
     EXPECT_EQ(back.track.keys[key].pose, found.sequence.track.keys[key].pose);
 }
 
-TEST(MeasuredRecord, ComesBackWithItsNumbersAndRefusesOtherText) {
+TEST(MeasuredRecord, ComesBackWithItsNumbersAndRefusesOtherJson) {
   const MotionSeries series = shellSeries(4);
   Progress progress;
   TrackOptions options;
   options.rig.handles = 40;
   const PatientMotion found = trackMotion(series, options, progress);
-  const std::string text = toJson({{{7}, {9}}, series, found});
-  const MeasuredRecord back = measuredRecordFrom(text);
+  const ordered_json written = toJson({{{7}, {9}}, series, found});
+  const MeasuredRecord back = measuredRecordFrom(written);
   EXPECT_EQ(back.organs, (std::vector<document::OrganId>{{7}, {9}}));
   EXPECT_EQ(back.series.names, series.names);
   EXPECT_EQ(back.series.volumesMl, series.volumesMl);
@@ -166,12 +170,10 @@ TEST(MeasuredRecord, ComesBackWithItsNumbersAndRefusesOtherText) {
               found.phases[phase].quality.surfaces[1].freeMl);
     EXPECT_EQ(back.motion.phases[phase].verdict.reasons, found.phases[phase].verdict.reasons);
   }
-  EXPECT_EQ(toJson(back), text);
-  MotionSeries odd = series;
-  odd.names[1] = "cavit\xE9"; // Latin-1.
-  EXPECT_EQ(measuredRecordFrom(toJson({{{7}, {9}}, odd, found})).series.names[1], "cavit\xEF\xBF\xBD");
-  for (const std::string& other :
-       {std::string("{}"), std::string("nothing"), std::string("[1]"), text.substr(0, text.size() / 2)})
+  EXPECT_EQ(toJson(back), written);
+  ordered_json cut = written;
+  cut["phases"][2].erase("surfaces");
+  for (const ordered_json& other : {ordered_json::object(), ordered_json("nothing"), ordered_json(), cut})
     EXPECT_THROW(measuredRecordFrom(other), DataError) << other;
 }
 

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <nlohmann/json.hpp>
+
 #include "session_fixture.h"
 #include "viscera/circulation/signs.h"
 #include "viscera/presentation/presenter.h"
@@ -87,8 +89,8 @@ TEST_F(Conduction, ComesBackWithASessionAndIsOffInOlderOnes) {
   view.conduction = true;
   EXPECT_TRUE(viewFromJson(toJson(view)).conduction);
   EXPECT_FALSE(view == ViewState());
-  EXPECT_FALSE(viewFromJson(R"({"format": 3, "mode": "play"})").conduction);
-  EXPECT_FALSE(viewFromJson(R"({"format": 1, "mode": "play"})").conduction);
+  EXPECT_FALSE(viewFromJson({{"format", 3}, {"mode", "play"}}).conduction);
+  EXPECT_FALSE(viewFromJson({{"format", 1}, {"mode", "play"}}).conduction);
 }
 
 } // namespace

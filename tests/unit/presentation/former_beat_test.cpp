@@ -85,7 +85,7 @@ TEST(FormerBeat, OfACirculationOpensAtTheInstantsItWasSavedAt) {
 
 TEST(FormerBeat, APrescribedVolumeGoesWithItsInstants) {
   const document::SessionContents session = sessionOf("textbook_format_2.viscera");
-  json before = json::parse(session.view);
+  json before = session.view;
   const auto old = before["playing"]["prescribed"]["curve"].get<std::vector<std::array<double, 2>>>();
   const ViewState view = viewOf(session);
   ASSERT_TRUE(view.playing && view.playing->prescribed);
@@ -104,9 +104,9 @@ TEST(FormerBeat, IsReadOnceAndComesBackAsItIs) {
 
 TEST(FormerBeat, OnlyAHeartbeatIsMoved) {
   const document::SessionContents session = sessionOf("textbook_format_2.viscera");
-  const json saved = json::parse(session.view);
+  const json saved = session.view;
   const auto fractions = [&](const json& view) {
-    const ViewState read = viewFromJson(view.dump());
+    const ViewState read = viewFromJson(view);
     return std::pair(read.playing->fraction, *read.slides.at(1).fraction);
   };
   const double was = saved["playing"]["fraction"];
@@ -127,19 +127,19 @@ TEST(FormerBeat, OnlyAHeartbeatIsMoved) {
 
 TEST(FormerBeat, ThatNeverLeftItsBeginningStaysThere) {
   const document::SessionContents session = sessionOf("textbook_format_2.viscera");
-  json view = json::parse(session.view);
+  json view = session.view;
   view["playing"]["fraction"] = 0;
   view["playing"]["shown"] = false;
-  EXPECT_EQ(viewFromJson(view.dump()).playing->fraction, 0);
+  EXPECT_EQ(viewFromJson(view).playing->fraction, 0);
   view["playing"]["shown"] = true;
-  EXPECT_NEAR(viewFromJson(view.dump()).playing->fraction, heart::kBeforeAtria * 75 / 60, 1e-12);
+  EXPECT_NEAR(viewFromJson(view).playing->fraction, heart::kBeforeAtria * 75 / 60, 1e-12);
 }
 
 TEST(FormerBeat, ACurveThatIsNoneIsStillRefused) {
   const document::SessionContents session = sessionOf("textbook_format_2.viscera");
-  json view = json::parse(session.view);
+  json view = session.view;
   view["playing"]["prescribed"]["curve"] = {{-0.5, 100}, {0.5, 60}};
-  EXPECT_THROW(sequences::volumeCurve(viewFromJson(view.dump()).playing->prescribed->curve), DataError);
+  EXPECT_THROW(sequences::volumeCurve(viewFromJson(view).playing->prescribed->curve), DataError);
 }
 
 /// Sessions of format 1 that the program of that time wrote.
@@ -148,10 +148,10 @@ TEST(FormerBeat, OfFormat1IsMovedToo) {
   const auto session =
       document::readSession(VISCERA_SOURCE_DIR "/tests/gui/sessions/explore_handles_shown_posed.viscera",
                             sample_organs::standardLibrary(), quiet);
-  json view = json::parse(session.contents.view);
+  json view = session.contents.view;
   view["motions"] = {{{"organ", 1}, {"recipe", {{"sequence", "heartbeat"}, {"resolution", "low"}}}}};
   view["playing"] = {{"motion", 0}, {"fraction", 0.33}, {"ratePerMinute", 75}, {"shown", true}};
-  EXPECT_NEAR(viewFromJson(view.dump()).playing->fraction, 0.33 + heart::kBeforeAtria * 75 / 60, 1e-12);
+  EXPECT_NEAR(viewFromJson(view).playing->fraction, 0.33 + heart::kBeforeAtria * 75 / 60, 1e-12);
 }
 
 } // namespace

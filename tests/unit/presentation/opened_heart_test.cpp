@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <nlohmann/json.hpp>
+
 #include "sequence_scene.h"
 #include "session_fixture.h"
 #include "viscera/document/open_files.h"
@@ -257,7 +259,7 @@ TEST(OrganCutJson, BloodComesBackAndOlderSessionsHaveNone) {
   ViewState view;
   view.cut = {true, Vec3::UnitX(), 0.25, true};
   EXPECT_EQ(viewFromJson(toJson(view)).cut, view.cut);
-  EXPECT_FALSE(viewFromJson(R"({"format": 3, "cut": {"on": true, "offset": 0.5}})").cut.blood);
+  EXPECT_FALSE(viewFromJson({{"format", 3}, {"cut", {{"on", true}, {"offset", 0.5}}}}).cut.blood);
 }
 
 } // namespace

@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include <nlohmann/json.hpp>
+
 #include "phantom_scan.h"
 #include "session_fixture.h"
 #include "viscera/core/error.h"
@@ -332,10 +334,10 @@ TEST(ScanLook, ComesBackFromASessionAndOldSessionsHaveNone) {
   view.scan.rest = false;
   view.scan.framings[2] = {3, -4, 2.5};
   EXPECT_EQ(viewFromJson(toJson(view)).scan, view.scan);
-  EXPECT_EQ(viewFromJson(R"({"format": 2, "mode": "explore"})").scan, ScanLook());
+  EXPECT_EQ(viewFromJson({{"format", 2}, {"mode", "explore"}}).scan, ScanLook());
   // What nothing can be drawn with is as at first.
-  const ViewState odd = viewFromJson(
-      R"({"format": 2, "scan": {"width": -1, "level": 3, "slabMm": 1e9, "framings": [{"zoom": 0}]}})");
+  const ViewState odd = viewFromJson(nlohmann::ordered_json::parse(
+      R"({"format": 2, "scan": {"width": -1, "level": 3, "slabMm": 1e9, "framings": [{"zoom": 0}]}})"));
   EXPECT_EQ(odd.scan.width, 0);
   EXPECT_EQ(odd.scan.slabMm, 0);
   EXPECT_EQ(odd.scan.framings[0].zoom, 1);

@@ -32,19 +32,19 @@ TEST(SlideLook, ComesBackFromASession) {
 TEST(SlideLook, IsNoneInOldSessionsAndWithinBoundsInOddOnes) {
   ViewState view;
   view.slides = {cutSlide()};
-  json text = json::parse(toJson(view));
+  json text = toJson(view);
   json& slide = text["slides"][0];
   slide["look"] = json::parse(
       R"({"cut": {"on": true, "normal": [0, 0, 0], "offset": 5}, "organs": [{"organ": 4, "opacity": 17}]})");
-  const Slide odd = viewFromJson(text.dump()).slides.at(0);
+  const Slide odd = viewFromJson(text).slides.at(0);
   ASSERT_TRUE(odd.look);
   EXPECT_EQ(odd.look->cut.offset, 1);
   EXPECT_NEAR(odd.look->cut.normal.norm(), 1, 1e-12);
   EXPECT_FALSE(odd.look->labels || odd.look->partNames);
   EXPECT_EQ(odd.look->organs, (OrgansSeen{{{4}, {true, 1}}}));
   slide.erase("look");
-  EXPECT_FALSE(viewFromJson(text.dump()).slides.at(0).look);
-  EXPECT_TRUE(viewFromJson(R"({"format": 2, "mode": "explore"})").organsSeen.empty());
+  EXPECT_FALSE(viewFromJson(text).slides.at(0).look);
+  EXPECT_TRUE(viewFromJson({{"format", 2}, {"mode", "explore"}}).organsSeen.empty());
 }
 
 /// Two balls, one of which a view hides.

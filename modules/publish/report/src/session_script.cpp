@@ -13,10 +13,8 @@
 #include "viscera/circulation/scenario.h"
 #include "viscera/core/error.h"
 #include "viscera/core/file_facts.h"
-#include "viscera/core/json_reader.h"
 #include "viscera/core/text.h"
 #include "viscera/document/open_files.h"
-#include "viscera/live/motion_recipe.h"
 #include "viscera/live/sequence_file.h"
 #include "viscera/presentation/space_parts.h"
 
@@ -149,7 +147,7 @@ private:
   bool playSession(const std::string& reason, const std::string& table, bool driven);
   void writePicture();
   void writeLeftOut();
-  std::string landmarksText(const ordered_json& recipe) const;
+  static std::string landmarksText(const live::Landmarks& landmarks);
   /// The handles, the pose and the coordinates, as all commands take them.
   std::vector<std::string> bound(std::vector<std::string> words) const;
   std::vector<std::string> system() const;
@@ -160,7 +158,6 @@ private:
 
   const ScriptSource& source_;
   const document::DocumentState& state_;
-  const JsonReader json_{std::string(), std::string()}; ///< For the recipes of motions.
   Points pose_;
   std::vector<Eigen::Index> moved_;
   std::map<document::OrganId, std::optional<std::string>> names_;
@@ -363,13 +360,13 @@ void Writer::writeStress() {
     say("The maximum over a cycle has no command: the window finds it in the Stress mode.");
 }
 
-std::string Writer::landmarksText(const ordered_json& recipe) const {
+std::string Writer::landmarksText(const live::Landmarks& landmarks) {
   std::vector<std::string> labels;
   std::vector<Vec3> places;
-  json_.eachOf(recipe, "landmarks", "", [&](const ordered_json& point, const std::string& place) {
-    labels.push_back(json_.valueOf<std::string>(point, "role", place));
-    places.push_back(json_.valueOf<Vec3>(point, "position", place));
-  });
+  for (const live::Landmark& point : landmarks.points) {
+    labels.push_back(point.role);
+    places.push_back(point.position);
+  }
   return markupsText({listText("Landmarks", {0.2, 0.7, 0.6}, labels, places)});
 }
 
@@ -378,35 +375,32 @@ void Writer::writeMotion() {
   const int chosen = view.playing ? view.playing->motion : view.motions.empty() ? -1 : 0;
   if (chosen < 0 || static_cast<std::size_t>(chosen) >= view.motions.size())
     return writeKeySequence();
-  try {
-    writeChosen(view.motions[static_cast<std::size_t>(chosen)]);
-  } catch (const JsonError&) {
-    paragraph("Nothing is known of how the session's sequence was made.");
-  }
+  writeChosen(view.motions[static_cast<std::size_t>(chosen)]);
 }
 
 void Writer::writeChosen(const presentation::MotionChoice& motion) {
   const auto organ = state_.organ(motion.organ);
   if (!organ)
     return;
-  const ordered_json recipe = json_.parse(motion.recipe);
-  const auto sequence = json_.valueOf<std::string>(recipe, "sequence", "");
+  const std::string sequence = live::sequenceOf(motion.recipe);
+  if (sequence.empty())
+    return paragraph("Nothing is known of how the session's sequence was made.");
   std::vector<std::string> words = {"play", sequence};
   std::string landmarks;
-  if (recipe.contains("landmarks")) {
+  if (const auto* fitted = std::get_if<live::FittedMotion>(&motion.recipe)) {
     const auto name = nameOf(*organ);
     if (!name)
       return paragraph("The sequence was fitted to " + organ->name + ", which is in no file.");
     words.insert(words.end(), {"--organ", *name});
-    if (!recipe["landmarks"].empty()) {
-      landmarks = landmarksText(recipe);
+    if (!fitted->given.points.empty()) {
+      landmarks = landmarksText(fitted->given);
       words.insert(words.end(), {"--landmarks", kLandmarks});
     }
-  } else {
+  } else if (const auto* shipped = std::get_if<live::SampleMotion>(&motion.recipe)) {
     const std::string& sample = organ->origin.sample;
     if (const std::size_t at = sample.find('@'); at != std::string::npos)
       words.insert(words.end(), {"--organ", "sample:" + sample.substr(0, at) + '@' +
-                                                json_.valueOf<std::string>(recipe, "resolution", "")});
+                                                sample_organs::nameOf(shipped->resolution)});
   }
   const auto& playing = source_.view.playing;
   const document::CirculationChoice& circulation = *state_.circulation;

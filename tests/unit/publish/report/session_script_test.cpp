@@ -106,7 +106,7 @@ TEST(SessionScript, PlaysTheSessionItselfForACirculationWithParametersOfItsOwn) 
   ReportedSession session;
   session.undo.perform(document::chooseScenario("exercise"));
   presentation::ViewState view;
-  view.motions = {{session.organ(), live::sampleRecipe("heartbeat", sample_organs::Resolution::low)}};
+  view.motions = {{session.organ(), live::SampleMotion{"heartbeat", sample_organs::Resolution::low}}};
   view.playing = presentation::Playing{0, 0.3, 130, 1, true, false};
   const auto plain = report::sessionScript({session.document.state(), view, "/tmp/a.viscera"});
   EXPECT_THAT(plain.text, HasSubstr("viscera play heartbeat --scenario exercise --csv heartbeat.csv"));

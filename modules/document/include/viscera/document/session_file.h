@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include <nlohmann/json.hpp>
+
 #include "viscera/core/phrase.h"
 #include "viscera/core/progress.h"
 #include "viscera/document/document.h"
@@ -21,7 +23,7 @@ inline constexpr const char* kSessionEnding = ".viscera";
 /// but saving writes it again unchanged, so that it can be opened when its file is found.
 struct MissingOrgan {
   std::string name;
-  std::string record;            ///< As in the file: a JSON object.
+  nlohmann::ordered_json record; ///< As in the file.
   std::size_t place = 0;         ///< Among the organs of the session.
   OrganId id;                    ///< As `parent` of organs in `children`.
   std::vector<OrganId> children; ///< Organs of the document that are its cavities.
@@ -30,17 +32,17 @@ struct MissingOrgan {
 /// The contents of a session file: document, view and missing organs.
 struct SessionContents {
   DocumentState state;
-  /// What the window shows, as a JSON object of its own; kept as it is.
-  std::string view = "{}";
+  /// What the window shows, an object of its own (`presentation::toJson`); kept as it is.
+  nlohmann::ordered_json view = nlohmann::ordered_json::object();
   /// Whether all surfaces are inside the file. Else those that can be read or made again are named only; a
   /// surface that was edited, or whose file is not what was read, is inside in any case.
   bool embedSurfaces = false;
   /// Whether the scan's samples are inside, too. One that is in no file (any more) is inside in any case.
   bool embedScan = false;
   std::vector<MissingOrgan> missing;
-  /// The record of a scan that was not found, a JSON object: written again as it was unless `state` has
-  /// another scan. Else empty.
-  std::string missingScan = {};
+  /// The record of a scan that was not found: written again as it was unless `state` has another scan. Else
+  /// null.
+  nlohmann::ordered_json missingScan = {};
   /// The session file that these contents belong to, when they are a recovery file's; empty else.
   std::filesystem::path recovers;
 };

@@ -10,6 +10,7 @@
 #include "viscera/core/phrase.h"
 #include "viscera/document/circulation_choice.h"
 #include "viscera/heart/course_heartbeat.h"
+#include "viscera/live/motion_recipe.h"
 #include "viscera/live/sequence_setup.h"
 
 namespace viscera::live {
@@ -57,12 +58,12 @@ SequenceSetup circulatingHeart(const sample_organs::SampleLibrary& library, cons
 /// The valves at a place of the cycle, [0, 1], of the motion that a recipe makes and a circulation may drive,
 /// without making the motion; empty unless it is the sample heart's, and for a circulation without a periodic
 /// beat. Some 20 ms if a circulation drives. Throws `Cancelled`.
-std::optional<heart::ValveInstants> heartValves(const std::string& recipe,
+std::optional<heart::ValveInstants> heartValves(const MotionRecipe& recipe,
                                                 const document::CirculationChoice& choice, double fraction,
                                                 double ratePerMinute, Progress& progress);
 
 /// The clock at that place of the cycle, as `heartValves`.
-std::optional<heart::BeatClock> heartClock(const std::string& recipe,
+std::optional<heart::BeatClock> heartClock(const MotionRecipe& recipe,
                                            const document::CirculationChoice& choice, double fraction,
                                            double ratePerMinute, Progress& progress);
 

@@ -1,7 +1,8 @@
 #pragma once
 
-#include <string>
 #include <vector>
+
+#include <nlohmann/json_fwd.hpp>
 
 #include "viscera/document/ids.h"
 #include "viscera/live/motion_series.h"
@@ -17,11 +18,11 @@ struct MeasuredRecord {
   PatientMotion motion;                  ///< Without its sequence.
 };
 
-/// Writes the record as JSON text (docs/session_format.md, "measured"). O(phases x surfaces).
-std::string toJson(const MeasuredRecord& record);
+/// The record as JSON (docs/session_format.md, "measured"). O(phases x surfaces).
+nlohmann::ordered_json toJson(const MeasuredRecord& record);
 
-/// Reads what `toJson` wrote; verdicts, ejection fractions and tissue are computed again. Throws `DataError`
-/// for invalid text.
-MeasuredRecord measuredRecordFrom(const std::string& text);
+/// Reads what `toJson` made; verdicts, ejection fractions and tissue are computed again. Throws `DataError`
+/// for what is no such record.
+MeasuredRecord measuredRecordFrom(const nlohmann::ordered_json& item);
 
 } // namespace viscera::live

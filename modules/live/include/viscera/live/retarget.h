@@ -21,6 +21,8 @@ struct Landmark {
   std::string role;             ///< As in `landmarkRoles`: "apex".
   Vec3 position = Vec3::Zero(); ///< mm, LPS.
   bool computed = false;        ///< Found by the program, not given by a user.
+
+  bool operator==(const Landmark&) const = default;
 };
 
 /// The landmarks of one organ. Those of one role that may come several times are in order.
@@ -31,6 +33,8 @@ struct Landmarks {
   const Landmark* find(const std::string& role) const;
   /// All of that role, in order.
   std::vector<Vec3> all(const std::string& role) const;
+
+  bool operator==(const Landmarks&) const = default;
 };
 
 /// A kind of landmark that a sequence can use, with its name and hint for the user.

@@ -6,10 +6,13 @@
 #include <string>
 #include <vector>
 
+#include <nlohmann/json_fwd.hpp>
+
 #include "viscera/anatomy/norms.h"
 #include "viscera/core/arrays.h"
 #include "viscera/document/circulation_choice.h"
 #include "viscera/document/ids.h"
+#include "viscera/live/motion_recipe.h"
 #include "viscera/live/strain_reading.h"
 #include "viscera/presentation/heart_signs.h"
 #include "viscera/presentation/scan_look.h"
@@ -20,6 +23,16 @@
 /// the document, and a `Presenter` draws the same picture again from both. The theme is not part of it,
 /// because it is a setting of the user.
 namespace viscera::presentation {
+
+/// Positions of handles, `n x 3` mm. Those of different numbers of handles can be compared, too.
+struct HandlePositions : Points {
+  using Points::Points;
+  using Points::operator=;
+
+  bool operator==(const HandlePositions& other) const {
+    return rows() == other.rows() && Points::operator==(other);
+  }
+};
 
 /// Position, focus and opening angle of a camera.
 struct Camera {
@@ -50,10 +63,10 @@ struct Shown {
 /// The planes that drags can be mirrored at, through the middle of the organ at rest.
 enum class Mirror { off, sagittal, coronal, axial };
 
-/// A sequence that can be played, by the recipe that makes it again.
+/// A sequence that can be played.
 struct MotionChoice {
   document::OrganId organ;
-  std::string recipe; ///< motion/motion_recipe.h; JSON.
+  live::MotionRecipe recipe; ///< Makes it again.
 
   bool operator==(const MotionChoice&) const = default;
 };
@@ -92,9 +105,9 @@ struct Compared {
   What what = What::rate;
   std::string name;         ///< The id of the coordinates, or the sample's; empty for the others.
   double ratePerMinute = 0; ///< Of the sequence in the second view; 0: none is played there.
-  Points pose;              ///< The kept one, `n x 3` mm; empty for the others.
+  HandlePositions pose;     ///< The kept one; empty for the others.
 
-  bool operator==(const Compared& other) const;
+  bool operator==(const Compared&) const = default;
 };
 
 /// A plane that cuts organs open in all modes but Stress, which has a cut of its own.
@@ -208,19 +221,20 @@ struct ViewState {
   std::optional<Playing> playing;
   std::optional<Compared> compared; ///< None: there is no second view.
   std::vector<Slide> slides;        ///< In the order in which they are shown.
-  /// The displayed positions of the handles if they differ from the document's pose, `n x 3` mm; else empty.
-  Points shownPose;
+  /// The displayed positions of the handles if they differ from the document's pose; else empty.
+  HandlePositions shownPose;
 
-  bool operator==(const ViewState& other) const;
+  bool operator==(const ViewState&) const = default;
 };
 
-/// The view as JSON text, for a session (docs/session_format.md, "view").
-std::string toJson(const ViewState& view);
+/// The view as JSON, for a session (docs/session_format.md, "view").
+nlohmann::ordered_json toJson(const ViewState& view);
 
-/// Reads what `toJson` wrote, and the views of sessions of formats 1 and 2. Values that are missing or out of
+/// Reads what `toJson` made, and the views of sessions of formats 1 and 2. Values that are missing or out of
 /// range get their defaults. `circulation` is the session's: a heartbeat of those formats began at another
 /// instant, which depends on what moved the heart, and its fractions are read as those of today's beat.
-/// Throws `DataError` for text that is not a view.
-ViewState viewFromJson(const std::string& text, const document::CirculationChoice& circulation = {});
+/// Throws `DataError` for what is no view.
+ViewState viewFromJson(const nlohmann::ordered_json& item,
+                       const document::CirculationChoice& circulation = {});
 
 } // namespace viscera::presentation
