@@ -21,6 +21,7 @@ strip() { # strip NAME SEQUENCE FPS COLUMNS SIZE VIEW [OPTION...]
 }
 
 organ heart anterior,left,posterior
+python3 "$source/resources/scripts/draw_heart_cuts.py" "$program" "$pictures"
 organ stomach anterior,posterior,superior
 organ liver anterior,posterior,inferior
 organ kidney_left anterior,left,posterior

@@ -310,7 +310,9 @@ void FitBox::takeHeart(const live::PatientMotion& found, const document::Organ& 
 
 void FitBox::take(const live::RetargetedSequence& fitted, document::OrganId organ,
                   const std::string& sequence, const live::Landmarks& given) {
-  if (!workspace_.document().organ(organ) || !workspace_.perform(live::useRetargeted(fitted)))
+  const document::OrganList organs = workspace_.document().organs();
+  const bool keeps = !live::keptInPlace(fitted, organs).empty();
+  if (!workspace_.document().organ(organ) || !workspace_.perform(live::useRetargeted(fitted, organs)))
     return;
   playback_.setSequence(fitted.sequence, organ, live::FittedMotion{sequence, given});
   if (organ_ && organ_->id == organ)
@@ -318,6 +320,11 @@ void FitBox::take(const live::RetargetedSequence& fitted, document::OrganId orga
   syncRows();
   for (const Text& warning : fitted.warnings)
     workspace_.say({Message::Severity::warning, inWords(warning), {}, 0});
+  if (keeps)
+    workspace_.say({Message::Severity::info,
+                    tr("Spine and pelvis stay in place: breathing does not move them."),
+                    {},
+                    0});
   playback_.play();
 }
 

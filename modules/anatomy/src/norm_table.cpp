@@ -22,6 +22,10 @@ constexpr auto kSpect =
     "Breen 2011, doi 10.1111/j.1365-2982.2010.01660.x (spread), and \"Simplifying the measurement of "
     "gastric accommodation using SPECT\" (mean)";
 constexpr auto kCustomary = "customary at the bedside";
+/// Of no study of its own: the mean of the bounds above, 73 and 98 mmHg, rounded.
+constexpr auto kMeanPressure =
+    "geometric mean (Chemla 2005, doi 10.1152/japplphysiol.00713.2005) of the systolic and diastolic bounds, "
+    "73 to 98 mmHg, rounded";
 constexpr auto kRightHeart = "Humbert 2022, doi 10.1093/eurheartj/ehac237";
 /// Ranges of healthy people: the wedge pressure (table of recommendations); 24 ventricles that worked
 /// normally.
@@ -139,7 +143,7 @@ void addCirculation(std::vector<Norm>& rows) {
   add("heart.output", "Heart", "cardiac output", "l/min", {4, 8}, kRightHeart);
   add("aorta.systolic", "Aorta", "systolic pressure", "mmHg", {90, 120}, kPressures);
   add("aorta.diastolic", "Aorta", "diastolic pressure", "mmHg", {60, 80}, kPressures);
-  add("aorta.mean", "Aorta", "mean pressure", "mmHg", {70, 100}, kCustomary);
+  add("aorta.mean", "Aorta", "mean pressure", "mmHg", {70, 100}, kMeanPressure);
   add("pulmonary.systolic", "Pulmonary artery", "systolic pressure", "mmHg", {15, 30}, kRightHeart);
   add("pulmonary.mean", "Pulmonary artery", "mean pressure", "mmHg", {7.4, 20.6},
       "Kovacs 2009, doi 10.1183/09031936.00145608: mean +- 2 standard deviations");

@@ -263,4 +263,9 @@ bool isBoneNamed(std::string_view name) {
   return part && part->extent != Extent::lesion && organ(part->organ).rigid;
 }
 
+bool isStillNamed(std::string_view name) {
+  const auto part = partNamed(name);
+  return part && part->extent != Extent::lesion && organ(part->organ).still;
+}
+
 } // namespace viscera::anatomy

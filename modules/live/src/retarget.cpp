@@ -7,9 +7,11 @@
 #include "landmark_finder.h"
 #include "sample_heart.h"
 #include "sequence_binding.h"
+#include "viscera/anatomy/organ_facts.h"
 #include "viscera/core/error.h"
 #include "viscera/core/phrase.h"
 #include "viscera/core/text.h"
+#include "viscera/document/organ_commands.h"
 #include "viscera/document/rig_commands.h"
 #include "viscera/document/system_commands.h"
 #include "viscera/geometry/self_intersections.h"
@@ -171,10 +173,24 @@ RetargetedSequence retargetSequence(const std::string& id, const document::Organ
   return result;
 }
 
-document::Command useRetargeted(const RetargetedSequence& retargeted) {
+std::vector<document::OrganId> keptInPlace(const RetargetedSequence& retargeted,
+                                           const document::OrganList& organs) {
+  std::vector<document::OrganId> kept;
+  if (retargeted.sequence->id() == "breathing")
+    for (const auto& organ : organs)
+      if (anatomy::isStillNamed(organ->name) && organ->mobility != document::Mobility::fixed)
+        kept.push_back(organ->id);
+  return kept;
+}
+
+document::Command useRetargeted(const RetargetedSequence& retargeted, const document::OrganList& organs) {
   const Text name = phrase("Take handles of %1", retargeted.sequence->name());
-  return document::combined(
-      name, {document::replaceRig(retargeted.rig, name), document::setSystem(retargeted.system)});
+  std::vector<document::Command> commands;
+  if (auto kept = keptInPlace(retargeted, organs); !kept.empty())
+    commands.push_back(document::setMobility(std::move(kept), document::Mobility::fixed));
+  commands.push_back(document::replaceRig(retargeted.rig, name));
+  commands.push_back(document::setSystem(retargeted.system));
+  return document::combined(name, std::move(commands));
 }
 
 } // namespace viscera::live

@@ -12,9 +12,11 @@
 #include "build_paths.h"
 #include "self_intersections.h"
 #include "sequence_scene.h"
+#include "shapes.h"
 #include "tubes.h"
 #include "viscera/core/error.h"
 #include "viscera/document/document.h"
+#include "viscera/document/organ_commands.h"
 #include "viscera/document/undo_stack.h"
 #include "viscera/geometry/convex_hull.h"
 #include "viscera/heart/outer_heartbeat.h"
@@ -389,6 +391,34 @@ TEST(LandmarkFiles, areReadByTheLabelsOfTheirPoints) {
   medical_io::HandleFile line;
   line.groups.push_back({"F", {1, 0, 0}, {{"centerline-1", {1, 0, 0}, {}}, {"Centreline 2", {2, 0, 0}, {}}}});
   EXPECT_EQ(landmarksFrom(line, "peristalsis", "file").all("centreline").size(), 2u);
+}
+
+/// Bones move as rigid bodies with the handles around them, but spine and pelvis do not breathe.
+TEST(Retarget, KeepsSpineAndPelvisInPlaceInBreathingAndLetsRibsMove) {
+  document::Document document;
+  document::UndoStack undo(document);
+  std::vector<document::NewOrgan> bones;
+  for (const char* name : {"vertebra_L1", "sacrum", "Model_3_pelvis", "hip_left", "rib_left_7", "spleen"})
+    bones.push_back({document::makeOrgan(name, tests::sphere(1, 10)), -1});
+  undo.perform(document::addOrgans(std::move(bones)));
+  const auto mobilities = [&] {
+    std::vector<document::Mobility> found;
+    for (const auto& organ : document.organs())
+      found.push_back(organ->mobility);
+    return found;
+  };
+  using document::Mobility;
+  const auto before = mobilities();
+  const Fitted liver("breathing", document::makeOrgan("liver", tests::sphere(4, 60)));
+  EXPECT_EQ(keptInPlace(liver.fitted(), document.organs()).size(), 4u);
+  undo.perform(useRetargeted(liver.fitted(), document.organs()));
+  EXPECT_EQ(mobilities(), (std::vector<Mobility>{Mobility::fixed, Mobility::fixed, Mobility::fixed,
+                                                 Mobility::fixed, Mobility::rigid, Mobility::bends}));
+  EXPECT_TRUE(keptInPlace(liver.fitted(), document.organs()).empty());
+  undo.undo();
+  EXPECT_EQ(mobilities(), before);
+  const Fitted stomach("peristalsis", document::makeOrgan("tube", otherStomach().mesh()));
+  EXPECT_TRUE(keptInPlace(stomach.fitted(), document.organs()).empty()) << "it moves its own organ only";
 }
 
 TEST(Retarget, isTakenIntoADocumentInOneUndoStep) {

@@ -21,19 +21,25 @@ OrganFacts bone(std::string_view id, std::string_view title, Place place, std::s
           .words = words};
 }
 
+/// Ribs and sternum move in breathing, these do not.
+OrganFacts still(OrganFacts row) {
+  row.still = true;
+  return row;
+}
+
 void addBones(std::vector<OrganFacts>& rows) {
   rows.push_back(bone("skull", "Skull", Place::middle, "89546000",
                       "skull|cranium|cranial vault|schadel|schaedel|!crane|craneo|crani|~mandib*|~maxilla|"
                       "~kiefer|~zygomatic arch|~styloid process|~hard palate|~unterkiefer|~calvaria|"
                       "~teeth|~tooth"));
-  rows.push_back(bone("vertebra", "Vertebra", Place::middle, "51282000",
-                      "vertebra*|vertebre|vertebres|spine|spinal column|backbone|vertebral column|"
-                      "wirbel|wirbelkorper|wirbelsaule|lendenwirbel|brustwirbel|halswirbel|"
-                      "colonne vertebrale|columna vertebral|columna vertebralis|cervical #|thoracic #|"
-                      "lumbar #|cervical vertebra*|thoracic vertebra*|lumbar vertebra*|lumbar spine|"
-                      "cervical spine|thoracic spine"));
-  rows.push_back(bone("sacrum", "Sacrum", Place::middle, "54735007",
-                      "sacrum|os sacrum|kreuzbein|!sacre|sacro|coccyx|steissbein|os coccygis|coccix"));
+  rows.push_back(still(bone("vertebra", "Vertebra", Place::middle, "51282000",
+                            "vertebra*|vertebre|vertebres|spine|spinal column|backbone|vertebral column|"
+                            "wirbel|wirbelkorper|wirbelsaule|lendenwirbel|brustwirbel|halswirbel|"
+                            "colonne vertebrale|columna vertebral|columna vertebralis|cervical #|thoracic #|"
+                            "lumbar #|cervical vertebra*|thoracic vertebra*|lumbar vertebra*|lumbar spine|"
+                            "cervical spine|thoracic spine")));
+  rows.push_back(still(bone("sacrum", "Sacrum", Place::middle, "54735007",
+                            "sacrum|os sacrum|kreuzbein|!sacre|sacro|coccyx|steissbein|os coccygis|coccix")));
   rows.push_back(bone("rib", "Rib", Place::eitherSide, "113197003",
                       "rib|ribs|rippe|rippen|cote costale|cotes|costilla|costillas|costella|costelles|!costa|"
                       "costae|rib cage|ribcage|brustkorb"));
@@ -45,12 +51,13 @@ void addBones(std::vector<OrganFacts>& rows) {
                       "scapula|scapulae|schulterblatt|omoplate|escapula|omoplato|shoulder blade"));
   rows.push_back(bone("humerus", "Humerus", Place::eitherSide, "85050009",
                       "humerus|humeri|oberarmknochen|humero|~humeral head"));
-  rows.push_back(bone("hip_bone", "Hip bone", Place::eitherSide, "",
-                      "hip|hips|hip bone|hip bones|hip joint|pelvic bone|os coxae|huftbein|hufte|"
-                      "hueftbein|os coxal|coxal|hueso coxal|os coxal|~ilium|~ischium|~pubis|~acetabulum|"
-                      "~iliac crest"));
   rows.push_back(
-      bone("pelvis", "Pelvis", Place::middle, "", "pelvis|bony pelvis|becken|bassin osseux|beckenknochen"));
+      still(bone("hip_bone", "Hip bone", Place::eitherSide, "",
+                 "hip|hips|hip bone|hip bones|hip joint|pelvic bone|os coxae|huftbein|hufte|"
+                 "hueftbein|os coxal|coxal|hueso coxal|os coxal|~ilium|~ischium|~pubis|~acetabulum|"
+                 "~iliac crest")));
+  rows.push_back(still(
+      bone("pelvis", "Pelvis", Place::middle, "", "pelvis|bony pelvis|becken|bassin osseux|beckenknochen")));
   rows.push_back(bone("femur", "Femur", Place::eitherSide, "71341001",
                       "femur|femurs|femora|oberschenkelknochen|~femoral head|~femoral neck|~caput femoris|"
                       "thigh bone|thighbone"));

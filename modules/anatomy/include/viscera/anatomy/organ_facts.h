@@ -33,6 +33,7 @@ struct OrganFacts {
       {}; ///< Its row in the table of normal ranges, of the left one where there are two.
   std::string_view volumeOfRight = volume; ///< The row of the right one.
   bool rigid = false;                      ///< It keeps its shape among tissue that bends: a bone.
+  bool still = false;                      ///< It keeps its place while the body breathes: spine and pelvis.
   bool fills = false;                      ///< Its volume depends on what it holds, more than on the person.
   /// Names in small letters, separated by "|". "*": any end of a word; "#": a number. A phrase that begins
   /// with "~" means a piece of the organ; one with "!" counts only where no unknown word is beside it,
@@ -56,5 +57,8 @@ const std::string& systemNamed(std::string_view name);
 /// Whether a name means a bone, or a piece of one: not cartilage, and no organ that a bone is named beside.
 /// O(length).
 bool isBoneNamed(std::string_view name);
+
+/// Whether a name means an organ, or a piece of one, that keeps its place while the body breathes. O(length).
+bool isStillNamed(std::string_view name);
 
 } // namespace viscera::anatomy

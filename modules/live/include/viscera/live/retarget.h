@@ -88,8 +88,14 @@ struct RetargetedSequence {
 RetargetedSequence retargetSequence(const std::string& id, const document::Organ& organ,
                                     const Landmarks& given, Progress& progress, Threads threads = {});
 
-/// The command that puts the handles and coordinates of a fitted sequence into the document: one undo step.
-/// The organ is in the document already.
-document::Command useRetargeted(const RetargetedSequence& retargeted);
+/// The organs that a fitted sequence may not move, by the table of organs: in breathing the spine and the
+/// pelvis, whatever handles lie around them. Those that stay in place already are not among them.
+std::vector<document::OrganId> keptInPlace(const RetargetedSequence& retargeted,
+                                           const document::OrganList& organs);
+
+/// The command that puts the handles and coordinates of a fitted sequence into the document, and keeps those
+/// of its `organs` in place that it may not move (`keptInPlace`): one undo step. The organ is in the document
+/// already.
+document::Command useRetargeted(const RetargetedSequence& retargeted, const document::OrganList& organs = {});
 
 } // namespace viscera::live

@@ -1,12 +1,12 @@
-"""strain_table_test.py SOURCE_DIRECTORY WORK_DIRECTORY: the table of docs/strain.md has the rows, bounds and tests of the sources, and
-strain_table.py finds what differs. Runs no test program: those here are made up."""
+"""held_table_test.py SOURCE_DIRECTORY WORK_DIRECTORY: the tables of docs/strain.md and docs/sample_organs.md have the rows, bounds and
+tests of the sources, and held_table.py finds what differs. Runs no test program: those here are made up."""
 import pathlib
 import shutil
 import subprocess
 import sys
 
 source, work = map(pathlib.Path, sys.argv[1:])
-SCRIPT, PAGE = source / "resources/scripts/strain_table.py", source / "docs/strain.md"
+SCRIPT, PAGE = source / "resources/scripts/held_table.py", source / "docs/strain.md"
 STRETCH, SHEAR, SUITE, NAME = "uniform stretch", "simple shear", "MaterialStrain", "OfAUniformStretchIsTheStretchAlongEachAxis"
 #: A test program that says what a real one does; the test of the shear is skipped.
 PROGRAM = """#!{python}
@@ -27,8 +27,8 @@ def check(condition, message):
         sys.exit(str(message))
 
 
-def run(*arguments):
-    done = subprocess.run([sys.executable, SCRIPT, *arguments], check=False, capture_output=True, text=True)
+def run(*arguments, table="strain"):
+    done = subprocess.run([sys.executable, SCRIPT, *arguments, "--table", table], check=False, capture_output=True, text=True)
     return done.returncode, done.stdout + done.stderr
 
 
@@ -93,9 +93,32 @@ def test_measurements(text):
     check(code == 0 and f"{STRETCH}: here 3.1e-14, on the page 3.2e-14" in said, f"another value within the bound: {code}, {said}")
 
 
+def test_ranges(text):
+    """A range has two ends, and who says so."""
+    what = "mitral annulus, lesser and greater diameter"
+    row = row_of(text, what)
+    cells = row.split(" | ")
+    changed = {
+        "below its range": [cells[0], "17 to 31.7 mm", *cells[2:]],
+        "above its range": [cells[0], "23.6 to 37.1 mm", *cells[2:]],
+        "another range": [*cells[:2], "18 to 38 mm", *cells[3:]],
+        "another source": [*cells[:3], cells[3].replace("Ricci", "Rossi"), *cells[4:]],
+    }
+    for name, other in changed.items():
+        code, said = run("--check", "--page", page_with(text.replace(row, " | ".join(other))), table="heart")
+        check(code == 1 and what in said, f"{name}: {code}, {said}")
+    for what in ("tricuspid annulus, lesser and greater diameter", "places outside the blood on the 4 ways from a vena cava to a "
+                 "pulmonary artery"):
+        code, said = run("--check", "--page", page_with(text.replace(row_of(text, what) + "\n", "")), table="heart")
+        check(code == 1 and f"is not on the page: {what}" in said, f"no row: {code}, {said}")
+
+
 shutil.rmtree(work, ignore_errors=True)
 work.mkdir(parents=True)
+code, said = run("--check", table="heart")
+check(code == 0, "resources/scripts/held_table.py BUILD_DIRECTORY --write makes the tables:\n" + said)
+test_ranges((source / "docs/sample_organs.md").read_text(encoding="utf-8"))
 code, said = run("--check")
-check(code == 0, "docs/strain.md; resources/scripts/strain_table.py BUILD_DIRECTORY --write makes its table:\n" + said)
+check(code == 0, "resources/scripts/held_table.py BUILD_DIRECTORY --write makes the tables:\n" + said)
 test_differences(PAGE.read_text(encoding="utf-8"))
 test_measurements(PAGE.read_text(encoding="utf-8"))
