@@ -17,7 +17,7 @@ namespace {
 /// Of the way between its ends, how far a slack chord bows.
 constexpr double kMostBow = 0.125;
 /// How far from the middle of a muscle's tip its chords begin, rad on the round tip.
-constexpr double kSpread = 0.9;
+constexpr double kTipSpread = 0.9;
 
 /// The round tip of a papillary muscle in the definition of the sample heart, in the left ventricle's frame.
 struct Tip {
@@ -78,8 +78,8 @@ std::vector<Chord> sampleHeartChords() {
       const int from = held[i % held.size()];
       const double turn = std::numbers::pi * static_cast<double>(i) / static_cast<double>(held.size());
       const Vec3 aside = std::cos(turn) * across + std::sin(turn) * other;
-      const Vec3 place =
-          holder.tip.middle + holder.tip.radius * (std::cos(kSpread) * along + std::sin(kSpread) * aside);
+      const Vec3 place = holder.tip.middle +
+                         holder.tip.radius * (std::cos(kTipSpread) * along + std::sin(kTipSpread) * aside);
       chords.push_back({holder.valve, before ? (holder.leaflet + leaflets - 1) % leaflets : holder.leaflet,
                         before ? Leaflets::kAlong - from : from, frame.toWorld(place)});
     }
