@@ -27,6 +27,8 @@ public:
   const std::optional<OpenedHeart>& opened() const { return opened_; }
   /// The tissue in the present pose, while there is an opened heart.
   geometry::SurfaceView surface() const { return {points_.get(), &tissue_->mesh()->triangles}; }
+  /// The tissue at rest, while there is an opened heart.
+  const std::shared_ptr<const geometry::TriangleMesh>& mesh() const { return tissue_->mesh(); }
   /// A number that changes whenever `opened` or `surface` do.
   std::uint64_t revision() const { return revision_; }
 

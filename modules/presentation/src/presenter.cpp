@@ -32,6 +32,7 @@ constexpr double kPercent = 100;
 /// Areas and volumes below are written with two decimals.
 constexpr double kSmall = 10;
 constexpr double kGlassOpacity = 0.15;
+constexpr const char* kChords = "Chordae tendineae";
 constexpr const char* kSpread = "\u00b1 %1, %2 to %3, %4, %5 voxels";
 
 Vec3 missingColor(const scene::ColorMap& colors) {
@@ -45,6 +46,7 @@ struct LabelChoice {
   bool ofParts = false;
   std::optional<std::vector<Part>> parts; ///< Of these alone.
   bool ofConduction = false;
+  std::vector<std::pair<document::OrganId, Eigen::Index>> chords = {}; ///< See `ValvePicture::chordNames`.
 
   bool operator==(const LabelChoice&) const = default;
 };
@@ -235,6 +237,8 @@ void Presenter::Parts::updateLabels(const Scene& scene, bool others) {
   if (scene.parts)
     wanted.parts = *scene.parts;
   wanted.ofConduction = conduction.drawn() && scene.view.partNames && !scene.parts;
+  if (scene.view.partNames && !scene.parts)
+    wanted.chords = valves.chordNames();
   if (!others && labelled == wanted)
     return;
   labelled = std::move(wanted);
@@ -260,6 +264,8 @@ void Presenter::Parts::updateLabels(const Scene& scene, bool others) {
                      part.vertex});
   if (labelled.ofConduction)
     addConduction(scene, items);
+  for (const auto& [ventricle, point] : labelled.chords)
+    items.push_back({translate(kChords), organs.actorOf(ventricle), false, point, {}, valves.chordPoints()});
   labels.setItems(std::move(items));
 }
 
@@ -341,7 +347,7 @@ void Presenter::Parts::update(const Scene& scene) {
   updateInfluence(scene);
   heart.update(scene, mapOf(scene) != nullptr);
   cut.update(scene, heart);
-  valves.update(scene, cut.plane(), heart.opened() && !heart.opened()->blood);
+  valves.update(scene, cut.plane(), heart);
   conduction.update(scene, cut.plane());
   updateColors(scene);
   handles.update(scene, stress.shownWhere(scene));
@@ -387,6 +393,9 @@ const scene::MeasurementGlyphs& Presenter::stressMarks() const {
 }
 const live::ReadMarks& Presenter::readMarks() const {
   return parts_->stress.readMarks();
+}
+const scene::ValveGlyphs& Presenter::valves() const {
+  return parts_->valves.glyphs();
 }
 const scene::ConductionGlyphs& Presenter::conduction() const {
   return parts_->conduction.glyphs();

@@ -42,11 +42,9 @@ Points lineOf(const heart::Leaflets& leaflets, int leaflet, int across) {
   return line;
 }
 
-scene::ValveGlyph glyphOf(HeartValve valve, const ValveRing& ring, double areaMm2) {
-  const heart::ValveForm form = heart::formOf(valve);
-  const heart::Leaflets leaflets = heart::leafletsOf(ring, form, areaMm2);
+scene::ValveGlyph glyphOf(const heart::Leaflets& leaflets, int count) {
   scene::ValveGlyph glyph{leaflets.points, leaflets.triangles, {}, {}};
-  for (int leaflet = 0; leaflet < form.leaflets; ++leaflet) {
+  for (int leaflet = 0; leaflet < count; ++leaflet) {
     glyph.rims.push_back(lineOf(leaflets, leaflet, 0));
     glyph.edges.push_back(lineOf(leaflets, leaflet, heart::Leaflets::kAcross));
   }
@@ -93,17 +91,32 @@ std::optional<ValvePicture::Heart> ValvePicture::heartOf(const Scene& scene) con
   return seen && heart.ventricles[0] && heart.ventricles[1] ? std::optional(heart) : std::nullopt;
 }
 
-void ValvePicture::update(const Scene& scene, const std::optional<scene::CutPlane>& cut, bool opened) {
-  opened_ = opened;
+/// The chords hold on to the walls, which are known of a heart that is cut open.
+void ValvePicture::updateChords(const HeartPicture& opened) {
+  if (!opened.opened()) {
+    chordsMesh_.reset();
+    chords_.reset();
+  } else if (chordsMesh_ != opened.mesh()) {
+    chordsMesh_ = opened.mesh();
+    chords_.emplace(chordsMesh_->points);
+  }
+}
+
+void ValvePicture::update(const Scene& scene, const std::optional<scene::CutPlane>& cut,
+                          const HeartPicture& opened) {
+  opened_ = opened.opened() && !opened.opened()->blood;
+  updateChords(opened);
   const auto heart = heartOf(scene);
   if (!heart) {
+    chordsDrawn_ = {};
     if (std::exchange(drawn_, std::nullopt))
       glyphs_.set({}, {});
     return;
   }
-  Moment moment{*valvesOf(scene), {}, cut};
+  Moment moment{*valvesOf(scene), {}, cut, opened.revision()};
   for (std::size_t side = 0; side < heart->ventricles.size(); ++side) {
     const document::Organ& cavity = *heart->ventricles[side];
+    ventricles_[side] = cavity.id;
     moment.surfaces[side] = {scene.organs.sharedPoints(cavity.id), scene.organs.revision(cavity.id)};
     Carrier& carrier = carriers_[side];
     if (carrier.mesh == cavity.mesh)
@@ -116,11 +129,27 @@ void ValvePicture::update(const Scene& scene, const std::optional<scene::CutPlan
   }
   if (drawn_ == moment)
     return;
-  draw(moment.valves, moment);
+  draw(moment.valves, moment, opened);
   drawn_ = std::move(moment);
 }
 
-void ValvePicture::draw(const heart::ValveInstants& valves, const Moment& moment) {
+/// Those whose muscle stays.
+std::vector<Points> ValvePicture::chordsOf(HeartValve valve, const heart::Leaflets& leaflets,
+                                           const ValveRing& ring, const Moment& moment,
+                                           const Points& walls) const {
+  std::vector<Points> lines;
+  for (std::size_t i = 0; i < chords_->size(); ++i) {
+    const Vec3 begin = walls.row(chords_->vertex(i)).transpose();
+    const bool away = moment.cut && (begin - moment.cut->origin).dot(moment.cut->normal) < 0;
+    if (chords_->chord(i).valve == valve && !away)
+      lines.push_back(chords_->at(i, leaflets, ring, walls));
+  }
+  return lines;
+}
+
+void ValvePicture::draw(const heart::ValveInstants& valves, const Moment& moment,
+                        const HeartPicture& opened) {
+  chordsDrawn_ = {};
   std::vector<scene::ValveGlyph> glyphs;
   std::vector<scene::FlowArrow> arrows;
   std::array<std::size_t, 2> next{};
@@ -129,11 +158,29 @@ void ValvePicture::draw(const heart::ValveInstants& valves, const Moment& moment
     const ValveRing ring = carriers_[side].rings[next[side]++].at(*moment.surfaces[side].first);
     if (moment.cut && (ring.center - moment.cut->origin).dot(moment.cut->normal) < -ring.radius())
       continue;
-    glyphs.push_back(glyphOf(static_cast<HeartValve>(i), ring, valves[i].areaMm2));
+    const auto valve = static_cast<HeartValve>(i);
+    const heart::ValveForm form = heart::formOf(valve);
+    const heart::Leaflets leaflets = heart::leafletsOf(ring, form, valves[i].areaMm2);
+    glyphs.push_back(glyphOf(leaflets, form.leaflets));
+    if (chords_ && !form.semilunar)
+      glyphs.back().chords = chordsOf(valve, leaflets, ring, moment, *opened.surface().points);
+    if (const auto& chords = glyphs.back().chords; !chords.empty()) {
+      chordsDrawn_[side] = true;
+      chordPoints_->row(static_cast<Eigen::Index>(side)) =
+          chords.front().row(heart::HeartChords::kPointsEach / 2);
+    }
     if (const auto arrow = arrowOf(ring, valves[i], kBlood[side]))
       arrows.push_back(*arrow);
   }
   glyphs_.set(glyphs, arrows);
+}
+
+std::vector<std::pair<document::OrganId, Eigen::Index>> ValvePicture::chordNames() const {
+  std::vector<std::pair<document::OrganId, Eigen::Index>> names;
+  for (std::size_t side = 0; side < chordsDrawn_.size(); ++side)
+    if (chordsDrawn_[side])
+      names.emplace_back(ventricles_[side], static_cast<Eigen::Index>(side));
+  return names;
 }
 
 void ValvePicture::apply(const Scene& scene, std::map<document::OrganId, Appearance>& appearances) const {

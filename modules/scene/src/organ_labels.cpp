@@ -165,18 +165,19 @@ Sighting sight(const OrganActor& organ, const OrganLabels::Item* item, std::size
 /// view.
 std::optional<Sighting> sightPart(const OrganLabels::Item& item, const Sighting& organ,
                                   const ViewGeometry& view, const Fronts& fronts) {
-  const Points& points = item.organ->points();
+  const Points& points = item.points ? *item.points : item.organ->points();
   if (item.vertex >= points.rows())
     return std::nullopt;
   const Vec3 at = points.row(item.vertex).transpose();
-  if (item.organ->cutsAway(at) ||
-      (item.organ->opacity() >= kOpaque && turnedAway(*item.organ, item.vertex, view) > kBack))
+  const bool back =
+      !item.points && item.organ->opacity() >= kOpaque && turnedAway(*item.organ, item.vertex, view) > kBack;
+  if (back || item.organ->cutsAway(at))
     return std::nullopt;
   const DisplayPoint place = view.project(at);
-  const double slack = kHidden * boundsOf(points).diagonal();
+  const double slack = kHidden * item.organ->bounds().diagonal();
   if (!(place.depth > 0) || !(place.x >= 0) || !(place.y >= 0) || place.x > 2 * view.centerX ||
       place.y > view.pixelHeight || place.depth > fronts.opaque.depthAt(place) + slack ||
-      fronts.cut.isInsideAt(place))
+      (!item.points && fronts.cut.isInsideAt(place)))
     return std::nullopt;
   Sighting part = organ;
   part.x = place.x;

@@ -28,6 +28,9 @@ const Vec3 kLeafletColor(0.95, 0.90, 0.78);
 const Vec3 kRimColor(0.86, 0.76, 0.56);
 constexpr double kRimRadius = 0.9; ///< mm
 constexpr double kEdgeRadius = 0.4;
+/// Tendons: paler than the leaflets.
+const Vec3 kChordColor(0.86, 0.87, 0.84);
+constexpr double kChordRadius = 0.4;
 constexpr int kRingSides = 20;
 constexpr double kNeverSharp = 180; ///< Degrees.
 constexpr double kShortest = 0.5;   ///< Of arrows, mm.
@@ -96,7 +99,7 @@ private:
 /// Lines as thick as a cord.
 class Cords {
 public:
-  explicit Cords(double radius) {
+  Cords(double radius, const Vec3& color) {
     data_->SetPoints(points_);
     tubes_->SetInputData(data_);
     tubes_->SetRadius(radius);
@@ -105,7 +108,7 @@ public:
     mapper_->SetInputConnection(tubes_->GetOutputPort());
     actor_->SetMapper(mapper_);
     actor_->PickableOff();
-    setColor(actor_, kRimColor);
+    setColor(actor_, color);
     actor_->GetProperty()->SetAmbient(0.25);
   }
 
@@ -124,8 +127,9 @@ public:
     data_->SetLines(cells_);
     points_->Modified();
     data_->Modified();
-    actor_->SetVisibility(cells_->GetNumberOfCells() > 0);
+    actor_->SetVisibility(count() > 0);
   }
+  int count() const { return static_cast<int>(cells_->GetNumberOfCells()); }
 
 private:
   vtkNew<vtkPoints> points_;
@@ -171,12 +175,12 @@ void addArrow(Solid& solid, const FlowArrow& arrow) {
 struct ValveGlyphs::Parts {
   Solid leaflets{kNeverSharp};
   Solid flow{40};
-  Cords rims{kRimRadius}, edges{kEdgeRadius};
+  Cords rims{kRimRadius, kRimColor}, edges{kEdgeRadius, kRimColor}, chords{kChordRadius, kChordColor};
   vtkRenderer* renderer = nullptr;
   int valves = 0, arrows = 0;
 
-  std::array<vtkActor*, 4> actors() const {
-    return {leaflets.actor(), rims.actor(), edges.actor(), flow.actor()};
+  std::array<vtkActor*, 5> actors() const {
+    return {leaflets.actor(), rims.actor(), edges.actor(), chords.actor(), flow.actor()};
   }
 };
 
@@ -205,6 +209,7 @@ void ValveGlyphs::set(const std::vector<ValveGlyph>& valves, const std::vector<F
   p.leaflets.clear();
   p.rims.clear();
   p.edges.clear();
+  p.chords.clear();
   p.flow.clear();
   for (const ValveGlyph& valve : valves) {
     vtkIdType first = 0;
@@ -217,6 +222,8 @@ void ValveGlyphs::set(const std::vector<ValveGlyph>& valves, const std::vector<F
       p.rims.add(line);
     for (const Points& line : valve.edges)
       p.edges.add(line);
+    for (const Points& line : valve.chords)
+      p.chords.add(line);
   }
   p.arrows = 0;
   for (const FlowArrow& arrow : arrows)
@@ -228,6 +235,7 @@ void ValveGlyphs::set(const std::vector<ValveGlyph>& valves, const std::vector<F
   p.leaflets.finish();
   p.rims.finish();
   p.edges.finish();
+  p.chords.finish();
   p.flow.finish();
 }
 
@@ -237,6 +245,10 @@ int ValveGlyphs::valves() const {
 
 int ValveGlyphs::arrows() const {
   return parts_->arrows;
+}
+
+int ValveGlyphs::chords() const {
+  return parts_->chords.count();
 }
 
 } // namespace viscera::scene

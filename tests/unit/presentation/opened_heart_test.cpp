@@ -12,6 +12,8 @@
 #include "viscera/document/open_files.h"
 #include "viscera/geometry/carried_points.h"
 #include "viscera/geometry/self_intersections.h"
+#include "viscera/geometry/winding_number.h"
+#include "viscera/heart/heart_chords.h"
 #include "viscera/presentation/presenter.h"
 
 namespace viscera::presentation {
@@ -153,6 +155,43 @@ TEST_F(TissueOfAHeart, IsWhereTheHandlesWouldMoveIt) {
   }
 }
 
+/// Both ends hold on while the valves open and shut, and what is between them is in the blood.
+TEST_F(TissueOfAHeart, HoldsTheSailsByChords) {
+  const auto made = tissue();
+  ASSERT_TRUE(made);
+  const heart::HeartChords chords(made->mesh()->points);
+  ASSERT_EQ(chords.size(), 34u);
+  const heart::ValveRings rings = heart::sampleHeartRings();
+  const auto ventricle = [](const heart::Chord& chord) {
+    return chord.valve == heart::HeartValve::mitral ? "lv" : "rv";
+  };
+  int within = 0, points = 0;
+  for (const double fraction : {0.05, 0.3, 0.7}) {
+    beatTo(fraction);
+    Points walls;
+    made->at(*live::sampleHeartIn(state()), organs(), walls);
+    const geometry::WindingNumber muscle(geometry::TriangleMesh{walls, made->mesh()->triangles, {}});
+    for (std::size_t i = 0; i < chords.size(); ++i) {
+      const heart::Chord& chord = chords.chord(i);
+      EXPECT_LT((made->mesh()->points.row(chords.vertex(i)).transpose() - chord.muscle).norm(), 3.0) << i;
+      const document::OrganId cavity = idOf(ventricle(chord));
+      const heart::ValveRing ring = heart::CarriedRing(rings[static_cast<std::size_t>(chord.valve)],
+                                                       state().organ(cavity)->mesh->points)
+                                        .at(*organs().sharedPoints(cavity));
+      for (const double areaMm2 : {0.0, 150.0, 450.0}) {
+        const heart::Leaflets leaflets = heart::leafletsOf(ring, heart::formOf(chord.valve), areaMm2);
+        const Points line = chords.at(i, leaflets, ring, walls);
+        const Eigen::Index last = line.rows() - 1;
+        EXPECT_LT((line.row(0) - walls.row(chords.vertex(i))).norm(), 0.5) << i;
+        EXPECT_LT((leaflets.points.rowwise() - line.row(last)).rowwise().norm().minCoeff(), 0.5) << i;
+        for (Eigen::Index p = 1; p < last; ++p, ++points)
+          within += muscle.inside(line.row(p).transpose()) ? 1 : 0;
+      }
+    }
+  }
+  EXPECT_LT(within, 0.03 * points);
+}
+
 TEST_F(TissueOfAHeart, IsNoneOfAHeartOfAnotherShape) {
   live::SampleHeartOrgans heart = *live::sampleHeartIn(state());
   auto larger = std::make_shared<document::Organ>(*heart.outer);
@@ -201,6 +240,23 @@ TEST_F(PictureOfAnOpenedHeart, HasTheCavitiesBackWithBlood) {
   draw(cut_, made);
   for (const char* surface : kCavities)
     EXPECT_FALSE(drawn(surface)) << surface;
+}
+
+TEST_F(PictureOfAnOpenedHeart, HasChordsWhileItIsCut) {
+  const auto made = tissue();
+  draw(ViewState(), made);
+  EXPECT_EQ(presenter_.valves().chords(), 0);
+  draw(cut_, nullptr);
+  EXPECT_EQ(presenter_.valves().chords(), 0) << "their muscles are not there yet";
+  cut_.cut = {true, -Vec3::UnitZ(), -0.4};
+  draw(cut_, made);
+  EXPECT_EQ(presenter_.valves().chords(), 34) << "only the aortic arch is cut";
+  cut_.cut = {true, Vec3::UnitY(), 0};
+  draw(cut_, made);
+  EXPECT_LT(presenter_.valves().chords(), 34) << "those of muscles that are cut away are not drawn";
+  EXPECT_GT(presenter_.valves().chords(), 0);
+  draw(ViewState(), made);
+  EXPECT_EQ(presenter_.valves().chords(), 0);
 }
 
 TEST_F(PictureOfAnOpenedHeart, MovesWithTheBeat) {

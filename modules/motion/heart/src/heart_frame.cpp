@@ -33,4 +33,8 @@ Vec3 HeartFrame::toWorld(const HeartPoint& point) const {
   return toWorld(Vec3(point.rho * std::cos(point.phi), point.rho * std::sin(point.phi), point.c));
 }
 
+HeartFrame sampleHeartFrame() {
+  return {{-8, 22, 18}, {-0.62, -0.78, 0.05}, {0.64, -0.55, -0.54}};
+}
+
 } // namespace viscera::heart

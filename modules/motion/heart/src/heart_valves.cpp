@@ -90,7 +90,7 @@ double ValveRing::radius() const {
 }
 
 ValveRings sampleHeartRings() {
-  const HeartFrame frame({-8, 22, 18}, {-0.62, -0.78, 0.05}, {0.64, -0.55, -0.54});
+  const HeartFrame frame = sampleHeartFrame();
   // The base of the left cavity is a disc of 22.7 mm; the aorta lies on its side towards the septum and the
   // head.
   const Vec3 towardsAorta(0.6, -0.8, 0);

@@ -43,7 +43,7 @@ std::vector<VesselRing> greatVessels() {
 
 HeartAnatomy sampleHeartAnatomy(const SampleHeartSurfaces& surfaces) {
   HeartAnatomy anatomy;
-  anatomy.frame = HeartFrame({-8, 22, 18}, {-0.62, -0.78, 0.05}, {0.64, -0.55, -0.54});
+  anatomy.frame = sampleHeartFrame();
   anatomy.endocardium = {25.5, 28, 59};
   anatomy.epicardium = {33.5, 28, 65};
   anatomy.baseEpicardium = -6;

@@ -28,6 +28,7 @@
 #include "viscera/scene/organ_view.h"
 #include "viscera/scene/stretch_glyphs.h"
 #include "viscera/scene/tissue_actor.h"
+#include "viscera/scene/valve_glyphs.h"
 
 class vtkVisceraCutPlaneRepresentation;
 
@@ -137,6 +138,8 @@ public:
   /// The glyphs of the organ's pinned probes and lines, and their values in the displayed map.
   const scene::MeasurementGlyphs& stressMarks() const;
   const live::ReadMarks& readMarks() const;
+  /// The heart's valves that are drawn, with their chords.
+  const scene::ValveGlyphs& valves() const;
   /// The lines of the heart's conduction system that are drawn.
   const scene::ConductionGlyphs& conduction() const;
   /// The plane that cuts the organ open, for the widget that moves it.

@@ -32,6 +32,10 @@ public:
     /// Of a whole organ: the vertices of its parts that have names. Its line ends where the organ is seen and
     /// away from them; the label is left out where there is no such place.
     std::vector<Eigen::Index> places = {};
+    /// When given, `vertex` is one of these points and not of the organ's: of something thin in or on the
+    /// organ that has no surface of its own. It is seen from all sides. The points may move as the organ's
+    /// do.
+    std::shared_ptr<const Points> points = nullptr;
   };
 
   /// A label as it was drawn last, in device pixels from the lower left corner.

@@ -15,6 +15,7 @@ struct ValveGlyph {
   Triangles triangles;
   std::vector<Points> rims; ///< Lines along which leaflets are fixed, and their free edges: drawn as cords.
   std::vector<Points> edges;
+  std::vector<Points> chords = {}; ///< Lines that hold the leaflets, drawn as thin pale cords.
 };
 
 /// An arrow that shows flowing blood, mm.
@@ -25,8 +26,8 @@ struct FlowArrow {
   Vec3 color = Vec3::Ones();
 };
 
-/// Draws the leaflets of heart valves, their rings, and arrows for the blood that flows through them. None of
-/// these can be picked. Belongs to the thread that renders.
+/// Draws the leaflets of heart valves, their rings, the chords that hold them, and arrows for the blood that
+/// flows through them. None of these can be picked. Belongs to the thread that renders.
 class ValveGlyphs {
 public:
   ValveGlyphs();
@@ -43,6 +44,8 @@ public:
   /// The number of valves that are drawn.
   int valves() const;
   int arrows() const;
+  /// Of the valves' chords.
+  int chords() const;
 
 private:
   struct Parts;
