@@ -81,8 +81,9 @@ struct CineStack {
 ///
 ///     Progress progress;
 ///     const CineStudy study = readCineStudy("patient1", progress);
+///     std::vector<std::shared_ptr<const CineImage>> endSystole;
 ///     for (const CineSlice& slice : study.slices)
-///       const auto endSystole = slice.image(slice.phaseAt(0.35));
+///       endSystole.push_back(slice.image(slice.phaseAt(0.35)));
 struct CineStudy {
   std::string patientName;       ///< "Doe, Jane"; empty where the files do not say, as the others here.
   std::string patientId;         ///< Of the hospital.
