@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <sstream>
 
 #include "dicom/dicom_kinds.h"
@@ -30,6 +31,12 @@ constexpr double kSecondsPerMinute = 60, kSecondsPerHour = 3600;
 std::optional<double> numberAt(DcmItem& item, const DcmTagKey& key) {
   const std::vector<double> list = numbersAt(item, key);
   return list.empty() ? std::nullopt : std::optional(list.front());
+}
+
+/// 0 where there is none, or one that no header means.
+int wholeAt(DcmItem& item, const DcmTagKey& key) {
+  const double number = numberAt(item, key).value_or(0);
+  return std::abs(number) <= std::numeric_limits<int>::max() ? static_cast<int>(number) : 0;
 }
 
 /// The seconds of a time "hhmmss.ffffff", or of a date with a time behind it.
@@ -106,20 +113,7 @@ public:
 
   DicomHeader run() {
     DcmDataset& dataset = *format_.getDataset();
-    header_.classUid = codeAt(dataset, DCM_SOPClassUID);
-    header_.instanceUid = codeAt(dataset, DCM_SOPInstanceUID);
-    header_.seriesUid = codeAt(dataset, DCM_SeriesInstanceUID);
-    header_.frameOfReference = codeAt(dataset, DCM_FrameOfReferenceUID);
-    header_.modality = codeAt(dataset, DCM_Modality);
-    header_.description = textAt(dataset, dataset, DCM_SeriesDescription);
-    header_.patientName = readableName(textAt(dataset, dataset, DCM_PatientName));
-    header_.studyDate = codeAt(dataset, DCM_StudyDate);
-    header_.rescaleType = codeAt(dataset, DCM_RescaleType);
-    isSegmentation_ = isSegmentationClass(header_.classUid);
-    header_.temporalResolutionMs = numberAt(dataset, DCM_TemporalResolution);
-    const DcmXfer syntax(dataset.getOriginalXfer());
-    header_.transferSyntax = syntax.getXferName();
-    header_.packed = syntax.isEncapsulated();
+    readOrigin(dataset);
     if (readPixelFormat(dataset)) {
       readFrames(dataset);
       requirePixels(dataset);
@@ -127,7 +121,41 @@ public:
     return std::move(header_);
   }
 
+  DicomHeader runWithoutPixels() {
+    try {
+      DcmDataset& dataset = *format_.getDataset();
+      readOrigin(dataset);
+      readFrame(FrameItems(dataset, nullptr, nullptr), 0);
+    } catch (const DataError&) {
+      header_.frames.clear();
+    }
+    return std::move(header_);
+  }
+
 private:
+  /// Whose image it is, of which study and series.
+  void readOrigin(DcmDataset& dataset) {
+    header_.classUid = codeAt(dataset, DCM_SOPClassUID);
+    header_.instanceUid = codeAt(dataset, DCM_SOPInstanceUID);
+    header_.seriesUid = codeAt(dataset, DCM_SeriesInstanceUID);
+    header_.frameOfReference = codeAt(dataset, DCM_FrameOfReferenceUID);
+    header_.modality = codeAt(dataset, DCM_Modality);
+    header_.description = textAt(dataset, dataset, DCM_SeriesDescription);
+    header_.patientName = readableName(textAt(dataset, dataset, DCM_PatientName));
+    header_.patientId = textAt(dataset, dataset, DCM_PatientID);
+    header_.studyUid = codeAt(dataset, DCM_StudyInstanceUID);
+    header_.studyDate = codeAt(dataset, DCM_StudyDate);
+    header_.seriesDate = codeAt(dataset, DCM_SeriesDate);
+    header_.seriesNumber = wholeAt(dataset, DCM_SeriesNumber);
+    header_.cardiacImages = wholeAt(dataset, DCM_CardiacNumberOfImages);
+    header_.rescaleType = codeAt(dataset, DCM_RescaleType);
+    isSegmentation_ = isSegmentationClass(header_.classUid);
+    header_.temporalResolutionMs = numberAt(dataset, DCM_TemporalResolution);
+    const DcmXfer syntax(dataset.getOriginalXfer());
+    header_.transferSyntax = syntax.getXferName();
+    header_.packed = syntax.isEncapsulated();
+  }
+
   /// False for what is no slice of a scan.
   bool readPixelFormat(DcmItem& dataset) {
     if (!dataset.tagExists(DCM_PixelData)) {
@@ -274,6 +302,8 @@ private:
     frame.betweenSlices = betweenSlices.value_or(0);
     frame.thickness = betweenSlices ? *betweenSlices
                                     : items.number(DCM_PixelMeasuresSequence, DCM_SliceThickness).value_or(0);
+    frame.sliceThickness =
+        items.number(DCM_PixelMeasuresSequence, DCM_SliceThickness).value_or(frame.sliceThickness);
     frame.slope = items.number(DCM_PixelValueTransformationSequence, DCM_RescaleSlope).value_or(1);
     frame.intercept = items.number(DCM_PixelValueTransformationSequence, DCM_RescaleIntercept).value_or(0);
     if (frame.slope == 0)
@@ -318,6 +348,9 @@ private:
     frame.triggerMs = items.number(DCM_CardiacSynchronizationSequence, DCM_NominalCardiacTriggerDelayTime);
     if (!frame.triggerMs)
       frame.triggerMs = items.number(DCM_CardiacSynchronizationSequence, DCM_TriggerTime);
+    frame.intervalMs = items.number(DCM_CardiacSynchronizationSequence, DCM_RRIntervalTimeNominal);
+    if (!frame.intervalMs)
+      frame.intervalMs = items.number(DCM_CardiacSynchronizationSequence, DCM_NominalInterval);
     frame.percent = items.number(DCM_CardiacSynchronizationSequence, DCM_NominalPercentageOfCardiacPhase);
     frame.acquisitionSeconds =
         secondsOfTime(items.text(DCM_FrameContentSequence, DCM_FrameAcquisitionDateTime));
@@ -364,6 +397,18 @@ DicomHeader readDicomHeader(const std::filesystem::path& file) {
   DcmFileFormat format;
   loadDicom(format, FileBytes{file, {}});
   return dicomHeaderOf(file, format);
+}
+
+DicomHeader remainsOfDicomHeader(const std::filesystem::path& file) {
+  DcmFileFormat format;
+  try {
+    loadDicomBeforePixels(format, FileBytes{file, {}});
+  } catch (const Error&) {
+    DicomHeader none;
+    none.file = file;
+    return none;
+  }
+  return ElementReader(file, format).runWithoutPixels();
 }
 
 } // namespace viscera::medical_io

@@ -35,12 +35,14 @@ struct DicomFrame {
   double betweenColumns = 1, betweenRows = 1;       ///< mm: the steps along a row and along a column.
   double betweenSlices = 0;                         ///< As stated in the file, mm; 0: not stated.
   double thickness = 0;                             ///< The same, or else the thickness of a slice.
+  double sliceThickness = 0;                        ///< Of the slice itself, mm; 0: not stated.
   double slope = 1, intercept = 0;
   std::optional<double> temporalPosition, triggerMs, percent, acquisitionSeconds;
-  std::int64_t instance = 0; ///< Its number in the series.
-  std::string echo;          ///< Identifies the echo.
-  std::string uid;           ///< Of the image; with the frame's number for a file of several.
-  int segment = 0;           ///< Of a segmentation: which one it is a slice of; 0: not stated.
+  std::optional<double> intervalMs; ///< From one R wave to the next.
+  std::int64_t instance = 0;        ///< Its number in the series.
+  std::string echo;                 ///< Identifies the echo.
+  std::string uid;                  ///< Of the image; with the frame's number for a file of several.
+  int segment = 0;                  ///< Of a segmentation: which one it is a slice of; 0: not stated.
 
   Vec3 normal() const { return row.cross(column).normalized(); }
 };
@@ -51,7 +53,11 @@ struct DicomHeader {
   std::string classUid, instanceUid, frameOfReference;
   std::string seriesUid, description, modality, transferSyntax;
   std::string patientName, studyDate; ///< As `Scan` has them.
-  bool packed = false;                ///< Pixels are compressed.
+  std::string patientId, studyUid;
+  std::string seriesDate; ///< "20240301"; empty: not stated.
+  int seriesNumber = 0;
+  int cardiacImages = 0; ///< Phases of a cycle, as stated; 0: not stated.
+  bool packed = false;   ///< Pixels are compressed.
   std::string rescaleType;
   int columns = 0, rows = 0;
   DicomPixelFormat format;
@@ -68,5 +74,9 @@ DicomHeader dicomHeaderOf(const std::filesystem::path& file, DcmFileFormat& form
 
 /// Reads one. Throws `DataError` for a damaged file, `NoInputError`.
 DicomHeader readDicomHeader(const std::filesystem::path& file);
+
+/// What can still be read of a damaged file before its pixels: whose it is, and its first frame, if any. Does
+/// not throw.
+DicomHeader remainsOfDicomHeader(const std::filesystem::path& file);
 
 } // namespace viscera::medical_io

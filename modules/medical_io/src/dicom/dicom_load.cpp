@@ -109,4 +109,13 @@ void loadDicom(DcmFileFormat& format, const FileBytes& file) {
   giveTypes(*format.getDataset(), 0);
 }
 
+void loadDicomBeforePixels(DcmFileFormat& format, const FileBytes& file) {
+  silenceDcmtk();
+  requireBoundedInflation(file.file);
+  // Elements that were parsed before an error stay in the data set.
+  format.loadFileUntilTag(file.file.c_str(), EXS_Unknown, EGL_noChange, kLongestLoadedValue, ERM_autoDetect,
+                          DCM_PixelData);
+  giveTypes(*format.getDataset(), 0);
+}
+
 } // namespace viscera::medical_io

@@ -16,4 +16,8 @@ inline constexpr std::uint32_t kLongestLoadedValue = 4096;
 /// for what is in the file. Throws `DataError` for a damaged file. For any thread.
 void loadDicom(DcmFileFormat& format, const FileBytes& file);
 
+/// Loads what lies before the pixels, of a file that may be cut off in them, or in what lies before them.
+/// Throws `DataError` for a deflated file that would be too large.
+void loadDicomBeforePixels(DcmFileFormat& format, const FileBytes& file);
+
 } // namespace viscera::medical_io

@@ -1,21 +1,19 @@
 #include "dicom/dicom_scan.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
-#include <cstring>
-#include <limits>
 #include <new>
 #include <set>
 
 #include "dicom/dicom_folder.h"
-#include "dicom/dicom_pixels.h"
+#include "dicom/folder_headers.h"
+#include "dicom/for_all.h"
 #include "dicom/mixed_slices.h"
+#include "dicom/pixel_conversion.h"
 #include "dicom/slice_stack.h"
 #include "file_bytes.h"
 #include "image_formats/raw_image.h"
 #include "viscera/core/error.h"
-#include "viscera/core/parallel.h"
 #include "viscera/core/phrase.h"
 
 namespace viscera::medical_io {
@@ -30,19 +28,6 @@ struct Folder {
   std::vector<SliceGroup> groups; ///< The largest first.
   std::vector<ScanFinding> damaged;
 };
-
-/// Calls `job(i)` for every i on several threads; says how far it is, and stops when told to.
-template <class Job>
-void forAll(std::size_t count, Progress& progress, double from, double to, const Text& step, const Job& job) {
-  std::atomic<std::size_t> done = 0;
-  parallelRanges(static_cast<Eigen::Index>(count), 1, {}, [&](Eigen::Index begin, Eigen::Index end) {
-    for (Eigen::Index i = begin; i < end; ++i) {
-      progress.throwIfCancelled();
-      job(static_cast<std::size_t>(i));
-      progress.report(from + (to - from) * double(++done) / double(count), step);
-    }
-  });
-}
 
 std::string seriesId(const Folder& folder, const SliceGroup& group) {
   const DicomHeader& file = folder.list.files[folder.list.frames[group.frames[0]].file];
@@ -110,17 +95,7 @@ void listFrames(Folder& folder) {
 }
 
 Folder openFolder(const std::filesystem::path& place, Progress& progress, double until) {
-  const std::vector<std::filesystem::path> files = dicomImages(place);
-  std::vector<DicomHeader> headers(files.size());
-  std::vector<std::optional<DataError>> errors(files.size());
-  forAll(files.size(), progress, 0, until, "headers", [&](std::size_t i) {
-    try {
-      headers[i] = readDicomHeader(files[i]);
-    } catch (const DataError& error) {
-      headers[i].file = files[i];
-      errors[i] = error;
-    }
-  });
+  auto [files, headers, errors] = readDicomHeaders(dicomImages(place), progress, until);
   std::error_code ignored;
   for (std::size_t i = 0; i < files.size() && !std::filesystem::is_directory(place, ignored); ++i)
     if (files[i].filename() == place.filename() && errors[i])
@@ -172,13 +147,6 @@ const SliceGroup& chosenGroup(const Folder& folder, const std::filesystem::path&
   throw DataError(why, place.string(), "name the folder, or another file in it");
 }
 
-/// How all slices are made samples: as they are where they agree, else by their values.
-struct SampleForm {
-  DicomPixelFormat format;
-  double slope = 1, intercept = 0;
-  bool uniform = true;
-};
-
 SampleForm formOf(const FrameList& list, const SliceStack& stack) {
   const DicomFrame& first = list.frames[stack.frames[0]];
   SampleForm form{list.files[first.file].format, first.slope, first.intercept, true};
@@ -188,49 +156,6 @@ SampleForm formOf(const FrameList& list, const SliceStack& stack) {
                    list.files[frame.file].format == form.format;
   }
   return form;
-}
-
-/// A stored pixel: the bits that count, with their sign.
-class PixelValue {
-public:
-  explicit PixelValue(const DicomPixelFormat& format)
-      : shift_(format.high + 1 - format.stored), isSigned_(format.isSigned),
-        mask_((std::uint64_t{1} << unsigned(format.stored)) - 1),
-        sign_(std::uint64_t{1} << unsigned(format.stored - 1)) {}
-
-  std::int64_t operator()(std::uint64_t raw) const {
-    const std::uint64_t bits = (raw >> unsigned(shift_)) & mask_;
-    return isSigned_ ? static_cast<std::int64_t>(bits ^ sign_) - static_cast<std::int64_t>(sign_)
-                     : static_cast<std::int64_t>(bits);
-  }
-
-private:
-  int shift_;
-  bool isSigned_;
-  std::uint64_t mask_, sign_;
-};
-
-template <class Raw, class Out>
-void convertSlice(const DicomPixels& pixels, const DicomFrame& frame, const SampleForm& form, Out* out) {
-  const PixelValue value(pixels.format);
-  const auto& padding = pixels.format.padding;
-  const std::size_t count = pixels.bytes.size() / sizeof(Raw);
-  const bool asStored = form.uniform && pixels.format.stored == pixels.format.allocated;
-  for (std::size_t i = 0; i < count; ++i) {
-    Raw raw;
-    std::memcpy(&raw, pixels.bytes.data() + i * sizeof(Raw), sizeof(Raw));
-    std::int64_t stored = 0;
-    if (asStored)
-      stored = form.format.isSigned ? std::int64_t(std::make_signed_t<Raw>(raw)) : std::int64_t(raw);
-    else
-      stored = value(raw);
-    const bool padded = padding && stored >= (*padding)[0] && stored <= (*padding)[1];
-    if constexpr (std::is_floating_point_v<Out>)
-      out[i] = padded ? std::numeric_limits<Out>::quiet_NaN()
-                      : static_cast<Out>(frame.slope * double(stored) + frame.intercept);
-    else
-      out[i] = static_cast<Out>(padded ? (*padding)[0] : stored);
-  }
 }
 
 /// Calls `read`, which reads from the file of `header`. A slice that cannot be unpacked, or whose file has
@@ -274,12 +199,7 @@ Scan::Samples readSamples(const FrameList& list, const SliceStack& stack, const 
       const DicomFrame& frame = list.frames[stack.frames[k]];
       const DicomPixels pixels = ofSlice(header, [&] { return reader.read(frame.frame); });
       Sample* out = samples.data() + k * slice;
-      if (pixels.format.allocated == 8)
-        convertSlice<std::uint8_t>(pixels, frame, form, out);
-      else if (pixels.format.allocated == 16)
-        convertSlice<std::uint16_t>(pixels, frame, form, out);
-      else
-        convertSlice<std::uint32_t>(pixels, frame, form, out);
+      convertPixels(pixels, frame, form, out);
     }
   });
   return samples;
