@@ -1,0 +1,69 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "viscera/core/parallel.h"
+#include "viscera/core/progress.h"
+#include "viscera/tracking/cine_images.h"
+#include "viscera/tracking/distance_fit.h"
+#include "viscera/tracking/motion_rig.h"
+#include "viscera/tracking/phase_times.h"
+#include "viscera/tracking/series_fit.h"
+#include "viscera/tracking/surface_series.h"
+
+namespace viscera::tracking {
+
+/// A phase of a cine study in which the surfaces are known.
+struct LabelledPhase {
+  std::size_t phase = 0;
+  PhaseTargets targets;
+};
+
+/// The options of `fitCine`.
+struct CineFitOptions {
+  /// The triangles of each surface that close an opening and are no wall, such as those of valves; empty for
+  /// a surface without them, or for all.
+  std::vector<std::vector<Eigen::Index>> caps = {};
+  bool keepVolumes = true; ///< Of labelled phases, exactly.
+};
+
+/// What one plane contributed to one phase.
+struct PlaneShare {
+  double weight = 0;    ///< 0 to 1: of its contours, on average.
+  double closureMm = 0; ///< How far its tissue arrived from the next labelled surface, the median.
+  double apartMm = 0;   ///< Of its tissue from the fitted surfaces, the mean by weight.
+  int points = 0;       ///< Of contours; 0: it shows no wall, or has no image in that phase.
+};
+
+/// A motion found between labelled phases.
+struct CineFit {
+  MotionFit motion;                            ///< As of a series in which every phase is labelled.
+  std::vector<std::vector<PlaneShare>> planes; ///< `[phase][plane]`; none in labelled phases.
+  /// How far each phase is from the labelled phase before to the next one, as the images say it, before its
+  /// handles are fitted one by one; 0 in a labelled phase.
+  std::vector<double> parts;
+  std::size_t endDiastole = 0, endSystole = 0; ///< The phases with most and least blood in the cavities.
+  /// Whether a phase was taken back towards the one between its labelled phases, since its tissue would fold.
+  std::vector<bool> heldBack;
+};
+
+/// Finds the poses in which a rig's surfaces, bound in some phase, fit the labelled phases exactly and the
+/// images of a cine study between them. docs/patient_motion.md has the method: contours of the labelled
+/// surfaces are followed in every plane from both sides; one number a phase places it between its labelled
+/// phases; then the handles about that pose, at least strain of the wall. A labelled phase has its measured
+/// volumes, the others those of the images. `times` are those of all phases; a plane's images are matched by
+/// parts of the cycle. Phases outside the labelled ones of a series that is no loop keep the nearest one's
+/// pose.
+///
+/// Bitwise independent of the number of threads. About a second a phase for eleven planes. Throws `DataError`
+/// for fewer than two labelled phases or one named twice, what `requireValid` throws, `Cancelled`.
+CineFit fitCine(const MotionRig& rig, std::vector<LabelledPhase> labelled,
+                const std::vector<CinePlane>& planes, const PhaseTimes& times, const CineFitOptions& options,
+                Progress& progress, Threads threads = {});
+
+/// The triangles of a surface that `tidySeries` closed its openings with, as `CineFitOptions::caps` wants
+/// them: the fans around middles that it added. O(triangles).
+std::vector<Eigen::Index> capTriangles(const TidySeries& tidy);
+
+} // namespace viscera::tracking

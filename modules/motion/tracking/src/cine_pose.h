@@ -1,0 +1,59 @@
+#pragma once
+
+#include <vector>
+
+#include "cine_contours.h"
+#include "wall_stiffness.h"
+
+namespace viscera::tracking {
+
+/// What the images say of one phase between two labelled ones, and the pose that fits it.
+class CinePose {
+public:
+  /// For the phase at place `at` of a segment. Keeps all references.
+  CinePose(const MotionRig& rig, const CineSegment& segment, std::size_t at, const LabelledPose& from,
+           const LabelledPose& to, const std::vector<bool>& isLong, const std::vector<CinePlane>& planes,
+           const std::vector<std::vector<Eigen::Index>>& caps);
+
+  /// How far the phase is from the one label to the other: Gauss-Newton on the distances of followed tissue
+  /// along the normals. That of a half cosine where no image shows anything.
+  double partOfWay() const;
+  /// The pose at such a part of the way.
+  Points between(double part) const { return from_.pose + part * (to_.pose - from_.pose); }
+  /// The handles about that pose. `heldBack` is set where the tissue would have folded.
+  Points fitted(const Points& prior, const WallStiffness& stiffness, bool& heldBack) const;
+  /// What each plane contributed.
+  std::vector<PlaneShare> shares(const Points& pose) const;
+
+private:
+  /// Rows of a least squares problem: weights of the handles, the direction that counts, how far there, mm.
+  struct Rows {
+    Eigen::MatrixXd handles;
+    Points direction;
+    Values apart, weight;
+  };
+  /// Tissue of one contour in this phase.
+  struct Tissue {
+    const CineContour* contour = nullptr;
+    Points at;
+    Values weight;
+  };
+
+  void gather(const std::vector<CineContour>& contours, double far, std::size_t step);
+  Rows rowsAt(const Points& pose, double gateMm, bool within) const;
+  Eigen::Index acrossRows(const Points& vertices, double gateMm, Rows& rows) const;
+  void withinRows(const Points& pose, Eigen::Index first, Rows& rows) const;
+  Points step(const Points& pose, const Points& prior, const Eigen::MatrixXd& hold,
+              const WallStiffness& stiffness) const;
+
+  const MotionRig& rig_;
+  const LabelledPose& from_;
+  const LabelledPose& to_;
+  const std::vector<bool>& isLong_;
+  const std::vector<CinePlane>& planes_;
+  double time_;                          ///< Part of the way in time.
+  std::vector<std::vector<bool>> isCap_; ///< Of each surface's triangles; empty where none is.
+  std::vector<Tissue> tissue_;
+};
+
+} // namespace viscera::tracking
