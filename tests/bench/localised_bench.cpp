@@ -60,18 +60,18 @@ void bindLocalised(benchmark::State& state) {
   const geometry::TriangleMesh mesh = bench::bunnyOrBlob();
   const coordinates::HandleSet handles = threeGroups(mesh);
   const auto plain = coordinates::builtInSystems().front();
-  const LocalisedSCelestial localised({plain});
+  const auto localised = localisedSCelestial({plain});
   coordinates::BindOptions options;
   options.threads.count = static_cast<int>(state.range(0));
   double localisedSeconds = 0, plainSeconds = 0;
   for (auto _ : state) {
-    const double seconds = secondsOf(localised, handles, mesh.points, options);
+    const double seconds = secondsOf(*localised, handles, mesh.points, options);
     state.SetIterationTime(seconds);
     localisedSeconds += seconds;
     plainSeconds += secondsOf(*plain, handles, mesh.points, options);
   }
   Progress progress;
-  const auto report = localised.bind(handles, mesh.points, options, progress)->report();
+  const auto report = localised->bind(handles, mesh.points, options, progress)->report();
   state.counters["vertices"] = static_cast<double>(mesh.points.rows());
   state.counters["handles"] = static_cast<double>(handles.positions.rows());
   state.counters["groups"] = kGroups;
@@ -84,9 +84,9 @@ BENCHMARK(bindLocalised)->Arg(1)->Arg(2)->ArgName("threads")->Unit(benchmark::kM
 /// What a dragged handle costs beside the binding: regions, zones and super-regions anew.
 void layoutOfGroups(benchmark::State& state) {
   const coordinates::HandleSet handles = threeGroups(bench::bunnyOrBlob());
-  const LocalisedSCelestial localised({coordinates::builtInSystems().front()});
+  const auto localised = localisedSCelestial({coordinates::builtInSystems().front()});
   for (auto _ : state)
-    benchmark::DoNotOptimize(localised.layout(handles, {}));
+    benchmark::DoNotOptimize(localised->layout(handles, {}));
 }
 BENCHMARK(layoutOfGroups)->Unit(benchmark::kMicrosecond);
 

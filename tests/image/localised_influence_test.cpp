@@ -61,11 +61,12 @@ protected:
   std::shared_ptr<const geometry::TriangleMesh> stomach_;
   coordinates::HandleSet handles_;
   const std::shared_ptr<const coordinates::CoordinateSystem> plain_ = coordinates::builtInSystems().front();
-  const localised_scc::LocalisedSCelestial localised_{{plain_}};
+  const std::shared_ptr<const coordinates::CoordinateSystem> localised_ =
+      localised_scc::localisedSCelestial({plain_});
 };
 
 TEST_F(LocalisedInfluence, AHandleReachesAllOfTheStomachInOneGroupAndItsOwnPartInFour) {
-  const Values global = influence(*plain_), local = influence(localised_);
+  const Values global = influence(*plain_), local = influence(*localised_);
   EXPECT_TRUE((global.array() > 0).all());
   const localised_scc::RegionLayout layout(handles_, 10);
   int outside = 0;
@@ -91,7 +92,7 @@ TEST_F(LocalisedInfluence, AHandleReachesAllOfTheStomachInOneGroupAndItsOwnPartI
 TEST_F(LocalisedInfluence, RegionsZonesAndSuperRegionsLieAroundTheStomachAsGlass) {
   const std::vector<Vec3> colors = {Vec3(0.90, 0.62, 0.00), Vec3(0.34, 0.71, 0.91), Vec3(0.80, 0.47, 0.65),
                                     Vec3(0.00, 0.62, 0.45)};
-  const auto layout = localised_.layout(handles_, {});
+  const auto layout = localised_->layout(handles_, {});
   const auto left = picture(Values::Zero(stomach_->points.rows()), 1, "Regions",
                             layoutHulls(layout, colors, {.regions = true}));
   const auto right =

@@ -162,10 +162,24 @@ void addBinding(const coordinates::Binding& binding, const SetTask& task, Covera
   }
 }
 
-} // namespace
+/// The inner systems bound region by region.
+class LocalisedSCelestial final : public coordinates::DescribedSystem {
+public:
+  explicit LocalisedSCelestial(Systems inner)
+      : DescribedSystem(describedWith(inner)), inner_(std::move(inner)) {}
 
-LocalisedSCelestial::LocalisedSCelestial(Systems inner)
-    : DescribedSystem(describedWith(inner)), inner_(std::move(inner)) {}
+  std::unique_ptr<coordinates::Binding> bind(const HandleSet& handles, const Points& points,
+                                             const BindOptions& options, Progress& progress) const override;
+  CoordinateGradients gradients(const HandleSet& handles, const Points& points, const BindOptions& options,
+                                Progress& progress) const override;
+  coordinates::SpaceLayout layout(const HandleSet& handles,
+                                  const coordinates::ParameterValues& values) const override;
+
+private:
+  const CoordinateSystem& innerFor(const coordinates::ParameterValues& values) const;
+
+  Systems inner_;
+};
 
 const CoordinateSystem& LocalisedSCelestial::innerFor(const coordinates::ParameterValues& values) const {
   return *inner_[static_cast<std::size_t>(values.get(parameters()[1]))];
@@ -235,15 +249,21 @@ coordinates::SpaceLayout LocalisedSCelestial::layout(const HandleSet& handles,
   return spaceLayoutOf(RegionLayout(handles, values.get(kOffset)), handles.groups.size(), kOffset.name);
 }
 
-std::shared_ptr<const LocalisedSCelestial> localisedWithBuiltIns() {
-  std::vector<std::shared_ptr<const coordinates::CoordinateSystem>> inner;
+} // namespace
+
+std::shared_ptr<const CoordinateSystem> localisedSCelestial(Systems inner) {
+  return std::make_shared<LocalisedSCelestial>(std::move(inner));
+}
+
+std::shared_ptr<const CoordinateSystem> localisedWithBuiltIns() {
+  Systems inner;
   for (const auto& system : coordinates::builtInSystems()) {
     const auto traits = system->traits();
     const bool sound = traits.positive && traits.everywhere && traits.continuous;
     if (sound && !traits.needsCage && !traits.needsTetrahedra && !traits.usesGroups)
       inner.push_back(system);
   }
-  return std::make_shared<LocalisedSCelestial>(std::move(inner));
+  return localisedSCelestial(std::move(inner));
 }
 
 } // namespace viscera::localised_scc

@@ -34,8 +34,8 @@ std::unique_ptr<coordinates::Binding> bind(const coordinates::CoordinateSystem& 
   return system.bind(handles, points, {}, progress);
 }
 
-LocalisedSCelestial localised() {
-  return LocalisedSCelestial({coordinates::builtInSystems().front()});
+std::shared_ptr<const coordinates::CoordinateSystem> localised() {
+  return localisedSCelestial({coordinates::builtInSystems().front()});
 }
 
 TEST_P(LocalisedOnOrgans, ReproduceTheIdentityInTwoThreeAndFiveOverlappingGroups) {
@@ -48,7 +48,7 @@ TEST_P(LocalisedOnOrgans, ReproduceTheIdentityInTwoThreeAndFiveOverlappingGroups
     EXPECT_EQ(layout.zones().size(), static_cast<std::size_t>(count - 1)) << "only neighbours meet";
     for (const Region& region : layout.regions())
       EXPECT_GT(region.offsetBound, 0.005 * boundsOf(organ->points).diagonal()) << region.name;
-    const auto report = bind(localised(), handles, organ->points)->report();
+    const auto report = bind(*localised(), handles, organ->points)->report();
     EXPECT_TRUE(report.failures.empty()) << report.failures.size() << " vertices in " << count << " groups";
     EXPECT_LT(report.identityError, 1e-9 * boundsOf(organ->points).diagonal()) << count << " groups";
     EXPECT_LT(report.unityError, 1e-9) << count << " groups";
@@ -65,7 +65,7 @@ TEST_P(LocalisedOnOrgans, FourClustersOfFortyHandlesAreUsableAndLeaveAnOffset) {
   ASSERT_EQ(handles.groups.size(), 4u);
   for (const auto& group : handles.groups)
     EXPECT_GE(group.handles.size(), 4u) << group.name;
-  const double standard = localised().parameters().front().standard;
+  const double standard = localised()->parameters().front().standard;
   const RegionLayout layout(handles, standard);
   ASSERT_EQ(layout.regions().size(), 4u) << "a group that is no region";
   EXPECT_FALSE(layout.zones().empty()) << "the clusters do not meet";
@@ -74,7 +74,7 @@ TEST_P(LocalisedOnOrgans, FourClustersOfFortyHandlesAreUsableAndLeaveAnOffset) {
     EXPECT_LT(region.offset, region.offsetBound) << region.name;
     EXPECT_GT(region.offsetBound, 0.005 * boundsOf(organ->points).diagonal()) << region.name;
   }
-  const auto report = bind(localised(), handles, organ->points)->report();
+  const auto report = bind(*localised(), handles, organ->points)->report();
   EXPECT_TRUE(report.failures.empty()) << report.failures.size() << " vertices";
   EXPECT_LT(report.identityError, 1e-9 * boundsOf(organ->points).diagonal());
   EXPECT_GE(report.minWeight, 0);
@@ -90,7 +90,7 @@ TEST_P(LocalisedOnOrgans, OneGroupIsThePlainSystemTo1e12) {
   handles.groups = {{"all", {}}};
   for (int i = 0; i < handles.positions.rows(); ++i)
     handles.groups[0].handles.push_back(i);
-  const auto local = bind(localised(), handles, organ->points);
+  const auto local = bind(*localised(), handles, organ->points);
   for (int i = 0; i < handles.positions.rows(); ++i)
     EXPECT_LT((local->influence(i) - plain->influence(i)).cwiseAbs().maxCoeff(), 1e-12) << "handle " << i;
 }
@@ -102,7 +102,7 @@ TEST_P(LocalisedOnOrgans, AHandleHasWeightExactlyZeroOutsideItsRegionsAndTheirSu
     GTEST_SKIP() << "../shared/organs/" << GetParam().file << " is not there";
   const auto handles = grouped(*organ, 5);
   const RegionLayout layout(handles, 10);
-  const auto binding = bind(localised(), handles, organ->points);
+  const auto binding = bind(*localised(), handles, organ->points);
   std::vector<geometry::ConvexHull> hulls;
   for (int set = 0; set < layout.setCount(); ++set)
     hulls.emplace_back(Points(handles.positions(layout.handlesOf(set), Eigen::all)));

@@ -30,7 +30,7 @@ std::vector<System> systems() {
     if (const Traits traits = system->traits();
         traits.positive && traits.everywhere && traits.continuous && traits.affine && !traits.needsCage)
       inner.push_back(system);
-  all.push_back(std::make_shared<localised_scc::LocalisedSCelestial>(inner));
+  all.push_back(localised_scc::localisedSCelestial(inner));
   return all;
 }
 

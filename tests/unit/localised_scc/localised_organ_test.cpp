@@ -20,8 +20,8 @@ TEST(LocalisedSCelestial, ReproducesTheIdentityWithTwoThreeAndFiveGroups) {
     handles.positions << placed, grouping.added;
     handles.groups = grouping.groups;
     Progress progress;
-    const auto binding = LocalisedSCelestial({coordinates::builtInSystems().front()})
-                             .bind(handles, organ.points, {}, progress);
+    const auto binding = localisedSCelestial({coordinates::builtInSystems().front()})
+                             ->bind(handles, organ.points, {}, progress);
     EXPECT_TRUE(binding->report().failures.empty()) << count << " groups";
     EXPECT_LT(binding->report().identityError, 1e-9 * boundsOf(organ.points).diagonal());
     EXPECT_LT(binding->report().unityError, 1e-12);

@@ -27,8 +27,8 @@ std::shared_ptr<const coordinates::CoordinateSystem> plain(const std::string& id
   throw std::logic_error(id);
 }
 
-LocalisedSCelestial localised() {
-  return LocalisedSCelestial({plain("s-celestial"), plain("t-celestial")});
+std::shared_ptr<const coordinates::CoordinateSystem> localised() {
+  return localisedSCelestial({plain("s-celestial"), plain("t-celestial")});
 }
 
 Eigen::MatrixXd weightsOf(const coordinates::CoordinateSystem& system, const HandleSet& handles,
@@ -86,7 +86,7 @@ TEST(LocalisedSCelestial, WithOneGroupIsThePlainSystem) {
   Points points(500, 3);
   for (Eigen::Index i = 0; i < points.rows(); ++i)
     points.row(i) = inside.next().transpose();
-  const auto local = weightsOf(localised(), handles, points);
+  const auto local = weightsOf(*localised(), handles, points);
   const auto global = weightsOf(*plain(), handles, points);
   EXPECT_LT((local - global).cwiseAbs().maxCoeff(), 1e-12);
 }
@@ -96,7 +96,7 @@ TEST(LocalisedSCelestial, HandlesOfOtherGroupsHaveWeightZero) {
   const auto handles = tests::groupsOfBoxes(scene.boxes);
   Points points(1, 3);
   points << 10, 20, 20; // In the first region, far from its zone.
-  const auto weights = weightsOf(localised(), handles, points, withOffset(5));
+  const auto weights = weightsOf(*localised(), handles, points, withOffset(5));
   for (int h = 0; h < handles.positions.rows(); ++h) {
     const auto& own = handles.groups[0].handles;
     if (std::find(own.begin(), own.end(), h) == own.end()) {
@@ -110,9 +110,9 @@ TEST(LocalisedSCelestial, TakesTheTCelestialSystemInside) {
   Points points(1, 3);
   points << 10, 20, 30;
   BindOptions options;
-  options.parameters.setFromText(localised().parameters(), "inner", "t-celestial");
+  options.parameters.setFromText(localised()->parameters(), "inner", "t-celestial");
   EXPECT_LT(
-      (weightsOf(localised(), handles, points, options) - weightsOf(*plain("t-celestial"), handles, points))
+      (weightsOf(*localised(), handles, points, options) - weightsOf(*plain("t-celestial"), handles, points))
           .cwiseAbs()
           .maxCoeff(),
       1e-12);
@@ -123,7 +123,7 @@ TEST(LocalisedSCelestial, CountsVerticesInNoRegion) {
   Points points(3, 3);
   points << 5, 5, 5, 50, 5, 5, 5, 50, 5;
   Progress progress;
-  EXPECT_EQ(localised().bind(handles, points, {}, progress)->report().failures, (std::vector<int>{1, 2}));
+  EXPECT_EQ(localised()->bind(handles, points, {}, progress)->report().failures, (std::vector<int>{1, 2}));
 }
 
 TEST(LocalisedSCelestial, TellsInItsReportWhatItCutAndWhoMovesNothing) {
@@ -133,18 +133,18 @@ TEST(LocalisedSCelestial, TellsInItsReportWhatItCutAndWhoMovesNothing) {
   Points points(1, 3);
   points << 20, 20, 20;
   Progress progress;
-  const auto notes = localised().bind(handles, points, withOffset(500), progress)->report().notes;
+  const auto notes = localised()->bind(handles, points, withOffset(500), progress)->report().notes;
   EXPECT_THAT(inEnglish(notes), testing::Contains(testing::HasSubstr("1 handle is in no group")));
   EXPECT_THAT(inEnglish(notes), testing::Contains(testing::HasSubstr("offset of region 'box 1' is cut")));
   handles.positions.conservativeResize(handles.positions.rows() - 1, 3);
-  EXPECT_THAT(inEnglish(localised().bind(handles, points, withOffset(3), progress)->report().notes),
+  EXPECT_THAT(inEnglish(localised()->bind(handles, points, withOffset(3), progress)->report().notes),
               testing::IsEmpty());
 }
 
 TEST(LocalisedSCelestial, DescribesRegionsZonesAndSuperRegionsAndTheOffsetsBound) {
   using Kind = coordinates::SpacePart::Kind;
   const auto handles = tests::groupsOfBoxes(tests::groupScenes().back().boxes); // The chain.
-  const auto layout = localised().layout(handles, withOffset(5).parameters);
+  const auto layout = localised()->layout(handles, withOffset(5).parameters);
   const auto count = [&](Kind kind) {
     return std::count_if(layout.parts.begin(), layout.parts.end(),
                          [kind](const auto& part) { return part.kind == kind; });
@@ -172,7 +172,7 @@ TEST(LocalisedSCelestial, IsTheSameToTheBitForAnyNumberOfThreads) {
   BindOptions one, three;
   one.threads.count = 1;
   three.threads.count = 3;
-  EXPECT_EQ(weightsOf(localised(), handles, points, one), weightsOf(localised(), handles, points, three));
+  EXPECT_EQ(weightsOf(*localised(), handles, points, one), weightsOf(*localised(), handles, points, three));
 }
 
 class MeetingRegions : public testing::TestWithParam<tests::GroupScene> {};
@@ -226,7 +226,7 @@ double largestJump(const tests::GroupScene& scene, const Segments& segments, int
   Points rows(static_cast<Eigen::Index>(points.size()), 3);
   for (std::size_t i = 0; i < points.size(); ++i)
     rows.row(static_cast<Eigen::Index>(i)) = points[i].transpose();
-  const auto weights = weightsOf(localised(), handles, rows, withOffset(kZoneOffset));
+  const auto weights = weightsOf(*localised(), handles, rows, withOffset(kZoneOffset));
   double largest = 0;
   for (Eigen::Index i = 1; i < weights.rows(); ++i)
     if (joined[std::size_t(i)])
@@ -272,8 +272,8 @@ TEST_P(MeetingRegions, GradientsAgreeWithCentralDifferences) {
     }
   }
   Progress progress;
-  const auto gradients = localised().gradients(handles, centers, withOffset(6), progress);
-  const auto weights = weightsOf(localised(), handles, shifted, withOffset(6));
+  const auto gradients = localised()->gradients(handles, centers, withOffset(6), progress);
+  const auto weights = weightsOf(*localised(), handles, shifted, withOffset(6));
   const RegionLayout layout(handles, 6);
   for (Eigen::Index i = 0; i < count; ++i) {
     // Across a zone's boundary the second derivative jumps, so differences say nothing there.
@@ -302,7 +302,7 @@ TEST_P(MeetingRegions, GradientsAgreeWithFourthOrderDifferencesAtTenThousandPoin
     points.row(i) = inside.next().transpose();
     steps[i] = 2e-3 * (handles.positions.rowwise() - points.row(i)).rowwise().norm().minCoeff();
   }
-  const auto check = tests::checkGradients(localised(), handles, points, steps, withOffset(6), 1e-6);
+  const auto check = tests::checkGradients(*localised(), handles, points, steps, withOffset(6), 1e-6);
   EXPECT_LT(check.worst, 1e-6);
   EXPECT_LT(check.unsure, kCount / 20); // On the boundary of a zone, where the second derivative jumps.
 }
