@@ -65,7 +65,7 @@ void bindLocalised(benchmark::State& state) {
   options.threads.count = static_cast<int>(state.range(0));
   double localisedSeconds = 0, plainSeconds = 0;
   for (auto _ : state) {
-    const double seconds = secondsOf(localised, handles, mesh.points, options);
+    const double seconds = secondsOf(*localised, handles, mesh.points, options);
     state.SetIterationTime(seconds);
     localisedSeconds += seconds;
     plainSeconds += secondsOf(*plain, handles, mesh.points, options);
