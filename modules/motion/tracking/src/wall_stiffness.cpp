@@ -8,7 +8,7 @@
 
 #include <Eigen/LU>
 
-#include "viscera/coordinates/celestial/s_celestial.h"
+#include "viscera/coordinates/systems.h"
 #include "viscera/deformation/witness_gradients.h"
 #include "viscera/tracking/surface_distance.h"
 
@@ -103,7 +103,7 @@ WallStiffness::WallStiffness(const MotionRig& rig, std::size_t outer, Progress& 
   handles.positions = rig.rest();
   const Points points = pointsOf(grid.points);
   const auto bound =
-      deformation::bindWitnesses(coordinates::SCelestial(), handles, points, options, progress);
+      deformation::bindWitnesses(*coordinates::sCelestial(), handles, points, options, progress);
   const Eigen::Index n = rig.handles(), count = points.rows();
   const auto pairs = static_cast<Eigen::Index>(grid.neighbours.size());
   std::vector<Eigen::Index> tissue;
