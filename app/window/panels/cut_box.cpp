@@ -52,7 +52,7 @@ QWidget* CutBox::makeSwitches(const Actions& actions) {
   blood_ = new QCheckBox(tr("Blood"), row);
   blood_->setObjectName(QStringLiteral("cutBlood"));
   blood_->setToolTip(
-      tr("Fill the chambers of the heart with blood. Without it they are empty and show walls, "
+      tr("Fill chambers and vessels of the heart with blood. Without it they are empty and show walls, "
          "papillary muscles and valves"));
   connect(blood_, &QCheckBox::toggled, this,
           [this](bool on) { view_.change([on](presentation::ViewState& state) { state.cut.blood = on; }); });

@@ -16,7 +16,7 @@ using Mesh = std::shared_ptr<const geometry::TriangleMesh>;
 constexpr const char *kOuter = "outer", *kTissue = "tissue";
 constexpr std::array<std::string_view, 4> kCavities = {"lv", "rv", "la", "ra"};
 /// Making the outer surface, which is in the cache as a rule, and then the tissue.
-constexpr double kOuterPart = 0.1;
+constexpr double kOuterPart = 0.1, kTissueDone = 0.95;
 
 std::vector<Mesh> meshesOf(const SampleHeartOrgans& heart) {
   std::vector<Mesh> meshes = {heart.outer->mesh};
@@ -72,16 +72,29 @@ bool sameSurfaces(const SampleHeartOrgans& a, const SampleHeartOrgans& b) {
   return meshesOf(a) == meshesOf(b);
 }
 
-HeartTissue::HeartTissue(Mesh tissue, const SampleHeartOrgans& heart, Threads threads)
-    : mesh_(std::move(tissue)), heart_(heart), carried_(mesh_->points, verticesOf(meshesOf(heart)), threads) {
+HeartTissue::HeartTissue(HeartSurfaces surfaces, const SampleHeartOrgans& heart, Threads threads)
+    : mesh_(std::move(surfaces.tissue)), heart_(heart),
+      carried_(mesh_->points, verticesOf(meshesOf(heart)), threads),
+      vessels_(std::move(surfaces.vessels), verticesOf(meshesOf(heart)), threads) {
+  for (std::size_t side = 0; side < blood_.size(); ++side)
+    if (surfaces.lumina[side])
+      blood_[side] = std::make_unique<const HeartBlood>(*surfaces.lumina[side], *mesh_);
+}
+
+Points HeartTissue::carriersAt(const SampleHeartOrgans& heart, const PosedOrgans& organs) const {
+  std::vector<std::shared_ptr<const Points>> parts = {organs.sharedPoints(heart.outer->id)};
+  for (const auto& cavity : heart.cavities)
+    parts.push_back(organs.sharedPoints(cavity->id));
+  return stacked(parts, [](const auto& part) -> const Points& { return *part; });
+}
+
+void HeartTissue::at(const Points& carriers, Points& out, Threads threads) const {
+  carried_.at(carriers, out, threads);
 }
 
 void HeartTissue::at(const SampleHeartOrgans& heart, const PosedOrgans& organs, Points& out,
                      Threads threads) const {
-  std::vector<std::shared_ptr<const Points>> parts = {organs.sharedPoints(heart.outer->id)};
-  for (const auto& cavity : heart.cavities)
-    parts.push_back(organs.sharedPoints(cavity->id));
-  carried_.at(stacked(parts, [](const auto& part) -> const Points& { return *part; }), out, threads);
+  at(carriersAt(heart, organs), out, threads);
 }
 
 std::shared_ptr<const HeartTissue> makeHeartTissue(const SampleHeartOrgans& heart,
@@ -96,7 +109,11 @@ std::shared_ptr<const HeartTissue> makeHeartTissue(const SampleHeartOrgans& hear
   };
   if (!sameSurface(*surface(kOuter, 0, kOuterPart), *heart.outer->mesh))
     return nullptr;
-  return std::make_shared<const HeartTissue>(surface(kTissue, kOuterPart, 1), heart, threads);
+  HeartSurfaces surfaces{surface(kTissue, kOuterPart, kTissueDone)};
+  // The tissue was made of these, so that they are in the cache.
+  surfaces.lumina = {surface("blood_left", kTissueDone, 1), surface("blood_right", kTissueDone, 1)};
+  surfaces.vessels = heartVessels(library, resolution);
+  return std::make_shared<const HeartTissue>(std::move(surfaces), heart, threads);
 }
 
 } // namespace viscera::live

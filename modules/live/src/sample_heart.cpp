@@ -52,6 +52,12 @@ std::optional<sample_organs::Resolution> heartResolutionOf(const document::Organ
   return sample_organs::resolutionFromName(origin.sample.substr(kHeartAt.size()));
 }
 
+std::vector<geometry::NamedVessel> heartVessels(const SampleLibrary& library,
+                                                sample_organs::Resolution resolution) {
+  return sample_organs::namedVessels(library, kHeart, "outer",
+                                     std::max(resolution, sample_organs::Resolution::medium));
+}
+
 std::shared_ptr<const geometry::TriangleMesh> heartSurface(const SampleLibrary& library, const char* name,
                                                            sample_organs::Resolution resolution,
                                                            Progress& progress, Threads threads) {

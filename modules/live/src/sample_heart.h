@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "viscera/core/parallel.h"
 #include "viscera/core/progress.h"
@@ -32,6 +33,11 @@ std::shared_ptr<const geometry::TriangleMesh> heartSurface(const sample_organs::
                                                            const char* name,
                                                            sample_organs::Resolution resolution,
                                                            Progress& progress, Threads threads = {});
+
+/// The coronary vessels of the sample heart; its coarsest surface has none, but its picture has those of the
+/// next.
+std::vector<geometry::NamedVessel> heartVessels(const sample_organs::SampleLibrary& library,
+                                                sample_organs::Resolution resolution);
 
 /// The softness of the sample heart's coordinates, a little more than one handle spacing, so that the walls
 /// stay smooth between handles (design notes, "Handles that move organs").

@@ -12,6 +12,8 @@ namespace {
 constexpr double kPaler = 0.25;
 /// The face of blood lies that far behind that of the tissue, mm, which so is seen where both are.
 constexpr double kBloodBehind = 0.2;
+/// The face of a vessel lies that far before that of the tissue around it, mm.
+constexpr double kVesselsBefore = 0.1;
 /// Corners of a face that lie that near to the line without them are left out, mm: filling a face takes most
 /// of a frame, and more than in proportion to its corners.
 constexpr double kStraightMm = 0.05;
@@ -33,17 +35,12 @@ bool hollow(const document::Organ& organ, const document::DocumentState& state) 
   return parent && parent->look.visible;
 }
 
-Vec3 faceColor(const document::Organ& organ) {
-  return (1 - kPaler) * shownColor(organ.look.color) + kPaler * Vec3::Ones();
+Vec3 paler(const Vec3& color) {
+  return (1 - kPaler) * color + kPaler * Vec3::Ones();
 }
 
-/// A cavity's paint is its blood's; without paint, that is the colour of the organ.
-Vec3 bloodColor(const document::Organ& cavity) {
-  const Colors& paint = cavity.mesh->colors;
-  if (!cavity.look.vertexColors || paint.rows() == 0)
-    return shownColor(cavity.look.color);
-  constexpr double kLargestByte = 255;
-  return paint.cast<double>().colwise().mean().transpose() / kLargestByte;
+Vec3 faceColor(const document::Organ& organ) {
+  return paler(shownColor(organ.look.color));
 }
 
 double distanceToSegment(const Vec3& point, const Vec3& from, const Vec3& to) {
@@ -105,10 +102,12 @@ std::vector<scene::CutCaps::Face> CutPicture::facesOf(const Scene& scene, const 
     faces.push_back({withoutStraightCorners(geometry::cutSurface(heart.surface(), plane)),
                      {},
                      faceColor(*opened->heart.outer)});
-    const geometry::Plane behind{plane.origin + kBloodBehind * plane.normal, plane.normal};
-    for (const auto& cavity : opened->heart.cavities)
-      if (opened->blood && cavity->look.visible && cavity->closed())
-        faces.push_back({cutOf(*cavity, behind), {}, bloodColor(*cavity)});
+    for (const HeartPicture::Layer& layer : heart.layers()) {
+      const double towardsReader = layer.blood ? -kBloodBehind : kVesselsBefore;
+      const geometry::Plane at{plane.origin - towardsReader * plane.normal, plane.normal};
+      const Vec3 color = layer.blood ? layer.color : paler(layer.color);
+      faces.push_back({withoutStraightCorners(geometry::cutSurface(layer.surface, at)), {}, color});
+    }
   }
   for (const auto& organ : *scene.state.organs) {
     if (!organ->look.visible || !organ->closed() || hollow(*organ, scene.state) ||

@@ -1,11 +1,21 @@
 #include "heart_picture.h"
 
+#include <algorithm>
+
 namespace viscera::presentation {
 namespace {
 
 bool sameHeart(const OpenedHeart& a, const OpenedHeart& b) {
   return a.heart.outer == b.heart.outer && a.heart.cavities == b.heart.cavities && a.blood == b.blood;
 }
+
+/// Blood rich and poor in oxygen, as atlases paint it.
+const std::array<Vec3, 2> kBloodColors = {Vec3(0.78, 0.16, 0.15), Vec3(0.27, 0.36, 0.66)};
+/// The ventricle of each side; one that is hidden has no blood.
+constexpr std::array<const char*, 2> kVentricles = {"lv", "rv"};
+
+using Kind = live::HeartVessels::Kind;
+constexpr std::array<Kind, 2> kKinds = {Kind::arteries, Kind::veins};
 
 } // namespace
 
@@ -17,6 +27,9 @@ void HeartPicture::leave() {
   if (!opened_)
     return;
   view_.remove(actor_);
+  for (Drawn& layer : layers_)
+    if (std::exchange(layer.added, false))
+      view_.remove(layer.actor);
   opened_.reset();
   ++revision_;
 }
@@ -28,9 +41,54 @@ void HeartPicture::take(std::shared_ptr<const live::HeartTissue> tissue) {
   tissue_ = std::move(tissue);
   actor_ = std::make_shared<scene::OrganActor>(tissue_->mesh(), threads_);
   actor_->setRole(scene::SurfaceRole::picture);
+  addActors();
   points_ = std::make_shared<Points>();
   moment_.clear();
   plane_.reset();
+}
+
+void HeartPicture::addActors() {
+  for (std::size_t i = 0; i < kLayers; ++i) {
+    const bool vessels = i < kVesselLayers;
+    std::shared_ptr<const geometry::TriangleMesh> mesh;
+    if (vessels)
+      mesh = tissue_->vessels().mesh(kKinds[i]);
+    else if (const auto& blood = tissue_->blood()[i - kVesselLayers])
+      mesh = blood->mesh();
+    layers_[i] = {};
+    if (!mesh || mesh->triangles.rows() == 0)
+      continue;
+    layers_[i].actor = std::make_shared<scene::OrganActor>(mesh, threads_);
+    layers_[i].actor->setRole(scene::SurfaceRole::picture);
+    layers_[i].actor->setColor(vessels ? tissue_->vessels().color(kKinds[i])
+                                       : kBloodColors[i - kVesselLayers]);
+  }
+}
+
+/// Whether a layer belongs into the picture of the opened heart.
+bool HeartPicture::wanted(std::size_t layer) const {
+  if (layer < kVesselLayers || !layers_[layer].actor)
+    return layers_[layer].actor != nullptr;
+  const auto& cavities = opened_->heart.cavities;
+  return opened_->blood && std::any_of(cavities.begin(), cavities.end(), [&](const auto& cavity) {
+           return cavity->origin.surface == kVentricles[layer - kVesselLayers] && cavity->look.visible;
+         });
+}
+
+void HeartPicture::showLayers() {
+  for (std::size_t i = 0; i < kLayers; ++i) {
+    Drawn& layer = layers_[i];
+    if (wanted(i) == layer.added)
+      continue;
+    layer.added = !layer.added;
+    if (layer.added)
+      view_.add(layer.actor);
+    else
+      view_.remove(layer.actor);
+    moment_.clear(); // What is hidden is not kept up to date.
+    plane_.reset();
+    ++revision_;
+  }
 }
 
 void HeartPicture::update(const Scene& scene, bool numbers) {
@@ -45,7 +103,62 @@ void HeartPicture::update(const Scene& scene, bool numbers) {
   if (!opened_ || !sameHeart(*opened_, *wanted))
     ++revision_;
   opened_ = std::move(wanted);
+  showLayers();
   follow(scene.organs);
+}
+
+void HeartPicture::moveLayers(const Points& carriers) {
+  tissue_->vessels().linesAt(carriers, *lines_, Threads{1}); // So few that waking others takes longer.
+  for (std::size_t i = 0; i < kLayers; ++i) {
+    Drawn& layer = layers_[i];
+    if (!layer.added)
+      continue;
+    if (i < kVesselLayers)
+      tissue_->vessels().surfaceAt(kKinds[i], *lines_, *layer.points);
+    else
+      tissue_->blood()[i - kVesselLayers]->at(*points_, *layer.points);
+    layer.actor->setPoints(layer.points);
+  }
+}
+
+std::vector<HeartPicture::Layer> HeartPicture::layers() const {
+  std::vector<Layer> drawn;
+  for (std::size_t i = 0; i < kLayers; ++i)
+    if (const Drawn& layer = layers_[i]; opened_ && layer.added)
+      drawn.push_back(
+          {{layer.points.get(), &layer.actor->mesh().triangles}, layer.actor->color(), i >= kVesselLayers});
+  return drawn;
+}
+
+bool HeartPicture::full() const {
+  return opened_ && std::any_of(layers_.begin() + kVesselLayers, layers_.end(),
+                                [](const Drawn& layer) { return layer.added; });
+}
+
+/// Of the longest part that stays of a vessel with each name, the middle: at rest, so that names stay in one
+/// place while the heart beats.
+std::vector<std::pair<std::string, Eigen::Index>>
+HeartPicture::vesselNames(const scene::CutPlane& plane) const {
+  if (!opened_)
+    return {};
+  std::map<std::string, std::pair<std::size_t, Eigen::Index>> best; // How much stays, and where.
+  const auto& vessels = tissue_->vessels().vessels();
+  for (std::size_t i = 0; i < vessels.size(); ++i) {
+    std::vector<Eigen::Index> kept;
+    for (Eigen::Index p = 0; p < vessels[i].axis.rows(); ++p)
+      if ((vessels[i].axis.row(p).transpose() - plane.origin).dot(plane.normal) > 0)
+        kept.push_back(tissue_->vessels().first(i) + p);
+    auto& [most, where] = best[vessels[i].name];
+    if (kept.size() > most) {
+      most = kept.size();
+      where = kept[kept.size() / 2];
+    }
+  }
+  std::vector<std::pair<std::string, Eigen::Index>> names;
+  for (const auto& [name, place] : best)
+    if (place.first > 0)
+      names.emplace_back(name, place.second);
+  return names;
 }
 
 void HeartPicture::follow(const live::PosedOrgans& organs) {
@@ -60,11 +173,13 @@ void HeartPicture::follow(const live::PosedOrgans& organs) {
     return;
   const bool first = moment_.empty();
   moment_ = std::move(now);
-  tissue_->at(heart, organs, *points_, threads_);
+  const Points carriers = tissue_->carriersAt(heart, organs);
+  tissue_->at(carriers, *points_, threads_);
   if (first)
     actor_->setPoints(points_);
   else
     actor_->pointsChanged();
+  moveLayers(carriers);
   ++revision_;
 }
 
@@ -78,9 +193,8 @@ void HeartPicture::apply(std::map<document::OrganId, Appearance>& appearances) c
     appearance.opacity = 1; // Names are hidden by tissue, which is opaque.
   };
   hide(*opened_->heart.outer);
-  if (!opened_->blood)
-    for (const auto& cavity : opened_->heart.cavities)
-      hide(*cavity);
+  for (const auto& cavity : opened_->heart.cavities)
+    hide(*cavity);
 }
 
 void HeartPicture::updateLook(const scene::OrganActor& outer, const scene::CutPlane& plane) {
@@ -88,8 +202,12 @@ void HeartPicture::updateLook(const scene::OrganActor& outer, const scene::CutPl
   actor_->setColor(shownColor(look.color));
   actor_->setVertexColorsShown(look.vertexColors);
   actor_->setSelected(outer.selected());
-  if (plane_ != plane)
+  if (plane_ != plane) {
     actor_->setClipPlane(plane.origin, plane.normal);
+    for (const Drawn& layer : layers_)
+      if (layer.actor)
+        layer.actor->setClipPlane(plane.origin, plane.normal);
+  }
   plane_ = plane;
 }
 

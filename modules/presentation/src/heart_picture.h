@@ -1,9 +1,11 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <map>
 #include <memory>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -14,10 +16,17 @@
 
 namespace viscera::presentation {
 
-/// Draws the tissue of a sample heart that is cut open, in place of the heart's own surfaces, which still are
-/// what clicks meet and names are on.
+/// Draws the tissue of a sample heart that is cut open, its coronary vessels and its blood, in place of the
+/// heart's own surfaces, which still are what clicks meet and names are on.
 class HeartPicture {
 public:
+  /// Something that is drawn beside the tissue, as a closed surface in the present pose.
+  struct Layer {
+    geometry::SurfaceView surface;
+    Vec3 color;
+    bool blood = false; ///< Else vessels.
+  };
+
   HeartPicture(scene::OrganView& view, Threads threads) : view_(view), threads_(threads) {}
   ~HeartPicture();
 
@@ -32,15 +41,35 @@ public:
   /// A number that changes whenever `opened` or `surface` do.
   std::uint64_t revision() const { return revision_; }
 
-  /// Leaves the surfaces of an opened heart undrawn in the appearances, but for the cavities that are full of
-  /// blood.
+  /// The vessels and the blood that are drawn.
+  std::vector<Layer> layers() const;
+  /// The lines of the vessels in the present pose, all in one; they stay the same object.
+  const std::shared_ptr<const Points>& vesselLines() const { return namedLines_; }
+  /// A place on the lines for each name of a vessel that the cut leaves something of.
+  std::vector<std::pair<std::string, Eigen::Index>> vesselNames(const scene::CutPlane& plane) const;
+
+  /// Leaves the surfaces of an opened heart undrawn in the appearances.
   void apply(std::map<document::OrganId, Appearance>& appearances) const;
   /// Updates the look of the tissue to that of the heart's outer surface.
   void updateLook(const scene::OrganActor& outer, const scene::CutPlane& plane);
 
   const scene::OrganActor* actor() const { return opened_ ? actor_.get() : nullptr; }
+  /// Whether blood is drawn.
+  bool full() const;
 
 private:
+  /// A layer with its actor: arteries, veins, blood of the left and of the right side.
+  struct Drawn {
+    std::shared_ptr<scene::OrganActor> actor; ///< Null where there is nothing of it.
+    std::shared_ptr<Points> points = std::make_shared<Points>();
+    bool added = false;
+  };
+  static constexpr std::size_t kVesselLayers = 2, kLayers = 4;
+
+  bool wanted(std::size_t layer) const;
+  void showLayers();
+  void moveLayers(const Points& carriers);
+  void addActors();
   void take(std::shared_ptr<const live::HeartTissue> tissue);
   void follow(const live::PosedOrgans& organs);
   void leave();
@@ -51,6 +80,9 @@ private:
   std::shared_ptr<const live::HeartTissue> tissue_; ///< What the actor draws; kept for the next cut.
   std::shared_ptr<scene::OrganActor> actor_;
   std::shared_ptr<Points> points_;
+  std::array<Drawn, kLayers> layers_;
+  std::shared_ptr<Points> lines_ = std::make_shared<Points>();
+  std::shared_ptr<const Points> namedLines_ = lines_;
   /// The surfaces that the points were made from.
   using Moment = std::vector<std::pair<std::shared_ptr<const Points>, std::uint64_t>>;
   Moment moment_;

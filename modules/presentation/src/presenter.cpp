@@ -47,6 +47,7 @@ struct LabelChoice {
   std::optional<std::vector<Part>> parts; ///< Of these alone.
   bool ofConduction = false;
   std::vector<std::pair<document::OrganId, Eigen::Index>> chords = {}; ///< See `ValvePicture::chordNames`.
+  std::vector<std::pair<std::string, Eigen::Index>> vessels = {};      ///< See `HeartPicture::vesselNames`.
 
   bool operator==(const LabelChoice&) const = default;
 };
@@ -123,6 +124,7 @@ struct Presenter::Parts {
   void updateRegions(const Scene& scene);
   void updateLabels(const Scene& scene, bool others);
   void addConduction(const Scene& scene, std::vector<scene::OrganLabels::Item>& items) const;
+  void addOpened(std::vector<scene::OrganLabels::Item>& items) const;
   void updateMeasurements(const Scene& scene);
   std::optional<LegendText> stressLegend(const Scene& scene) const;
 };
@@ -237,8 +239,11 @@ void Presenter::Parts::updateLabels(const Scene& scene, bool others) {
   if (scene.parts)
     wanted.parts = *scene.parts;
   wanted.ofConduction = conduction.drawn() && scene.view.partNames && !scene.parts;
-  if (scene.view.partNames && !scene.parts)
+  if (scene.view.partNames && !scene.parts) {
     wanted.chords = valves.chordNames();
+    if (cut.plane())
+      wanted.vessels = heart.vesselNames(*cut.plane());
+  }
   if (!others && labelled == wanted)
     return;
   labelled = std::move(wanted);
@@ -264,8 +269,7 @@ void Presenter::Parts::updateLabels(const Scene& scene, bool others) {
                      part.vertex});
   if (labelled.ofConduction)
     addConduction(scene, items);
-  for (const auto& [ventricle, point] : labelled.chords)
-    items.push_back({translate(kChords), organs.actorOf(ventricle), false, point, {}, valves.chordPoints()});
+  addOpened(items);
   labels.setItems(std::move(items));
 }
 
@@ -281,6 +285,24 @@ void Presenter::Parts::addConduction(const Scene& scene, std::vector<scene::Orga
       (organ->mesh->points.rowwise() - middle).rowwise().squaredNorm().minCoeff(&vertex);
       items.push_back({translate(way.name.c_str()), organs.actorOf(organ->id), false, vertex});
     }
+}
+
+/// The names of what only the picture of an opened heart has: chords, and vessels that no part is named
+/// after.
+void Presenter::Parts::addOpened(std::vector<scene::OrganLabels::Item>& items) const {
+  for (const auto& [ventricle, point] : labelled.chords)
+    items.push_back(
+        {translate(kChords), organs.actorOf(ventricle), false, point, {}, valves.chordPoints(), true});
+  if (labelled.vessels.empty())
+    return;
+  const document::Organ& outer = *heart.opened()->heart.outer;
+  for (const auto& [name, point] : labelled.vessels) {
+    const bool part = std::any_of(outer.places.begin(), outer.places.end(),
+                                  [&name = name](const auto& place) { return place.name == name; });
+    if (!part)
+      items.push_back(
+          {translate(name.c_str()), organs.actorOf(outer.id), false, point, {}, heart.vesselLines()});
+  }
 }
 
 /// The document's measurements in their order, and behind them what is being measured.
@@ -369,6 +391,9 @@ std::shared_ptr<scene::OrganActor> Presenter::actorOf(document::OrganId organ) c
 }
 const scene::OrganActor* Presenter::heartTissue() const {
   return parts_->heart.actor();
+}
+bool Presenter::heartBlood() const {
+  return parts_->heart.full();
 }
 const scene::OrganLabels& Presenter::labels() const {
   return parts_->labels;

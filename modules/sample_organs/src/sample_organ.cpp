@@ -112,6 +112,11 @@ private:
     Sheet body;
     runPart(progress, 0, 1 / parts,
             [&](Progress& part) { body = sheetOf(definition_.surface(surface.fromAt(resolution_)), part); });
+    if (const NodePtr paint = builder_.paint(surface)) {
+      geometry::TriangleMesh mesh = *body.mesh;
+      paintSurface(*paint, mesh, threads_);
+      body.mesh = std::make_shared<const geometry::TriangleMesh>(std::move(mesh));
+    }
     std::vector<Sheet> lumina;
     for (const std::string& name : surface.less) {
       const double from = (1 + static_cast<double>(lumina.size())) / parts;
@@ -203,6 +208,17 @@ SampleSurface sampleSurface(const SampleLibrary& library, const std::string& org
                             Threads threads) {
   Maker maker(library, definitionOf(library, organ), resolution, threads);
   return maker.make(maker.definition().surface(surface), progress);
+}
+
+std::vector<geometry::NamedVessel> namedVessels(const SampleLibrary& library, const std::string& organ,
+                                                const std::string& surface, Resolution resolution) {
+  const OrganDefinition definition = definitionOf(library, organ);
+  const SurfaceDefinition& found = definition.surface(surface);
+  NodeBuilder builder(definition, resolution);
+  builder.root(found);
+  std::vector<geometry::NamedVessel> vessels = builder.vessels();
+  vessels.insert(vessels.end(), found.vessels.begin(), found.vessels.end());
+  return vessels;
 }
 
 ImplicitSurface implicitSurface(const SampleLibrary& library, const std::string& organ,

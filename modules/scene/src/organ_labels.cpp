@@ -177,7 +177,7 @@ std::optional<Sighting> sightPart(const OrganLabels::Item& item, const Sighting&
   const double slack = kHidden * item.organ->bounds().diagonal();
   if (!(place.depth > 0) || !(place.x >= 0) || !(place.y >= 0) || place.x > 2 * view.centerX ||
       place.y > view.pixelHeight || place.depth > fronts.opaque.depthAt(place) + slack ||
-      (!item.points && fronts.cut.isInsideAt(place)))
+      (!item.inHollow && fronts.cut.isInsideAt(place)))
     return std::nullopt;
   Sighting part = organ;
   part.x = place.x;

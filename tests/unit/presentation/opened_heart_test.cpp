@@ -2,6 +2,7 @@
 
 #include <array>
 #include <map>
+#include <set>
 
 #include <gtest/gtest.h>
 
@@ -12,6 +13,8 @@
 #include "viscera/document/open_files.h"
 #include "viscera/geometry/carried_points.h"
 #include "viscera/geometry/self_intersections.h"
+#include "viscera/geometry/signed_distance.h"
+#include "viscera/geometry/surface_check.h"
 #include "viscera/geometry/winding_number.h"
 #include "viscera/heart/heart_chords.h"
 #include "viscera/presentation/presenter.h"
@@ -192,6 +195,107 @@ TEST_F(TissueOfAHeart, HoldsTheSailsByChords) {
   EXPECT_LT(within, 0.03 * points);
 }
 
+/// Within 3 mm of the epicardium, which is the surface without them; in the septum, in the muscle.
+TEST_F(TissueOfAHeart, HasTheCoronaryVesselsOnItsOutside) {
+  const auto made = tissue();
+  ASSERT_TRUE(made);
+  const auto& vessels = made->vessels().vessels();
+  std::set<std::string> names;
+  for (const auto& vessel : vessels)
+    names.insert(vessel.name);
+  EXPECT_EQ(names.count(""), 0u);
+  for (const char* name :
+       {"Left main coronary artery", "Left anterior descending artery", "Diagonal branch", "Septal branches",
+        "Circumflex artery", "Left marginal branch", "Right coronary artery", "Posterior descending artery",
+        "Great cardiac vein", "Coronary sinus"})
+    EXPECT_EQ(names.count(name), 1u) << name;
+  const sample_organs::ImplicitSurface epicardium = sample_organs::implicitSurface(
+      tests::cachedLibrary(), "heart", "heart_and_fat", sample_organs::Resolution::medium);
+  const geometry::WindingNumber muscle(*made->mesh());
+  for (const geometry::NamedVessel& vessel : vessels)
+    for (Eigen::Index p = 0; p < vessel.axis.rows(); ++p) {
+      const Vec3 at = vessel.axis.row(p).transpose();
+      if (vessel.name == "Septal branches") {
+        ASSERT_TRUE(muscle.inside(at)) << "point " << p;
+      } else {
+        const bool sinks = p < 5 || p + 5 >= vessel.axis.rows(); // Into the aorta's wall or the muscle.
+        ASSERT_LT(std::abs(epicardium(at)), sinks ? 5 : 3) << vessel.name << ", point " << p;
+      }
+    }
+}
+
+/// They keep their distance to the surface of the heart that beats.
+TEST_F(TissueOfAHeart, CarriesItsCoronaryVessels) {
+  const auto made = tissue();
+  ASSERT_TRUE(made);
+  const auto outer = state().organ(idOf("outer"))->mesh;
+  const auto distances = [&] {
+    Points lines;
+    made->vessels().linesAt(made->carriersAt(*live::sampleHeartIn(state()), organs()), lines);
+    const geometry::SignedDistance off(std::make_shared<const geometry::TriangleMesh>(
+        geometry::TriangleMesh{*organs().sharedPoints(idOf("outer")), outer->triangles, {}}));
+    Values all(lines.rows());
+    for (Eigen::Index p = 0; p < lines.rows(); ++p)
+      all[p] = off(lines.row(p).transpose());
+    return all;
+  };
+  beatTo(0.05);
+  const Values first = distances();
+  for (const double fraction : {0.3, 0.7}) {
+    beatTo(fraction);
+    const Values now = distances();
+    for (Eigen::Index p = 0; p < now.size(); ++p)
+      if (first[p] > -5) { // Deeper is the septum, whose depth changes with its thickness.
+        ASSERT_NEAR(now[p], first[p], 2) << "point " << p << " at " << fraction;
+      }
+  }
+}
+
+TEST_F(TissueOfAHeart, HasBloodFromItsVeinsToItsArteries) {
+  const auto made = tissue();
+  ASSERT_TRUE(made);
+  const auto& blood = made->blood();
+  ASSERT_TRUE(blood[0] && blood[1]);
+  EXPECT_EQ(blood[0]->ends(), 8u) << "four pulmonary veins, the aorta and its three branches";
+  EXPECT_EQ(blood[1]->ends(), 4u) << "two venae cavae, two pulmonary arteries";
+  const std::vector<Vec3> places[] = {
+      {{-22, 4, 58},
+       {-10, 27, 105},
+       {14, 53, 88},
+       {15, 57.5, 69},
+       {-27, 13, 119},
+       {-8, 25, 120},
+       {7, 38, 119},
+       {20, 62.4, 46.4},
+       {20, 66.6, 16.8},
+       {-53, 61.1, 44.9},
+       {-53, 64.3, 14.6},
+       {-14, 47, 28},
+       {10, 6, 5}},
+      {{12, -6, 61}, {30, 25, 73}, {-44, 40, 64}, {-48, 16, 76}, {-47, 19, -26}, {-50, 12, 16}}};
+  for (std::size_t side = 0; side < blood.size(); ++side) {
+    const geometry::TriangleMesh& mesh = *blood[side]->mesh();
+    EXPECT_TRUE(geometry::checkSurface(mesh).closed());
+    const geometry::WindingNumber own(mesh), other(*blood[1 - side]->mesh());
+    for (const Vec3& place : places[side]) {
+      EXPECT_TRUE(own.inside(place)) << place.transpose();
+      EXPECT_FALSE(other.inside(place)) << place.transpose();
+    }
+    // Nothing of it is outside, at rest and in the beat.
+    for (const double fraction : {0.0, 0.4}) {
+      beatTo(fraction);
+      const Points carriers = made->carriersAt(*live::sampleHeartIn(state()), organs());
+      Points walls, now;
+      made->at(carriers, walls);
+      blood[side]->at(walls, now);
+      const geometry::SignedDistance off(std::make_shared<const geometry::TriangleMesh>(
+          geometry::TriangleMesh{walls, made->mesh()->triangles, {}}));
+      for (Eigen::Index v = 0; v < now.rows(); v += 7)
+        ASSERT_LT(-off(now.row(v).transpose()), 1.0) << side << ", vertex " << v << " is in a wall";
+    }
+  }
+}
+
 TEST_F(TissueOfAHeart, IsNoneOfAHeartOfAnotherShape) {
   live::SampleHeartOrgans heart = *live::sampleHeartIn(state());
   auto larger = std::make_shared<document::Organ>(*heart.outer);
@@ -228,18 +332,24 @@ TEST_F(PictureOfAnOpenedHeart, IsTheTissueInPlaceOfTheSurfaces) {
   EXPECT_TRUE(state() == before);
 }
 
-TEST_F(PictureOfAnOpenedHeart, HasTheCavitiesBackWithBlood) {
+TEST_F(PictureOfAnOpenedHeart, IsFullOfBloodWhereThatIsWanted) {
   const auto made = tissue();
+  draw(cut_, made);
+  EXPECT_FALSE(presenter_.heartBlood());
+  const std::size_t empty = view_.organs().size();
   cut_.cut.blood = true;
   draw(cut_, made);
-  EXPECT_NE(presenter_.heartTissue(), nullptr);
+  EXPECT_TRUE(presenter_.heartBlood());
+  EXPECT_EQ(view_.organs().size(), empty + 2) << "that of the left and of the right side";
   EXPECT_FALSE(drawn("outer"));
   for (const char* surface : kCavities)
-    EXPECT_TRUE(drawn(surface)) << surface;
+    EXPECT_FALSE(drawn(surface)) << surface << " is in the blood";
+  change("lv", [](document::OrganLook& look) { look.visible = false; });
+  draw(cut_, made);
+  EXPECT_EQ(view_.organs().size(), empty + 1) << "a ventricle that is hidden has none";
   cut_.cut.blood = false;
   draw(cut_, made);
-  for (const char* surface : kCavities)
-    EXPECT_FALSE(drawn(surface)) << surface;
+  EXPECT_FALSE(presenter_.heartBlood());
 }
 
 TEST_F(PictureOfAnOpenedHeart, HasChordsWhileItIsCut) {

@@ -81,6 +81,16 @@ TEST(DefinitionErrors, NameThePointAndTheTimeOfAWay) {
   EXPECT_THAT(wayError("[[0, 0, 0, 0]]"), HasSubstr("points"));
 }
 
+TEST(DefinitionErrors, NameTheVesselWhoseNameIsNone) {
+  for (const std::string name : {"5", R"(["artery", "vein"])", R"(["artery", 0.5, 2])"}) {
+    TemporaryLibrary files;
+    files.writeRoot("ball", R"({"type": "surface_vessels", "base": )" + std::string(kBall) +
+                                R"(, "paths": [{"points": [[0, 0, 20], [20, 0, 0]], "vessel": )" + name +
+                                "}]}");
+    EXPECT_THAT(messageOf<DataError>(files, "ball"), HasSubstr("vessel")) << name;
+  }
+}
+
 TEST(DefinitionErrors, NameANumberBeyondDoubles) {
   TemporaryLibrary files;
   files.write("thing", "{\"name\": \"thing\", \"scale\": 1e999}");

@@ -68,6 +68,10 @@ NodePtr NodeBuilder::root(const SurfaceDefinition& surface) {
                          kRimBlend);
 }
 
+NodePtr NodeBuilder::paint(const SurfaceDefinition& surface) {
+  return surface.paint.is_null() ? nullptr : required(surface.paint, surface.where + ", paint");
+}
+
 NodePtr NodeBuilder::buildNamed(const std::string& name, const std::string& askedBy) {
   if (const auto done = built_.find(name); done != built_.end() && wall_ == 0)
     return done->second;
@@ -245,6 +249,7 @@ NewNode NodeBuilder::surfaceVessels(Fields& fields) {
   const Json& paths = fields.list("paths");
   for (std::size_t i = 0; i < paths.size(); ++i)
     vessels.add(paths[i], fields.where() + ", paths[" + std::to_string(i) + "]");
+  vessels_.insert(vessels_.end(), vessels.vessels().begin(), vessels.vessels().end());
   return makeSurfaceVessels(base, vessels.take(), blend(fields));
 }
 

@@ -8,6 +8,7 @@
 #include "definition/fields.h"
 #include "definition/organ_definition.h"
 #include "implicit/nodes.h"
+#include "viscera/geometry/named_vessel.h"
 
 namespace viscera::sample_organs {
 
@@ -23,6 +24,10 @@ public:
   /// The root of a surface; of one that is joined from others, the first less the others. Throws `DataError`
   /// that names the file, the node and the field.
   NodePtr root(const SurfaceDefinition& surface);
+  /// The node that a surface is painted by in place of its body's colours; null for none.
+  NodePtr paint(const SurfaceDefinition& surface);
+  /// The vessels with names in anatomy of all nodes that were built so far.
+  const std::vector<geometry::NamedVessel>& vessels() const { return vessels_; }
 
 private:
   using Json = nlohmann::json;
@@ -56,6 +61,7 @@ private:
   int level_;
   double wall_ = 0; ///< Inside a lumen, how much narrower than its vessel it is, mm.
   std::map<std::string, NodePtr> built_;
+  std::vector<geometry::NamedVessel> vessels_;
   std::set<std::string> underConstruction_;
 };
 

@@ -4,6 +4,8 @@
 #include <system_error>
 
 #include "definition/fields.h"
+#include "definition/node_fields.h"
+#include "definition/vessel_builder.h"
 #include "viscera/core/content_hash.h"
 #include "viscera/core/error.h"
 #include "viscera/core/json_reader.h"
@@ -90,6 +92,8 @@ private:
       readPlaces(fields, surface);
     if (fields.optional("ways"))
       readWays(fields, surface);
+    if (fields.optional("vessels"))
+      readVessels(fields, surface);
     if (fields.optional("less"))
       readParts(fields, surface);
     else
@@ -127,6 +131,8 @@ private:
       fields.fail(key, "names \"" + name + "\", which is no surface with a root before this one",
                   "put its parts first, or look for a misspelling");
     };
+    if (const json* paint = fields.optional("paint"))
+      surface.paint = *paint;
     const json& from = fields.get("from");
     for (std::size_t level = 0; level < surface.from.size(); ++level) {
       const json& name = from.is_array() && from.size() == surface.from.size() ? from[level] : from;
@@ -141,6 +147,17 @@ private:
       Fields place(content, surface.where + ", \"places\"");
       surface.places.push_back({place.text("name"), place.vector("at"), place.number("ring", 0)});
       place.requireNothingElse();
+    }
+  }
+
+  /// Each point is [x, y, z, radius].
+  static void readVessels(Fields& fields, SurfaceDefinition& surface) {
+    for (const json& content : fields.list("vessels", 0)) {
+      Fields vessel(content, surface.where + ", \"vessels\"");
+      const Vec3 color = vessel.vector("paint", geometry::NamedVessel{}.color);
+      surface.vessels.push_back(vesselAlong(axisFrom(vessel), color));
+      surface.vessels.back().name = vessel.text("name");
+      vessel.requireNothingElse();
     }
   }
 

@@ -25,7 +25,9 @@ struct SurfaceDefinition {
   double largestSpacing = 1.6;                          ///< mm between samples of the field.
   std::vector<geometry::NamedPlace> places;             ///< Parts that have names.
   std::vector<geometry::NamedWay> ways;                 ///< Along which it is excited.
-  nlohmann::json root;                                  ///< Null when it is joined from other surfaces.
+  std::vector<geometry::NamedVessel> vessels;           ///< Drawn only: those in its walls.
+  nlohmann::json paint; ///< Of a joined surface: the node whose colours the body's part has; null: its own.
+  nlohmann::json root;  ///< Null when it is joined from other surfaces.
   std::array<std::string, 3> from; ///< Of a joined surface: the body's surface, low, medium, high ...
   std::vector<std::string> less;   ///< ... and those of the lumina that are taken out of it.
   std::string where;               ///< File and surface, for messages.

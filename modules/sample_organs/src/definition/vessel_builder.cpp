@@ -1,5 +1,6 @@
 #include "definition/vessel_builder.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "definition/node_fields.h"
@@ -23,6 +24,17 @@ void readFade(Fields& fields, SurfacePath& path) {
 
 } // namespace
 
+geometry::NamedVessel vesselAlong(const std::vector<AxisPoint>& axis, const Vec3& color) {
+  const std::vector<AxisSample> samples = sampleAxis(axis, kVesselStep, Vec3::UnitY());
+  const auto count = static_cast<Eigen::Index>(samples.size());
+  geometry::NamedVessel vessel{{}, color, Points(count, 3), Values(count)};
+  for (Eigen::Index i = 0; i < count; ++i) {
+    vessel.axis.row(i) = samples[static_cast<std::size_t>(i)].position.transpose();
+    vessel.radii[i] = samples[static_cast<std::size_t>(i)].radius;
+  }
+  return vessel;
+}
+
 VesselBuilder::VesselBuilder(const ImplicitNode& base, int level, BuildNode buildNode)
     : base_(base), level_(level), buildNode_(std::move(buildNode)) {}
 
@@ -34,17 +46,42 @@ void VesselBuilder::add(const json& content, const std::string& where) {
     return;
   const SurfacePath path = pathFrom(fields);
   const bool named = fields.optional("name");
+  const json* names = fields.optional("vessel");
   fields.requireNothingElse();
   const std::vector<AxisPoint> axis = axisOnSurface(base_, path);
   if (axis.empty())
     fields.fail("points", "all end at one place on the surface", "move them nearer to the surface");
   if (named && !named_.emplace(fields.text("name"), axis).second)
     fields.fail("name", "is that of another path here", "rename one of them");
+  if (names)
+    addNamed(*names, axis, finish.paint.value_or(Shade{}.color), fields);
   TubeShape shape;
   shape.step = kVesselStep;
   const NewNode node = makeTube(axis, shape);
   node->setFinish(finish);
   vessels_.push_back({node, seam});
+}
+
+/// One name for all of the path, or two with the share of its length between them.
+void VesselBuilder::addNamed(const json& names, const std::vector<AxisPoint>& axis, const Vec3& color,
+                             const Fields& fields) {
+  const bool two = names.is_array() && names.size() == 3 && names[0].is_string() && names[1].is_number() &&
+                   names[2].is_string();
+  if (!names.is_string() && !two)
+    fields.fail("vessel", "is " + names.dump(), "give a name, or [name, share of the length, name]");
+  geometry::NamedVessel whole = vesselAlong(axis, color);
+  if (!two) {
+    whole.name = names.get<std::string>();
+    anatomy_.push_back(std::move(whole));
+    return;
+  }
+  const double share = std::clamp(names[1].get<double>(), 0.0, 1.0);
+  const Eigen::Index last = whole.axis.rows() - 1;
+  const auto at = std::clamp<Eigen::Index>(std::lround(share * static_cast<double>(last)), 1, last - 1);
+  anatomy_.push_back(
+      {names[0].get<std::string>(), color, whole.axis.topRows(at + 1), whole.radii.head(at + 1)});
+  anatomy_.push_back({names[2].get<std::string>(), color, whole.axis.bottomRows(last - at + 1),
+                      whole.radii.tail(last - at + 1)});
 }
 
 SurfacePath VesselBuilder::pathFrom(Fields& fields) const {

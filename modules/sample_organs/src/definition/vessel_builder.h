@@ -9,8 +9,12 @@
 #include "definition/fields.h"
 #include "implicit/nodes.h"
 #include "implicit/surface_path.h"
+#include "viscera/geometry/named_vessel.h"
 
 namespace viscera::sample_organs {
+
+/// A vessel without a name along a smooth axis through these points.
+geometry::NamedVessel vesselAlong(const std::vector<AxisPoint>& axis, const Vec3& color);
 
 /// Builds the vessels of one `surface_vessels` node on its base, one after the other; a path may branch off
 /// an earlier one.
@@ -27,16 +31,21 @@ public:
 
   /// Returns the vessels that were added.
   std::vector<SurfaceVessel> take() { return std::move(vessels_); }
+  /// Those of them that have a name in anatomy, as lines.
+  const std::vector<geometry::NamedVessel>& vessels() const { return anatomy_; }
 
 private:
   SurfacePath pathFrom(Fields& fields) const;
   Vec3 branchPoint(Fields& from) const;
+  void addNamed(const nlohmann::json& names, const std::vector<AxisPoint>& axis, const Vec3& color,
+                const Fields& fields);
 
   const ImplicitNode& base_;
   int level_;
   BuildNode buildNode_;
   std::vector<SurfaceVessel> vessels_;
   std::map<std::string, std::vector<AxisPoint>> named_;
+  std::vector<geometry::NamedVessel> anatomy_;
 };
 
 } // namespace viscera::sample_organs

@@ -45,7 +45,9 @@ TriangleMesh rawSurface(const ImplicitNode& node, const SurfaceGoal& goal, Threa
   return raw;
 }
 
-void paint(const ImplicitNode& node, TriangleMesh& mesh, Threads threads) {
+} // namespace
+
+void paintSurface(const ImplicitNode& node, TriangleMesh& mesh, Threads threads) {
   mesh.colors.resize(mesh.points.rows(), 3);
   parallelRanges(mesh.points.rows(), kProjectedAtOnce, threads, [&](Eigen::Index begin, Eigen::Index end) {
     for (Eigen::Index v = begin; v < end; ++v) {
@@ -56,15 +58,13 @@ void paint(const ImplicitNode& node, TriangleMesh& mesh, Threads threads) {
   });
 }
 
-} // namespace
-
 TriangleMesh generateSurface(const ImplicitNode& node, const SurfaceGoal& goal, Threads threads,
                              Progress& progress) {
   TriangleMesh mesh;
   runPart(progress, 0, 0.4, [&](Progress& part) { mesh = rawSurface(node, goal, threads, part); });
   runPart(progress, 0.4, 0.98,
           [&](Progress& part) { mesh = remesh(mesh, node, goal.triangles, threads, part); });
-  paint(node, mesh, threads);
+  paintSurface(node, mesh, threads);
   progress.report(1);
   return mesh;
 }

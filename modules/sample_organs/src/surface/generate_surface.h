@@ -24,4 +24,7 @@ struct SurfaceGoal {
 geometry::TriangleMesh generateSurface(const ImplicitNode& node, const SurfaceGoal& goal, Threads threads,
                                        Progress& progress);
 
+/// Gives each vertex the colour that the node has there.
+void paintSurface(const ImplicitNode& node, geometry::TriangleMesh& mesh, Threads threads);
+
 } // namespace viscera::sample_organs

@@ -12,8 +12,8 @@
 
 namespace viscera::presentation {
 
-/// The sample heart that a view's cut opens. Its tissue is drawn in place of its outer surface, and its
-/// cavities are empty, or full of blood.
+/// The sample heart that a view's cut opens. Its tissue is drawn in place of its surfaces, and its
+/// chambers and vessels are empty, or full of blood.
 struct OpenedHeart {
   live::SampleHeartOrgans heart;
   bool blood = false;

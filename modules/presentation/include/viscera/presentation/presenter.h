@@ -126,6 +126,9 @@ public:
   /// The actor of the tissue of a sample heart that is cut open; null while the heart's surfaces are drawn.
   const scene::OrganActor* heartTissue() const;
 
+  /// Whether blood fills that heart's chambers and vessels.
+  bool heartBlood() const;
+
   const scene::OrganLabels& labels() const;
   const scene::MeasurementGlyphs& measurements() const;
   /// The numbers of the stress map; not `ready` while there is none.

@@ -9,6 +9,7 @@
 #include "viscera/core/parallel.h"
 #include "viscera/core/progress.h"
 #include "viscera/geometry/named_place.h"
+#include "viscera/geometry/named_vessel.h"
 #include "viscera/geometry/named_way.h"
 #include "viscera/geometry/triangle_mesh.h"
 
@@ -80,6 +81,13 @@ std::vector<geometry::NamedPlace> namedPlaces(const SampleLibrary& library, cons
 /// The ways of a surface, without making it. As `namedPlaces`.
 std::vector<geometry::NamedWay> namedWays(const SampleLibrary& library, const std::string& organ,
                                           const std::string& surface);
+
+/// The vessels with names on and in a surface, such as the heart's coronary arteries and veins, with the
+/// detail of `resolution`; a surface that is generated has them as part of its shape. As `namedPlaces`, but
+/// takes some tenths of a second.
+std::vector<geometry::NamedVessel> namedVessels(const SampleLibrary& library, const std::string& organ,
+                                                const std::string& surface,
+                                                Resolution resolution = Resolution::high);
 
 /// A named implicit surface of a definition: negative inside, about the distance in mm near the surface. For
 /// placing handles by the anatomy. Thread-safe.

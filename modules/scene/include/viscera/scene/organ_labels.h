@@ -36,6 +36,8 @@ public:
     /// organ that has no surface of its own. It is seen from all sides. The points may move as the organ's
     /// do.
     std::shared_ptr<const Points> points = nullptr;
+    /// The vertex is in a cavity that a cut leaves open, so that no cut face hides it.
+    bool inHollow = false;
   };
 
   /// A label as it was drawn last, in device pixels from the lower left corner.
