@@ -22,7 +22,7 @@ constexpr auto kSpect =
     "Breen 2011, doi 10.1111/j.1365-2982.2010.01660.x (spread), and \"Simplifying the measurement of "
     "gastric accommodation using SPECT\" (mean)";
 constexpr auto kCustomary = "customary at the bedside";
-/// Of no study of its own: the mean of the bounds above, 73 and 98 mmHg, rounded.
+/// No study of its own gives it: the mean of the bounds above, 73 and 98 mmHg, rounded.
 constexpr auto kMeanPressure =
     "geometric mean (Chemla 2005, doi 10.1152/japplphysiol.00713.2005) of the systolic and diastolic bounds, "
     "73 to 98 mmHg, rounded";
