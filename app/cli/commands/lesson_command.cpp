@@ -229,7 +229,8 @@ void LessonCommand::addHeart(CommandContext& context, Material& material) const 
     return;
   source.tissue = live::makeHeartTissue(*heart, context.samples, context.progress, context.threads);
   if (!source.tissue)
-    material.warnings.emplace_back("this heart cannot be cut open: this version makes another one");
+    material.warnings.emplace_back(
+        std::string("this heart cannot be cut open: this version makes another one"));
 }
 
 LessonCommand::Material LessonCommand::ofSequence(CommandContext& context) const {
