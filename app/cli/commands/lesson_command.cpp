@@ -23,8 +23,10 @@
 #include "viscera/lesson/animated_gltf.h"
 #include "viscera/lesson/lesson.h"
 #include "viscera/lesson/lesson_plan.h"
+#include "viscera/live/heart_tissue.h"
 #include "viscera/live/sequence_file.h"
 #include "viscera/live/sequence_setup.h"
+#include "viscera/presentation/opened_heart.h"
 #include "viscera/presentation/unsuited_motion.h"
 #include "viscera/presentation/view_state.h"
 
@@ -94,12 +96,14 @@ private:
     std::unique_ptr<BoundDocument> document;
     lesson::LessonSource source;
     std::vector<Text> warnings;
+    bool cut = false; ///< A session shows its heart cut open.
   };
 
   Material material(CommandContext& context) const;
   Material ofSession(CommandContext& context) const;
   Material ofSequence(CommandContext& context) const;
   Material ofStillOrgans(CommandContext& context) const;
+  void addHeart(CommandContext& context, Material& material) const;
   lesson::LessonSpec spec(const lesson::LessonSource& source) const;
   Outcome write(const std::filesystem::path& file, CommandContext& context) const;
   Outcome writeReady(CommandContext& context);
@@ -112,6 +116,8 @@ private:
   std::vector<std::string> names_;
   double rate_ = 0;
   int handles_ = -1; ///< -1: the number in the spec, or the default.
+  bool cut_ = false;
+  bool conduction_ = false;
   bool ready_ = false;
 };
 
@@ -141,6 +147,8 @@ void LessonCommand::addOptions(CLI::App& options) {
                   "Rate at which the page starts, in cycles a minute; the only rate of a .glb")
       ->type_name("PER_MINUTE")
       ->check(above(0));
+  options.add_flag("--cut", cut_, "Let the reader cut the sample heart open (.html)");
+  options.add_flag("--conduction", conduction_, "Put in the sample heart's conduction system (.html)");
   options.add_option("--title", title_, "What the lesson is called");
   options.add_option("--language", language_, "Of the page's own texts: " + languages())->type_name("CODE");
   options.add_option("--name", names_, "Another name for an organ or a phase; may be repeated")
@@ -201,12 +209,36 @@ LessonCommand::Material LessonCommand::ofSession(CommandContext& context) const 
   material.source.camera = view.camera;
   material.source.slides = view.slides;
   material.source.person = view.person;
+  material.source.conduction = material.source.conductionShown = view.conduction;
+  material.cut = presentation::openedHeart(opened.contents.state, view).has_value();
+  if (material.cut)
+    material.source.cut = view.cut;
   return material;
+}
+
+/// The walls and the conduction system that a session shows, or that the options ask for.
+void LessonCommand::addHeart(CommandContext& context, Material& material) const {
+  lesson::LessonSource& source = material.source;
+  if (!cut_ && !material.cut && !conduction_)
+    return;
+  const auto heart = live::sampleHeartIn(source.state);
+  if (!heart)
+    throw UsageError("There is no sample heart in it", request_.sequence, "use heartbeat or sample:heart");
+  source.conduction = source.conduction || conduction_;
+  if (!cut_ && !material.cut)
+    return;
+  source.tissue = live::makeHeartTissue(*heart, context.samples, context.progress, context.threads);
+  if (!source.tissue)
+    material.warnings.emplace_back(
+        std::string("this heart cannot be cut open: this version makes another one"));
 }
 
 LessonCommand::Material LessonCommand::ofSequence(CommandContext& context) const {
   PlayedSequence played = playedSequence(request_, context);
-  return {std::move(played.document), {.state = {}, .sequence = played.sequence}, std::move(played.warnings)};
+  return {std::move(played.document),
+          {.state = {}, .sequence = played.sequence},
+          std::move(played.warnings),
+          false};
 }
 
 LessonCommand::Material LessonCommand::ofStillOrgans(CommandContext& context) const {
@@ -227,6 +259,8 @@ LessonCommand::Material LessonCommand::material(CommandContext& context) const {
   material.source.state = material.document->state();
   if (rate_ > 0)
     material.source.ratePerMinute = rate_;
+  if (std::filesystem::path(output_).extension() == ".html")
+    addHeart(context, material);
   return material;
 }
 
@@ -270,6 +304,7 @@ Outcome LessonCommand::write(const std::filesystem::path& file, CommandContext& 
     lesson::writePage(file, made);
     outcome.json.update(
         {{"bytes", fileBytes(file)}, {"frames", made.instants()}, {"modes", made.modes.size()}});
+    outcome.json.update({{"cut", made.tissue.has_value()}, {"conduction", made.conduction.has_value()}});
     error = made.largestErrorMm;
   }
   outcome.json["largestErrorMm"] = error;

@@ -5,6 +5,7 @@
 
 #include "viscera/lesson/animated_gltf.h"
 #include "viscera/lesson/lesson.h"
+#include "viscera/presentation/opened_heart.h"
 #include "viscera/presentation/presenter.h"
 #include "window/actions.h"
 #include "window/language.h"
@@ -33,6 +34,12 @@ lesson::LessonSource LessonExport::source() const {
   source.camera = presentation::cameraOf(window_.picture.view());
   source.slides = window_.view.state().slides;
   source.person = window_.view.state().person;
+  source.conduction = source.conductionShown = window_.view.state().conduction;
+  if (const auto opened = presentation::openedHeart(source.state, window_.view.state());
+      opened && window_.picture.heartTissue() && window_.picture.heartTissue()->isOf(opened->heart)) {
+    source.tissue = window_.picture.heartTissue();
+    source.cut = window_.view.state().cut;
+  }
   const live::Player& player = window_.playback.player();
   if (!player.movable())
     return source;

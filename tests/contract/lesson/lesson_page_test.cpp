@@ -24,9 +24,10 @@ using nlohmann::ordered_json;
 constexpr const char* kPython = "/usr/bin/python3";
 constexpr const char* kChromium = "/usr/lib/chromium/chromium";
 constexpr const char* kFirefox = "/usr/bin/firefox-esr";
-constexpr std::size_t kMostBytes = 1'572'864; ///< 1.5 MiB
-constexpr Eigen::Index kDragged = 8;          ///< A handle.
-constexpr Eigen::Index kVertices = 120;       ///< That are compared.
+constexpr std::size_t kMostBytes = 1'572'864;       ///< 1.5 MiB
+constexpr std::size_t kMostOpenedBytes = 1'800'000; ///< With walls and conduction system.
+constexpr Eigen::Index kDragged = 8;                ///< A handle.
+constexpr Eigen::Index kVertices = 120;             ///< That are compared.
 
 /// "chromium", or what VISCERA_BROWSER says: "firefox", which needs a display.
 std::string browser() {
@@ -186,6 +187,23 @@ TEST_F(LessonPage, OfEachReadyLessonIsWhatTheProgramShows) {
     truth["whole"] = truth["eyes"] = ready.reference == "heart";
     expectGood(page, truth, ready.reference);
   }
+}
+
+TEST_F(LessonPage, OfAHeartOpensItAndLightsItsConductionSystem) {
+  const viscera::tests::TemporaryFolder folder;
+  const std::filesystem::path page = folder.path() / "heart.html";
+  const auto made = viscera::test::runProcess(
+      {VISCERA_PROGRAM, "lesson", "heartbeat", "--cut", "--conduction", "-o", page.string(), "--json"});
+  ASSERT_EQ(made.exitCode, 0) << made.err;
+  EXPECT_LE(std::filesystem::file_size(page), kMostOpenedBytes);
+  EXPECT_LE(ordered_json::parse(made.out)["largestErrorMm"], 0.05);
+  viscera::test::ProcessOptions options;
+  options.environment = {{"PYTHONDONTWRITEBYTECODE", "1"}};
+  const viscera::test::ProcessResult result =
+      viscera::test::runProcess({kPython, VISCERA_SOURCE_DIR "/tests/contract/lesson/check_heart.py",
+                                 page.string(), "--browser", browser()},
+                                options);
+  EXPECT_EQ(result.exitCode, 0) << result.out << result.err;
 }
 
 TEST_F(LessonPage, OfASessionHasThePatientsMotionItsSlidesAndAnEyeForEachOrgan) {

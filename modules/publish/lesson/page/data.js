@@ -29,8 +29,12 @@ const numbers = array => array.step === 0 ? new Float32Array(bytes.slice(array.a
 const {surfaces, arrays, motion, measurements, slides} = lesson;
 const handles = lesson.handles.map((label, i) => ({label, vertex: lesson.vertices + i, pull: [0, 0, 0]}));
 const rest = numbers(arrays.rest), modes = motion ? numbers(arrays.motion) : [], courses = motion ? numbers(arrays.course) : [];
-const triangles = Uint32Array.from(integers(arrays.triangles)), weights = handles.length ? numbers(arrays.weights) : [];
-const painted = integers(arrays.colors), colors = new Uint8Array(4 * lesson.vertices);
+// Beside the surfaces and handles, and carried by their vertices: the inner walls of a heart that can be cut open, then its conduction system.
+const {tissue, conduction} = lesson, inner = arrays.inner ? numbers(arrays.inner) : [], carriers = arrays.inner ? integers(arrays.carriers) : [], carried = arrays.inner ? numbers(arrays.carried) : [];
+const firstInner = lesson.vertices + handles.length, faceVertices = firstInner + inner.length / 3, allVertices = faceVertices + (tissue ? 4 : 0); // The face of a cut is a square.
+const organTriangles = integers(arrays.triangles), triangles = tissue ? withTissue(organTriangles) : Uint32Array.from(organTriangles), weights = handles.length ? numbers(arrays.weights) : [];
+const painted = integers(arrays.colors), colors = new Uint8Array(4 * allVertices);
 for (let i = 0; i < lesson.vertices; ++i) for (let c = 0; c < 3; ++c) colors[4 * i + c] = painted[3 * i + c];
+if (tissue) integers(arrays.innerColors).forEach((x, i) => { const at = 4 * (firstInner + Math.floor(i / 3)); colors[at + i % 3] = x; colors[at + 3] = 255; });
 for (const s of surfaces) Object.assign(s, {on: true, now: s.opacity, rgb: `rgb(${s.color.map(x => Math.round(255 * x)).join()})`});
 const state = {fraction: 0, rate: motion ? motion.rate : 0, speed: 1, playing: false, names: null, handles: false, held: -1}, named = () => state.names ?? size[0] >= kNarrow; // Null: as there is room.

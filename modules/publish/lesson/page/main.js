@@ -3,11 +3,11 @@ const calm = matchMedia('(prefers-reduced-motion: reduce)'), bright = matchMedia
 for (const e of document.querySelectorAll('[data-say]')) e.textContent = say(e.dataset.say);
 for (const e of document.querySelectorAll('[data-tip]')) { e.title = say(e.dataset.tip); if (!e.dataset.say) e.setAttribute('aria-label', e.title); }
 for (const e of document.querySelectorAll('[data-label]')) e.setAttribute('aria-label', say(e.dataset.label, lesson.title));
-$('title').textContent = $('title').title = lesson.title; $('notes').textContent = lesson.notes; $('keyText').textContent = say('keyText');
+$('title').textContent = $('title').title = lesson.title; $('notes').textContent = lesson.notes; $('keyText').textContent = say('keyText') + (tissue || conduction ? '\n' + say('heartKeys') : '');
 for (const name of Object.keys(sides)) $('side').append(Object.assign(element('option', say(name)), {value: name}));
 for (const speed of [1, 0.5, 0.25, 0.1]) $('speed').append(Object.assign(element('option', number(speed, speed % 1 ? 2 : 0) + '\u00D7'), {value: speed}));
 for (const [id, act] of Object.entries({play: () => setPlaying(!state.playing), theme: () => setLight(!document.documentElement.classList.contains('light')),
-  labels: () => showNames(!named()), grips: () => showHandles(!state.handles), undo: reset, ask: () => setQuiz(!quiz.on), next: askNext, leave: () => setQuiz(false),
+  labels: () => showNames(!named()), grips: () => showHandles(!state.handles), cut: () => setCut(!cut.on), blood: () => setBlood(!cut.blood), conduct: () => setConduction(!lit), undo: reset, ask: () => setQuiz(!quiz.on), next: askNext, leave: () => setQuiz(false),
   before: () => showSlide(slide - 1), after: () => showSlide(slide + 1)})) $(id).onclick = act;
 $('side').onchange = e => setSide(e.target.value); $('speed').onchange = e => { state.speed = +e.target.value; };
 $('time').oninput = e => { setPlaying(false); seek(Math.min(+e.target.value, 0.9999)); };
@@ -15,6 +15,7 @@ $('rate').oninput = e => setRate(+e.target.value); $('opacity').oninput = e => s
 bright.onchange = () => setLight(bright.matches);
 const pick = by => { if (!state.handles) showHandles(true); state.held = mod(state.held + (state.held < 0 && by < 0 ? 0 : by), handles.length || 1); $('held').textContent = say('held', handles[state.held].label); turned = true; };
 const keys = {' ': () => setPlaying(!state.playing), Home: () => seek(0), n: () => showNames(!named()), h: () => showHandles(!state.handles), r: reset, t: () => $('theme').click(),
+  c: () => setCut(!cut.on), f: () => cut.on && setBlood(!cut.blood), e: () => setConduction(!lit),
   x: () => setGlass(surfaces.some(s => s.wall && s.now < 1) ? 1 : 0.3), 1: () => setSide('anterior'), 3: () => setSide('left'), 7: () => setSide('superior'),
   j: () => handles.length && pick(1), k: () => handles.length && pick(-1), PageDown: () => turnPage(1), PageUp: () => turnPage(-1), b: () => darken(), Escape: () => { darken(false); state.held = -1; $('held').textContent = ''; turned = true; if (quiz.on) setQuiz(false); },
   '+': () => state.held >= 0 ? pullBy(state.held, 0, 0, 2) : zoomBy(1.15), '-': () => state.held >= 0 ? pullBy(state.held, 0, 0, -2) : zoomBy(1 / 1.15)};
@@ -53,7 +54,7 @@ $('chart').onpointerdown = $('chart').onpointermove = e => { if (e.buttons) { se
 const times = {pose: 0, shade: 0, volume: 0, draw: 0, frames: 0}, timed = (name, act) => { const begin = performance.now(); act(); times[name] += performance.now() - begin; };
 function render() {
   const ratio = Math.min(devicePixelRatio || 1, 2), box = $('stage').getBoundingClientRect();
-  size = [Math.max(box.width, 1), Math.max(box.height, 1)]; look();
+  size = [Math.max(box.width, 1), Math.max(box.height, 1)]; toolsHigh = Math.max(40, $('tools').offsetHeight); look();
   for (const id of ['view', 'over']) { const [w, h] = size.map(x => Math.round(x * ratio)); if ($(id).width !== w || $(id).height !== h) Object.assign($(id), {width: w, height: h}); }
   if (changed) {
     timed('pose', pose); timed('shade', shade); timed('volume', writeNumbers); send(0, points); send(1, normals);
@@ -74,12 +75,13 @@ let last = 0; function frame(now) {
 new ResizeObserver(() => { turned = changed = true; shortenPhases(); }).observe($('stage'));
 $('motion').hidden = $('pace').hidden = !motion; $('chart').hidden = !charted.length; $('chart').setAttribute('aria-label', say('chart', charted.map(s => s.title).join(', ')));
 $('glass').hidden = !surfaces.some(s => s.wall); $('grips').hidden = !handles.length; $('slides').hidden = !slides.length; $('ask').hidden = !kinds.length;
+$('cut').hidden = $('blood').hidden = !tissue; $('conduct').hidden = !conduction; showHeart();
 setLight(bright.matches); for (const s of surfaces) setOpacity(s, s.opacity);
 $('opacity').value = Math.min(...surfaces.filter(s => s.wall).map(s => s.opacity), 1);
 if (motion) { $('rate').max = motion.rates.length - 1; $('rates').hidden = motion.rates.length < 2; setRate(state.rate); }
 setPlaying(!calm.matches); if (slides.length) showSlide(0);
 if (lesson.eye && !(slides[0] || {}).position) lookFrom(lesson.eye);
 /** For tests: all that the controls do, and the numbers behind the picture. */
-window.viscera = {lesson, state, camera, times, points, surfaces, handles, quiz, gl, seek, setRate, setPlaying, setGlass, setLight, showHandles, showNames, showSlide, showSurface, setSide, setQuiz, judge, askable, shortOf, nameItems, isHidden, reset, render, project, placeOf,
+window.viscera = {lesson, state, camera, times, points, surfaces, handles, quiz, gl, seek, setRate, setPlaying, setGlass, setLight, showHandles, showNames, showSlide, showSurface, setSide, setQuiz, judge, askable, shortOf, nameItems, isHidden, reset, render, project, placeOf, cut, tissue, conduction, opened, isCutAway, setCut, setBlood, setConduction, excitationMs, lightOf, cordColors, ecgOf: conduction && ecgOf,
   pull: (h, by) => { handles[h].pull = [...by]; takePulls(); pullsChanged = changed = true; }, volumes: () => surfaces.map(s => volumeOf(s)), measures: () => measurements.map(m => measure(m).value)};
 $('failure').hidden = true; render(); requestAnimationFrame(frame); document.documentElement.dataset.ready = Math.round(performance.now());

@@ -9,17 +9,17 @@ for (const item of nameItems) $('names').append(item.box = Object.assign(element
 /** Of a whole surface: places that face the eye and lie away from the other surfaces, which may stand before it, and from its named parts; the best first. */
 function bestAnchors(s, middles) {
   const worthOf = v => {
-    const p = project(placeOf(v)), facing = -dot(normalOf(v), ahead);
-    let worth = Math.min(facing, 0.5) * size[1] * (s.wall ? 0.2 : 0.8) + (s.wall ? -p[1] : 0);
+    const p = project(placeOf(v));
+    let worth = Math.min(facing(s, v), 0.5) * size[1] * (s.wall ? 0.2 : 0.8) + (s.wall ? -p[1] : 0);
     for (const [other, m] of middles) if (other !== s && !other.wall) worth += Math.hypot(p[0] - m[0], p[1] - m[1]) * (s.wall ? 0.3 : 1);
     return worth;
   };
-  return s.free.filter(v => -dot(normalOf(v), ahead) > kFacing).map(v => [worthOf(v), v]).sort((a, b) => b[0] - a[0]).slice(0, kTried).map(x => x[1]);
+  return s.free.filter(v => facing(s, v) > kFacing && !isCutAway(placeOf(v))).map(v => [worthOf(v), v]).sort((a, b) => b[0] - a[0]).slice(0, kTried).map(x => x[1]);
 }
 for (const s of surfaces) { const extent = Math.max(...s.anchors.map(v => apart(v, s.anchors[0]))); s.free = s.anchors.filter(v => s.labels.every(l => apart(l.vertex, v) > 0.15 * extent)); }
 /** Whether a surface hides a vertex from the eye by more than a part of the way to it (Moeller and Trumbore 1997). */
 function isBehind({firstTriangle, triangleCount}, vertex, least) {
-  const p = placeOf(vertex), d = p.map((x, i) => eye[i] - x);
+  const p = placeOf(vertex), d = p.map((x, i) => eye[i] - x), away = cutting(), low = away ? heightOf(p) : 0, rise = away ? heightOf(eye) - low : 0;
   for (let t = 3 * firstTriangle, end = t + 3 * triangleCount; t < end; t += 3) {
     const a = 3 * triangles[t], b = 3 * triangles[t + 1], c = 3 * triangles[t + 2], px = points[a], py = points[a + 1], pz = points[a + 2];
     const ux = points[b] - px, uy = points[b + 1] - py, uz = points[b + 2] - pz, vx = points[c] - px, vy = points[c + 1] - py, vz = points[c + 2] - pz;
@@ -27,7 +27,9 @@ function isBehind({firstTriangle, triangleCount}, vertex, least) {
     const x = p[0] - px, y = p[1] - py, z = p[2] - pz, s = (x * nx + y * ny + z * nz) / det;
     if (!(s >= 0 && s <= 1)) continue;
     const qx = y * uz - z * uy, qy = z * ux - x * uz, qz = x * uy - y * ux, w = (d[0] * qx + d[1] * qy + d[2] * qz) / det;
-    if (w >= 0 && s + w <= 1 && (vx * qx + vy * qy + vz * qz) / det > least) return true;
+    if (!(w >= 0 && s + w <= 1)) continue;
+    const far = (vx * qx + vy * qy + vz * qz) / det;
+    if (far > least && !(away && low + far * rise < 0)) return true; // What is cut away hides nothing.
   }
   return false;
 }
@@ -37,10 +39,11 @@ function mayHide({ball}, p) {
   return Math.hypot(...c.map((x, i) => x - t * d[i])) < ball.radius;
 }
 /** Whether something opaque stands before a vertex; before the ring of a valve only what is around its chamber does, since it is drawn over what is in it. */
-const isHidden = (s, vertex, ring) => surfaces.some(o => o.on && (o === s ? !ring : o.now >= kSolid && (!ring || o.wall) && mayHide(o, placeOf(vertex))) && isBehind(o, vertex, o === s ? 0.01 : 0.002));
+const isHidden = (s, vertex, ring) => opened() ? isCutAway(placeOf(vertex)) || isBehind(tissue, vertex, 0.01) || surfaces.some(o => o.on && o !== outerWall && !chambersOf.includes(o) && o.now >= kSolid && mayHide(o, placeOf(vertex)) && isBehind(o, vertex, 0.01))
+  : isCutAway(placeOf(vertex)) || surfaces.some(o => o.on && (o === s ? !ring : seenOf(o) >= kSolid && (!ring || o.wall) && mayHide(o, placeOf(vertex))) && isBehind(o, vertex, o === s ? 0.01 : 0.002));
 /** Finds out whether a name's place is seen, and of a whole surface, where: null for nowhere. */
 function findPlace(i, middles) {
-  if (i.part) i.seen = (i.ring || -dot(normalOf(i.vertex), ahead) > kFacing) && !isHidden(i.s, i.vertex, i.ring) ? i.vertex : null;
+  if (i.part) i.seen = (i.ring || facing(i.s, i.vertex) > kFacing) && !isHidden(i.s, i.vertex, i.ring) ? i.vertex : null;
   else i.seen = bestAnchors(i.s, middles).find(v => !isHidden(i.s, v)) ?? null;
 }
 /** Puts boxes of one side below one another, each as near to its place as it can be; what finds no room is left out. */
@@ -65,12 +68,12 @@ function placeNames() {
   for (const i of nameItems) {
     if (late && i.s.on) findPlace(i, middles);
     const vertex = i.seen ?? i.vertex ?? i.s.anchors[0];
-    i.worth = !i.part ? 1 : i.ring ? 0.9 : -dot(normalOf(vertex), ahead);
+    i.worth = !i.part ? 1 : i.ring ? 0.9 : facing(i.s, vertex);
     [i.x, i.y] = project(placeOf(vertex));
     i.shown = named() && !quiz.on && i.s.on && i.seen !== null && i.worth > kFacing && i.x > 0 && i.x < size[0] && i.y > 0 && i.y < size[1];
     i.box.style.display = i.shown ? '' : 'none';
   }
-  const top = $('tools').offsetTop + $('tools').offsetHeight + 6, bottom = Math.min(size[1] - 40, $('held').textContent ? $('held').offsetTop - 4 : size[1]);
+  const top = $('tools').offsetTop + $('tools').offsetHeight + 6, bottom = Math.min(size[1] - 40 - (litNow() && size[0] >= kNarrow ? kEcgHigh : 0), $('held').textContent ? $('held').offsetTop - 4 : size[1]);
   const middle = size[0] / 2, shown = nameItems.filter(i => i.shown);
   for (const onLeft of [true, false]) column(shown.filter(i => (i.x < middle) === onLeft), top, bottom);
   for (const i of shown) {
@@ -121,5 +124,5 @@ function drawOver() {
   if (!quiz.on) drawMeasurements(c, text);
   if (state.handles) drawHandles(c, text);
   if (quiz.vertex >= 0) { const [x, y] = project(placeOf(quiz.vertex)); c.lineWidth = 3; c.strokeStyle = '#e69f00'; if (quiz.item && quiz.item.ring) drawRing(c, quiz.item); ringAt(c, x, y, 11, '#e69f0055', '#e69f00'); c.fillStyle = text; c.font = 'bold 16px system-ui'; c.fillText('?', x - 4, y + 6); }
-  else drawScale(c, text);
+  else { drawScale(c, text); if (litNow()) drawEcg(c, text); }
 }

@@ -10,7 +10,7 @@ for (const s of surfaces) {
   s.tile.append(title, s.value, s.eye, s.part); $('tiles').append(s.tile); s.eye.setAttribute('aria-pressed', true);
 }
 function showSurface(s, on) {
-  s.on = on; s.eye.setAttribute('aria-pressed', on);
+  s.on = on; s.eye.setAttribute('aria-pressed', on); $('opacity').disabled = opened();
   s.tile.classList.toggle('off', !on); changed = true;
 }
 function writeNumbers() {
@@ -94,6 +94,7 @@ function showSlide(index) {
   if (motion && 'rate' in s) setRate(s.rate);
   if (motion && 'fraction' in s) { setPlaying(false); seek(s.fraction); } else setPlaying(!calm.matches);
   if ('names' in s) showNames(s.names ? state.names || null : false);
+  if ('cut' in s) setCut(s.cut.on, s.cut);
   showHandles(s.handles);
 }
 const turnPage = by => { if (slides[slide + by] && !quiz.on) showSlide(slide + by); }, darken = on => document.body.classList.toggle('night', on);

@@ -4,7 +4,7 @@ const anyOf = list => list[Math.floor(Math.random() * list.length)], shuffled = 
 /** The answer among others: those that come first in their list are kept, in any order. */
 const choicesOf = (answer, others) => shuffled([answer, ...[...new Set(others)].filter(x => x !== answer).slice(0, kShown - 1)]);
 /** Looks at a vertex as its surface faces, a little from the front. */
-const faceVertex = vertex => { lookAlong(normalOf(vertex).map((x, i) => i === 2 ? -x / 2 : -x), lesson.center, lesson.radius / Math.sin(kHalfAngle)); look(); };
+const faceVertex = vertex => { if (opened()) faceCut(); else lookAlong(normalOf(vertex).map((x, i) => i === 2 ? -x / 2 : -x), lesson.center, lesson.radius / Math.sin(kHalfAngle)); look(); };
 /** How much of a surface is seen when a name is asked: outer parts on an opaque wall, what is in it through the wall as glass. */
 const opacityFor = (s, item) => !s.wall || item && item.s === s ? 1 : 0.3;
 const showFor = item => surfaces.forEach(s => setOpacity(s, opacityFor(s, item)));
@@ -15,7 +15,7 @@ function askedAt(item) {
   for (const v of item.part ? [item.vertex] : item.s.free.slice(0, 2 * kTried)) {
     faceVertex(v); findMiddles();
     const p = project(placeOf(v)), near = i => { const q = project(placeOf(i.vertex)); return Math.hypot(q[0] - p[0], q[1] - p[1]) < 24; };
-    if (!item.ring && -dot(normalOf(v), ahead) <= kFacing || isHidden(item.s, v, item.ring)) continue;
+    if (!item.ring && facing(item.s, v) <= kFacing || isHidden(item.s, v, item.ring)) continue;
     if (others.every(i => apart(i.vertex, v) > own && !(near(i) && !isHidden(i.s, i.vertex, i.ring)))) return v;
   }
   return -1;
@@ -72,6 +72,6 @@ function setQuiz(on) {
   if (on && !quiz.on) { quiz.before = surfaces.map(s => s.now); quiz.done.clear(); } else if (!on && quiz.on) surfaces.forEach((s, i) => setOpacity(s, quiz.before[i]));
   Object.assign(quiz, {on, vertex: -1, around: -1, item: null, asked: 0, right: 0});
   document.body.classList.toggle('asking', on); $('quiz').hidden = !on; $('panel').hidden = on; $('score').textContent = '';
-  if (on) { setPlaying(false); showHandles(false); reset(); for (const s of surfaces) showSurface(s, true); askNext(); } else $('ask').focus();
+  if (on) { setPlaying(false); showHandles(false); reset(); for (const s of surfaces) showSurface(s, true); showHeart(); askNext(); } else { showHeart(); $('ask').focus(); }
   turned = changed = true;
 }

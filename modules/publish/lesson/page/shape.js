@@ -1,5 +1,6 @@
 // Where the vertices are: rest + sum c_k mode_k + sum w_h pull_h, and what follows from that.
-const points = new Float32Array(rest), pulled = new Float32Array(rest.length), normals = new Float32Array(rest.length), coefficients = new Float64Array(motion ? motion.modes : 0);
+const points = new Float32Array(3 * allVertices), pulled = new Float32Array(rest.length), normals = new Float32Array(points.length), coefficients = new Float64Array(motion ? motion.modes : 0);
+points.set(rest); carry();
 const firstInstants = motion ? motion.instants.map((_, i) => motion.instants.slice(0, i).flat().length) : [];
 const pullsOf = () => handles.filter(h => h.pull.some(x => x)), mod = (a, n) => (a % n + n) % n;
 /** The courses at an instant: cubic pieces between the motion's own instants (Hermite). */
@@ -18,7 +19,7 @@ function poseInto(out, from, to) {
     for (let i = from; i < to; ++i) out[i] += c * modes[first + i];
   }
 }
-const pose = () => { if (motion) setInstant(state.fraction, state.rate); poseInto(points, 0, points.length); };
+const pose = () => { if (motion) setInstant(state.fraction, state.rate); poseInto(points, 0, rest.length); carry(); };
 function takePulls() {
   pulled.fill(0);
   for (const h of pullsOf()) {
@@ -30,7 +31,12 @@ function takePulls() {
 /** Sums of the triangles' normals; the shader brings them to length 1. */
 function shade() {
   normals.fill(0);
-  for (let t = 0; t < triangles.length; t += 3) {
+  if (!opened()) addNormals(0, organTriangles.length);
+  else for (const s of [tissue, ...surfaces]) if (s !== outerWall) addNormals(3 * s.firstTriangle, 3 * (s.firstTriangle + s.triangleCount));
+  if (cutting()) placeFace();
+}
+function addNormals(from, to) {
+  for (let t = from; t < to; t += 3) {
     const a = 3 * triangles[t], b = 3 * triangles[t + 1], c = 3 * triangles[t + 2], px = points[a], py = points[a + 1], pz = points[a + 2];
     const ux = points[b] - px, uy = points[b + 1] - py, uz = points[b + 2] - pz, vx = points[c] - px, vy = points[c + 1] - py, vz = points[c + 2] - pz;
     const x = uy * vz - uz * vy, y = uz * vx - ux * vz, z = ux * vy - uy * vx;

@@ -12,8 +12,10 @@
 #include "viscera/core/error.h"
 #include "viscera/core/phrase.h"
 #include "viscera/core/text.h"
+#include "viscera/heart/beating_heart.h"
 #include "viscera/heart/clinical_numbers.h"
 #include "viscera/live/sequence_setup.h"
+#include "viscera/presentation/resection.h"
 
 namespace viscera::lesson {
 namespace {
@@ -178,6 +180,39 @@ Eye eyeOf(const presentation::Camera& camera) {
   return {camera.focus + back.normalized() * seen / std::tan(kHalfAngle), camera.focus};
 }
 
+PlannedCut plannedCut(const presentation::OrganCut& cut, const document::DocumentState& state) {
+  const scene::CutPlane plane = presentation::planeOf(cut, state);
+  return {plane.origin, plane.normal, cut.on, cut.blood};
+}
+
+/// The plane through the left ventricle's long axis and the middle of the right one, without what lies before
+/// it; none where the heart's frame is not known.
+std::optional<PlannedCut> fourChambers(const LessonSource& source) {
+  const heart::BeatingHeart* beating = source.sequence ? source.sequence->heart() : nullptr;
+  const std::optional<heart::HeartFrame> frame = beating ? beating->frame() : std::nullopt;
+  if (!frame)
+    return std::nullopt;
+  return PlannedCut{frame->origin(), frame->towardsApex().cross(frame->towardsRight()).normalized()};
+}
+
+/// The heart's cut and its conduction system, where the lesson has that heart.
+void addHeart(LessonPlan& plan, const LessonSource& source) {
+  const auto shown = [&](document::OrganId id) {
+    return std::any_of(plan.surfaces.begin(), plan.surfaces.end(),
+                       [id](const PlannedSurface& surface) { return surface.organ == id; });
+  };
+  const auto heart = live::sampleHeartIn(source.state);
+  if (source.tissue && heart && shown(heart->outer->id) && source.tissue->isOf(*heart)) {
+    plan.cut = plannedCut(source.cut, source.state);
+    if (const auto four = fourChambers(source); four && !source.cut.on)
+      plan.cut = four;
+  }
+  const bool ways = std::any_of(source.state.organs->begin(), source.state.organs->end(),
+                                [&](const auto& organ) { return !organ->ways.empty() && shown(organ->id); });
+  if (source.conduction && ways && source.sequence && source.sequence->heart())
+    plan.conduction = PlannedConduction{source.conductionShown};
+}
+
 /// The views that the session keeps: they show what is shown, and a motion goes on where they name no
 /// instant.
 void addKeptSlides(LessonPlan& plan, const LessonSource& source) {
@@ -187,6 +222,8 @@ void addKeptSlides(LessonPlan& plan, const LessonSource& source) {
     slide.eye = eyeOf(kept.camera);
     if (source.sequence)
       slide.fraction = kept.fraction;
+    if (plan.cut && kept.look)
+      slide.cut = plannedCut(kept.look->cut, source.state);
     plan.slides.push_back(std::move(slide));
   }
 }
@@ -280,6 +317,7 @@ LessonPlan planLesson(const LessonSource& source, const LessonSpec& spec) {
     plan.eye = eyeOf(*source.camera);
   addMotion(plan, source, spec, words);
   addHandles(plan, *state.rig, spec, words);
+  addHeart(plan, source);
   addKeptSlides(plan, source);
   addSlides(plan, state, spec);
   return plan;

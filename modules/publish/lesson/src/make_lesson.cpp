@@ -5,6 +5,7 @@
 
 #include "carried_vertices.h"
 #include "grip_handles.h"
+#include "lesson_heart.h"
 #include "viscera/coordinates/registry.h"
 #include "viscera/core/error.h"
 #include "viscera/geometry/volume.h"
@@ -259,6 +260,10 @@ Lesson makeLesson(const LessonPlan& plan, const LessonSource& source, live::Pose
   addCurves(lesson, threads);
   progress.throwIfCancelled();
   addHandles(lesson, carried, source, progress, threads);
+  if (plan.cut)
+    lesson.tissue = tissueOf(lesson, source, progress, threads);
+  if (plan.conduction)
+    lesson.conduction = conductionOf(lesson, source, progress, threads);
   progress.report(1);
   return lesson;
 }

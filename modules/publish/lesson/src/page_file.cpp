@@ -15,18 +15,12 @@
 namespace viscera::lesson {
 namespace {
 
-/// The script in the order in which its parts need one another.
-constexpr const char* kScripts[] = {"data",   "shape", "picture", "overlay", "chart",
-                                    "strain", "panel", "quiz",    "main"};
-
-QByteArray partOf(const QString& name) {
-  QFile file(QStringLiteral(":/viscera/lesson/") + name);
-  return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
-}
-
-QByteArray scriptOf() {
+/// The script in the order in which its parts need one another. What only an opened heart needs is not in
+/// other lessons.
+QByteArray scriptOf(bool heart) {
   QByteArray script = "'use strict';\n";
-  for (const char* name : kScripts)
+  for (const char* name : {"data", "shape", "picture", heart ? "heart" : "whole", "overlay", "chart",
+                           "strain", "panel", "quiz", "main"})
     script += partOf(QString::fromLatin1(name) + QStringLiteral(".js"));
   return script;
 }
@@ -48,7 +42,8 @@ QByteArray escaped(const std::string& text) {
 std::string pageOf(const Lesson& lesson) {
   ArrayPacker packer;
   const std::string json = pageJson(lesson, packer);
-  const QByteArray style = partOf(QStringLiteral("page.css")), script = scriptOf();
+  const QByteArray style = partOf(QStringLiteral("page.css")),
+                   script = scriptOf(lesson.tissue.has_value() || lesson.conduction.has_value());
   const PageWords words(lesson.plan.language);
   const std::string language = words.said(kLanguageCode);
   const bool toTheLeft = QLocale(QString::fromStdString(language)).textDirection() == Qt::RightToLeft;

@@ -162,6 +162,11 @@ std::size_t nearestRate(const std::vector<double>& rates, double wanted) {
       rates.begin());
 }
 
+ordered_json cutJson(const PlannedCut& cut) {
+  return {
+      {"origin", jsonOf(cut.origin)}, {"normal", jsonOf(cut.normal)}, {"on", cut.on}, {"blood", cut.blood}};
+}
+
 ordered_json slideJson(const Lesson& lesson, const PlannedSlide& slide) {
   ordered_json json = {{"title", slide.title},
                        {"text", slide.text},
@@ -175,6 +180,8 @@ ordered_json slideJson(const Lesson& lesson, const PlannedSlide& slide) {
     json["position"] = jsonOf(slide.eye->position);
     json["focus"] = jsonOf(slide.eye->focus);
   }
+  if (slide.cut && lesson.tissue)
+    json["cut"] = cutJson(*slide.cut);
   if (slide.seeThrough)
     json["seeThrough"] = *slide.seeThrough;
   if (lesson.courses.empty())
@@ -187,6 +194,51 @@ ordered_json slideJson(const Lesson& lesson, const PlannedSlide& slide) {
   if (slide.fraction)
     json["fraction"] = threeDecimals(*slide.fraction);
   return json;
+}
+
+ordered_json conductionJson(const Lesson& lesson) {
+  const LessonConduction& conduction = *lesson.conduction;
+  ordered_json ways = ordered_json::array(), beats = ordered_json::array();
+  for (const LessonWay& way : conduction.ways)
+    ways.push_back(
+        {{"first", way.first}, {"count", way.count}, {"width", way.widthMm}, {"reached", way.reachedMs}});
+  for (const LessonExcitation& beat : conduction.beats) {
+    ordered_json marks = ordered_json::array();
+    for (const auto& [fraction, ms] : beat.marks)
+      marks.push_back({fraction, threeDecimals(ms)});
+    beats.push_back({{"begins", beat.begins}, {"marks", std::move(marks)}});
+  }
+  return {{"on", lesson.plan.conduction->on}, {"ways", std::move(ways)}, {"beats", std::move(beats)}};
+}
+
+/// Carried points: those of the tissue, then those of the conduction system.
+void addCarried(const Lesson& lesson, ArrayPacker& packer, ordered_json& arrays) {
+  std::vector<double> rest, weights, ecg;
+  std::vector<std::int32_t> vertices;
+  const auto add = [&](const CarriedParts& parts) {
+    rest.insert(rest.end(), parts.rest.data(), parts.rest.data() + parts.rest.size());
+    vertices.insert(vertices.end(), parts.vertices.data(), parts.vertices.data() + parts.vertices.size());
+    for (const auto& row : parts.weights.rowwise()) // The last is what is left of 1.
+      weights.insert(weights.end(), row.begin(), row.end() - 1);
+  };
+  if (lesson.tissue)
+    add(lesson.tissue->inner);
+  if (lesson.conduction) {
+    add(lesson.conduction->points);
+    for (const LessonExcitation& beat : lesson.conduction->beats)
+      ecg.insert(ecg.end(), beat.ecgMv.begin(), beat.ecgMv.end());
+    arrays["ecg"] = jsonOf(packer.add(ecg, 1, kEcgStepMv));
+  }
+  arrays["inner"] = jsonOf(packer.add(rest, 3, kInnerStepMm));
+  arrays["carriers"] = jsonOf(packer.add(vertices, CarriedParts::kCarriers));
+  arrays["carried"] = jsonOf(packer.add(weights, CarriedParts::kCarriers - 1, kCarriedStep));
+  if (!lesson.tissue)
+    return;
+  const LessonTissue& tissue = *lesson.tissue;
+  const std::vector<std::int32_t> colors(tissue.colors.data(), tissue.colors.data() + tissue.colors.size());
+  arrays["innerColors"] = jsonOf(packer.add(colors, 3));
+  arrays["innerTriangles"] = jsonOf(packer.add(inOrder(tissue.triangles), 3));
+  arrays["left"] = jsonOf(packer.add(tissue.left, 1));
 }
 
 ordered_json arraysJson(const Lesson& lesson, ArrayPacker& packer) {
@@ -210,6 +262,8 @@ ordered_json arraysJson(const Lesson& lesson, ArrayPacker& packer) {
   arrays["colors"] = jsonOf(packer.add(colors, 3));
   if (!lesson.handleLabels.empty())
     arrays["weights"] = jsonOf(packer.add(inOrder(lesson.weights), 1, kWeightStep));
+  if (lesson.tissue || lesson.conduction)
+    addCarried(lesson, packer, arrays);
   return arrays;
 }
 
@@ -264,6 +318,14 @@ std::string pageJson(const Lesson& lesson, ArrayPacker& packer) {
   json["motion"] = motionJson(lesson);
   if (!lesson.strain.empty())
     json["strain"] = strainJson(lesson, words);
+  if (lesson.tissue)
+    json["tissue"] = {{"surface", lesson.tissue->surface},
+                      {"chambers", lesson.tissue->chambers},
+                      {"face", jsonOf(lesson.tissue->face)},
+                      {"vertices", lesson.tissue->inner.rest.rows()},
+                      {"cut", cutJson(*plan.cut)}};
+  if (lesson.conduction)
+    json["conduction"] = conductionJson(lesson);
   json["arrays"] = arraysJson(lesson, packer);
   return scriptSafe(json);
 }

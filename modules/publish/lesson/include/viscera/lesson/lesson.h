@@ -1,6 +1,8 @@
 #pragma once
 
+#include <array>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -38,6 +40,50 @@ struct LessonStrain {
   Table percent;                 ///< `fractions x segments`; NaN where a segment has too few points.
 };
 
+/// Points beside a lesson's surfaces that go along with some of their vertices: a point is off its place at
+/// rest by a weighted mean of what four vertices are off theirs.
+struct CarriedParts {
+  static constexpr int kCarriers = 4;
+  Points rest; ///< `n x 3` mm, LPS.
+  Eigen::Matrix<std::int32_t, Eigen::Dynamic, kCarriers, Eigen::RowMajor> vertices;
+  Table weights; ///< `n x 4`, multiples of `kCarriedStep`; the sum of a row is 1.
+};
+
+/// The walls of a heart that can be cut open, as one closed surface: its outer surface but for some triangles
+/// of that, and what lies inside.
+struct LessonTissue {
+  std::size_t surface = 0;           ///< The outer one, among the lesson's.
+  std::vector<std::size_t> chambers; ///< The cavities in it.
+  Vec3 face = Vec3::Ones();          ///< Of the walls where they are cut; red green blue, 0 to 1.
+  std::vector<std::int32_t> left;    ///< Its triangles that do not belong to the walls, ascending from 0.
+  CarriedParts inner;                ///< The walls' other vertices.
+  Colors colors;                     ///< `inner x 3`.
+  Triangles triangles;               ///< The walls' others, over the lesson's vertices, then `inner`.
+};
+
+/// A way of a heart's conduction system, as a range of the points that are carried.
+struct LessonWay {
+  Eigen::Index first = 0;
+  Eigen::Index count = 0;
+  double widthMm = 1;            ///< The radius that it is drawn with.
+  std::vector<double> reachedMs; ///< `count`, ascending.
+};
+
+/// How the excitation goes along the ways in the beat of one rate.
+struct LessonExcitation {
+  double begins = 0; ///< The fraction of the cycle at which the sinus node fires.
+  /// Fractions of the cycle after that, ascending from 0 to 1, and how far the excitation is then, ms in the
+  /// time of the ways; linear in between.
+  std::vector<std::array<double, 2>> marks;
+  std::vector<double> ecgMv; ///< `kEcgSamples` over the cycle, from fraction 0.
+};
+
+struct LessonConduction {
+  CarriedParts points;
+  std::vector<LessonWay> ways;
+  std::vector<LessonExcitation> beats; ///< One a rate.
+};
+
 /// All data of a lesson: vertices, triangles, motion and curves. Vertices of all surfaces lie one behind the
 /// other, then the handles' places.
 struct Lesson {
@@ -54,7 +100,9 @@ struct Lesson {
   std::vector<LessonSector> sectors;                 ///< Of the segments; empty without strain.
   std::vector<LessonStrain> strain;                  ///< One a course; empty without.
   std::vector<std::string> handleLabels;
-  Table weights;             ///< `handles x vertices`: how far a vertex goes with a handle.
+  Table weights;                              ///< `handles x vertices`: how far a vertex goes with a handle.
+  std::optional<LessonTissue> tissue;         ///< Where the plan has a cut.
+  std::optional<LessonConduction> conduction; ///< Where it has conduction.
   double largestErrorMm = 0; ///< Of a vertex at any rate, at and between samples, as the page computes it.
 
   Eigen::Index vertexCount() const { return colors.rows(); }
@@ -65,9 +113,15 @@ struct Lesson {
 /// How finely curves of volumes are drawn: instants spread evenly over the cycle.
 inline constexpr Eigen::Index kCurveSamples = 96;
 
+/// Of the electrocardiogram over a cycle.
+inline constexpr Eigen::Index kEcgSamples = 192;
+
 /// Steps to which a lesson's numbers are rounded.
 inline constexpr double kStepMm = 0.01;
 inline constexpr double kWeightStep = 1.0 / 1024;
+inline constexpr double kInnerStepMm = 0.05;      ///< Places of `CarriedParts`,
+inline constexpr double kCarriedStep = 1.0 / 128; ///< and their weights.
+inline constexpr double kEcgStepMv = 0.01;
 
 /// Makes a lesson: samples the motion at the plan's rates until cubic pieces between the samples reproduce
 /// it, finds its modes, and the weights of the handles to drag. `organs` are those of `source.state`, bound;

@@ -8,6 +8,7 @@
 
 #include "viscera/document/document.h"
 #include "viscera/lesson/lesson_spec.h"
+#include "viscera/live/heart_tissue.h"
 #include "viscera/live/motion_runner.h"
 #include "viscera/presentation/view_state.h"
 #include "viscera/sequences/sequence.h"
@@ -29,6 +30,12 @@ struct LessonSource {
   std::optional<presentation::Camera> camera = {};           ///< The camera at the beginning.
   std::vector<presentation::Slide> slides = {};              ///< Views that the session keeps, in order.
   anatomy::Person person = presentation::ViewState().person; ///< Whose normal ranges are shown.
+  /// Of the sample heart that the lesson can cut open; null: it has no cut.
+  std::shared_ptr<const live::HeartTissue> tissue = {};
+  /// The cut at the beginning; off, or without one: closed, and through four chambers when it is opened.
+  presentation::OrganCut cut = {};
+  bool conduction = false;      ///< Whether the lesson has the heart's conduction system,
+  bool conductionShown = false; ///< and shows it at the beginning.
 };
 
 /// A label of a lesson: a name at a place of a surface.
@@ -50,6 +57,11 @@ struct PlannedSurface {
   bool ejects = false;  ///< It is a ventricle, with stroke volume and ejection fraction.
   bool output = false;  ///< The left one: its stroke volume times the rate is the cardiac output.
   std::vector<PlannedLabel> labels;
+};
+
+/// The conduction system of the heart in a lesson.
+struct PlannedConduction {
+  bool on = false; ///< At the beginning.
 };
 
 /// A normal range that the chart of a lesson shows as a band.
@@ -88,10 +100,12 @@ struct LessonPlan {
   std::optional<Eye> eye;           ///< None: from the front.
   std::vector<std::string> handles; ///< Labels of the rig's own; empty: others are placed, or none.
   bool ownHandles = false;
-  int placedHandles = 22;    ///< When they are not the rig's own; 0: none.
-  std::vector<double> rates; ///< Ascending; empty when the organs are still.
-  double rate = 0;           ///< To begin with, one of them.
-  bool strain = false;       ///< Whether the page has a bull's eye that follows the beat.
+  int placedHandles = 22;        ///< When they are not the rig's own; 0: none.
+  std::vector<double> rates;     ///< Ascending; empty when the organs are still.
+  double rate = 0;               ///< To begin with, one of them.
+  std::optional<PlannedCut> cut; ///< At the beginning; none where the lesson cannot be cut open.
+  std::optional<PlannedConduction> conduction; ///< None where it has no conduction system.
+  bool strain = false;                         ///< Whether the page has a bull's eye that follows the beat.
 };
 
 /// Plans a lesson of the organs that are shown: titles from their names, ("LV" becomes "Left ventricle"),

@@ -15,6 +15,14 @@ struct Eye {
   Vec3 focus = Vec3::Zero();
 };
 
+/// The plane at which a lesson's heart is cut open; it stands still while the heart moves.
+struct PlannedCut {
+  Vec3 origin = Vec3::Zero();  ///< mm, LPS.
+  Vec3 normal = Vec3::UnitY(); ///< Unit, towards the part that stays.
+  bool on = false;
+  bool blood = false; ///< The chambers are full of blood, else empty.
+};
+
 /// A slide of a lesson: a view with its caption.
 struct PlannedSlide {
   std::string title = {};
@@ -29,6 +37,7 @@ struct PlannedSlide {
   std::optional<double> seeThrough = {};        ///< Opacity of the walls, [0, 1].
   std::optional<bool> names = {};               ///< Whether names are shown; empty: the reader's choice.
   bool handles = false;
+  std::optional<PlannedCut> cut = {}; ///< Of a session's slide; empty: as the reader has it.
 };
 
 /// A label of a lesson specification: a name and where it belongs.
