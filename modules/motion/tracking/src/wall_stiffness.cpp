@@ -101,7 +101,7 @@ WallStiffness::WallStiffness(const MotionRig& rig, std::size_t outer, Progress& 
   options.threads = threads;
   coordinates::HandleSet handles;
   handles.positions = rig.rest();
-  const Points points = pointsOf(grid.points);
+  const Points points = viscera::pointsOf(grid.points);
   const auto bound =
       deformation::bindWitnesses(*coordinates::sCelestial(), handles, points, options, progress);
   const Eigen::Index n = rig.handles(), count = points.rows();
