@@ -1,6 +1,7 @@
 #include "heart_picture.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace viscera::presentation {
 namespace {
@@ -11,6 +12,8 @@ bool sameHeart(const OpenedHeart& a, const OpenedHeart& b) {
 
 /// Blood rich and poor in oxygen, as atlases paint it.
 const std::array<Vec3, 2> kBloodColors = {Vec3(0.78, 0.16, 0.15), Vec3(0.27, 0.36, 0.66)};
+/// So near to the cut, vessels in the muscle are seen in its face.
+constexpr double kSeenInFaceMm = 1.5;
 /// The ventricle of each side; one that is hidden has no blood.
 constexpr std::array<const char*, 2> kVentricles = {"lv", "rv"};
 
@@ -145,9 +148,12 @@ HeartPicture::vesselNames(const scene::CutPlane& plane) const {
   const auto& vessels = tissue_->vessels().vessels();
   for (std::size_t i = 0; i < vessels.size(); ++i) {
     std::vector<Eigen::Index> kept;
-    for (Eigen::Index p = 0; p < vessels[i].axis.rows(); ++p)
-      if ((vessels[i].axis.row(p).transpose() - plane.origin).dot(plane.normal) > 0)
+    const double highest = vessels[i].inWall ? kSeenInFaceMm : std::numeric_limits<double>::infinity();
+    for (Eigen::Index p = 0; p < vessels[i].axis.rows(); ++p) {
+      const double height = (vessels[i].axis.row(p).transpose() - plane.origin).dot(plane.normal);
+      if (height > 0 && height < highest)
         kept.push_back(tissue_->vessels().first(i) + p);
+    }
     auto& [most, where] = best[vessels[i].name];
     if (kept.size() > most) {
       most = kept.size();

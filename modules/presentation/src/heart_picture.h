@@ -45,7 +45,8 @@ public:
   std::vector<Layer> layers() const;
   /// The lines of the vessels in the present pose, all in one; they stay the same object.
   const std::shared_ptr<const Points>& vesselLines() const { return namedLines_; }
-  /// A place on the lines for each name of a vessel that the cut leaves something of.
+  /// A place on the lines for each name of a vessel that the cut leaves something of; in the muscle, of one
+  /// that it meets.
   std::vector<std::pair<std::string, Eigen::Index>> vesselNames(const scene::CutPlane& plane) const;
 
   /// Leaves the surfaces of an opened heart undrawn in the appearances.

@@ -240,7 +240,8 @@ void Presenter::Parts::updateLabels(const Scene& scene, bool others) {
     wanted.parts = *scene.parts;
   wanted.ofConduction = conduction.drawn() && scene.view.partNames && !scene.parts;
   if (scene.view.partNames && !scene.parts) {
-    wanted.chords = valves.chordNames();
+    if (!heart.full()) // Blood hides them.
+      wanted.chords = valves.chordNames();
     if (cut.plane())
       wanted.vessels = heart.vesselNames(*cut.plane());
   }

@@ -157,6 +157,7 @@ private:
       const Vec3 color = vessel.vector("paint", geometry::NamedVessel{}.color);
       surface.vessels.push_back(vesselAlong(axisFrom(vessel), color));
       surface.vessels.back().name = vessel.text("name");
+      surface.vessels.back().inWall = true;
       vessel.requireNothingElse();
     }
   }

@@ -12,6 +12,7 @@ struct NamedVessel {
   Vec3 color = Vec3::Ones(); ///< Red green blue, 0 to 1.
   Points axis;               ///< `n x 3`, mm, LPS, at rest; two at least.
   Values radii;              ///< `n`, mm.
+  bool inWall = false;       ///< It runs in the organ, so that only a cut shows it.
 };
 
 } // namespace viscera::geometry
