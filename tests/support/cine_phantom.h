@@ -17,7 +17,7 @@ namespace viscera::tests {
 
 /// Defects of the images.
 struct CineFaults {
-  double noise = 10;    ///< Of grey values; blood has 300 and muscle 100.
+  double noise = 10;    ///< Deviation of grey values; blood has 300 and muscle 100.
   double breathMm = 3;  ///< How far each plane's content lies aside, in its plane.
   bool longAxis = true; ///< Whether there are long-axis planes.
 };

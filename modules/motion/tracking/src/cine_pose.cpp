@@ -16,10 +16,11 @@ constexpr double kClosureMm = 2;
 constexpr double kGateMm = 8, kWideGateMm = 12, kWithinGateMm = 12;
 constexpr int kWideSteps = 3, kWaySteps = 8, kHandleSteps = 4;
 constexpr double kLongestWayStep = 0.25, kStillWay = 0.003, kStillHandleMm = 0.15, kLongestStepMm = 10;
-/// Of strain, bending between neighbours and handles' own bending against the mean squared distance, mm^2.
+/// Costs of strain, bending between neighbours and handles' own bending against the mean squared distance,
+/// mm^2.
 constexpr double kStrainCost = 2, kBendingCost = 12, kHandleCost = 1e-4;
 constexpr double kPoseFloor = 1e-7;
-constexpr double kWithinWeight = 0.3, kRimWeight = 2; ///< Of long-axis rows within the plane.
+constexpr double kWithinWeight = 0.3, kRimWeight = 2; ///< Long-axis rows within the plane.
 /// Below this det F tissue resists, more the flatter it is: the cost of a point, mm^2.
 constexpr double kLeastRatio = 0.2, kRatioCost = 0.05;
 

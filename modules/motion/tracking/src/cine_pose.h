@@ -62,7 +62,7 @@ private:
   const std::vector<bool>& isLong_;
   const std::vector<CinePlane>& planes_;
   double time_;                          ///< Part of the way in time.
-  std::vector<std::vector<bool>> isCap_; ///< Of each surface's triangles; empty where none is.
+  std::vector<std::vector<bool>> isCap_; ///< For each surface's triangles.
   std::vector<Tissue> tissue_;
 };
 

@@ -34,13 +34,13 @@ struct CineFitOptions {
 struct PlaneShare {
   double weight = 0;    ///< 0 to 1: of its contours, on average.
   double closureMm = 0; ///< How far its tissue arrived from the next labelled surface, the median.
-  double apartMm = 0;   ///< Of its tissue from the fitted surfaces, the mean by weight.
-  int points = 0;       ///< Of contours; 0: it shows no wall, or has no image in that phase.
+  double apartMm = 0;   ///< Its tissue from the fitted surfaces, the mean by weight.
+  int points = 0;       ///< On contours; 0: it shows no wall, or has no image in that phase.
 };
 
 /// A motion found between labelled phases.
 struct CineFit {
-  MotionFit motion;                            ///< As of a series in which every phase is labelled.
+  MotionFit motion;                            ///< Like that of a series in which every phase is labelled.
   std::vector<std::vector<PlaneShare>> planes; ///< `[phase][plane]`; none in labelled phases.
   /// How far each phase is from the labelled phase before to the next one, as the images say it, before its
   /// handles are fitted one by one; 0 in a labelled phase.
