@@ -8,6 +8,7 @@
 #include <benchmark/benchmark.h>
 
 #include "build_paths.h"
+#include "cine_phantom.h"
 #include "measured_beat.h"
 #include "viscera/core/progress.h"
 #include "viscera/live/motion_series.h"
@@ -151,10 +152,35 @@ void realRightVentricle(benchmark::State& state) {
   state.counters["ef"] = found.indices.begin()->second.ejectionFraction;
 }
 
+/// A motion between two labelled phases, from the images of a phantom; the argument is the noise of their
+/// grey values.
+void cinePhantom(benchmark::State& state) {
+  const tracking::MotionRig rig = tests::CinePhantom::rig();
+  const auto planes = tests::CinePhantom::planes({.noise = static_cast<double>(state.range(0))});
+  tracking::CineFit fit;
+  for (auto _ : state) {
+    Progress progress;
+    fit = tracking::fitCine(
+        rig, {tests::CinePhantom::labelled(0), tests::CinePhantom::labelled(tests::CinePhantom::kSystole)},
+        planes, tracking::PhaseTimes::even(tests::CinePhantom::kPhases, 0.8), {}, progress);
+  }
+  double mean = 0, worst = 0;
+  for (std::size_t phase = 0; phase < tests::CinePhantom::kPhases; ++phase) {
+    const double volume = rig.volumesMl(rig.vertices(fit.motion.poses[phase]))[1];
+    const double off = std::abs(volume - tests::CinePhantom::volumeMl(1, phase));
+    mean += off / static_cast<double>(tests::CinePhantom::kPhases - 2);
+    worst = std::max(worst, off);
+  }
+  const double full = tests::CinePhantom::volumeMl(1, 0);
+  state.counters["volume_mean_percent"] = 100 * mean / full;
+  state.counters["volume_worst_percent"] = 100 * worst / full;
+}
+
 } // namespace
 
 #define VISCERA_ONCE ->Unit(benchmark::kSecond)->UseRealTime()->MeasureProcessCPUTime()->Iterations(1)
 BENCHMARK(realRightVentricle)->Arg(30)->Arg(60)->Arg(120) VISCERA_ONCE;
+BENCHMARK(cinePhantom)->Arg(0)->Arg(10)->Arg(30) VISCERA_ONCE;
 BENCHMARK(surfacesOfTheSampleHeart) VISCERA_ONCE;
 BENCHMARK(thickSlices) VISCERA_ONCE;
 BENCHMARK(oneMillimetre) VISCERA_ONCE;

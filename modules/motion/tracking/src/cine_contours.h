@@ -16,7 +16,7 @@ struct CineContour {
   Values onRim;            ///< 1 for those near the rim of a cap, else 0.
   /// One for each phase of the chain, the next labelled one last; without rows where there is no image.
   std::vector<PlaneTracker::Followed> followed;
-  /// At the next labelled phase: how far the tissue arrives from its surface there, and from its contour in
+  /// How far, at the next labelled phase, the tissue arrives from its surface there, and from its contour in
   /// the plane, smoothed and limited: what has drifted.
   Values closure;
   Points drift;

@@ -68,35 +68,81 @@ std::vector<FreePhase> freePhases(const std::vector<CineSegment>& segments) {
   return phases;
 }
 
-/// The phases with most and least blood: in the cavities together, or in the only surface.
-void findEnds(const MotionRig& rig, std::size_t outer, CineFit& fit) {
-  double most = -1, least = -1;
+/// The phases with most and least blood, in the cavities together or in the only surface: of the labelled
+/// ones, and of all by the images.
+void findEnds(const MotionRig& rig, const std::vector<LabelledPose>& poses, std::size_t outer, CineFit& fit) {
+  std::vector<double> bloodMl;
+  const auto bloodOf = [&](const Values& volumes) {
+    return volumes.size() > 1 ? volumes.sum() - volumes[static_cast<Eigen::Index>(outer)] : volumes[0];
+  };
+  for (const Values& volumes : fit.motion.freeVolumesMl)
+    bloodMl.push_back(bloodOf(volumes));
+  for (const LabelledPose& pose : poses)
+    bloodMl[pose.phase] = bloodOf(rig.volumesMl(pose.vertices));
+  const auto blood = [&](std::size_t phase) { return bloodMl[phase]; };
+  fit.endDiastole = fit.endSystole = poses.front().phase;
+  for (const LabelledPose& pose : poses) {
+    fit.endDiastole = blood(pose.phase) > blood(fit.endDiastole) ? pose.phase : fit.endDiastole;
+    fit.endSystole = blood(pose.phase) < blood(fit.endSystole) ? pose.phase : fit.endSystole;
+  }
+  fit.fullest = fit.endDiastole;
+  fit.emptiest = fit.endSystole;
   for (std::size_t phase = 0; phase < fit.motion.poses.size(); ++phase) {
-    const Values volumes = rig.volumesMl(rig.vertices(fit.motion.poses[phase]));
-    const double blood =
-        volumes.size() > 1 ? volumes.sum() - volumes[static_cast<Eigen::Index>(outer)] : volumes[0];
-    if (most < 0 || blood > most) {
-      most = blood;
-      fit.endDiastole = phase;
-    }
-    if (least < 0 || blood < least) {
-      least = blood;
-      fit.endSystole = phase;
-    }
+    fit.fullest = blood(phase) > blood(fit.fullest) ? phase : fit.fullest;
+    fit.emptiest = blood(phase) < blood(fit.emptiest) ? phase : fit.emptiest;
   }
 }
 
+/// The volumes of the labels, between which those of all phases lie: of cavities, or of the only surface.
+class LabelledVolumes {
+public:
+  LabelledVolumes(const MotionRig& rig, const std::vector<LabelledPose>& poses, std::size_t outer)
+      : outer_(rig.surfaces().size() > 1 ? static_cast<Eigen::Index>(outer) : -1) {
+    for (const LabelledPose& pose : poses) {
+      const Values volumes = rig.volumesMl(pose.vertices);
+      least_ = least_.size() > 0 ? Values(least_.cwiseMin(volumes)) : volumes;
+      most_ = most_.size() > 0 ? Values(most_.cwiseMax(volumes)) : volumes;
+    }
+  }
+  Values within(const Values& volumes) const {
+    Values result = volumes.cwiseMax(least_).cwiseMin(most_);
+    if (outer_ >= 0)
+      result[outer_] = volumes[outer_];
+    return result;
+  }
+
+private:
+  Eigen::Index outer_; ///< Whose volume is free; -1 for none.
+  Values least_, most_;
+};
+
 /// The part of the fit that belongs to one phase between labelled ones.
-void fitFreePhase(const MotionRig& rig, const CinePose& images, const WallStiffness& stiffness,
-                  std::size_t phase, CineFit& fit, std::vector<std::uint8_t>& heldBack) {
-  fit.parts[phase] = images.partOfWay();
-  bool held = false;
-  Points pose = images.fitted(images.between(fit.parts[phase]), stiffness, held);
-  heldBack[phase] = held;
-  fit.planes[phase] = images.shares(pose);
-  fit.motion.freeVolumesMl[phase] = rig.volumesMl(rig.vertices(pose));
-  fit.motion.poses[phase] = std::move(pose);
-}
+class FreePhaseFit {
+public:
+  FreePhaseFit(const MotionRig& rig, const WallStiffness& stiffness, const LabelledVolumes& labels,
+               bool keepVolumes)
+      : rig_(rig), stiffness_(stiffness), labels_(labels), keepVolumes_(keepVolumes) {}
+
+  void run(const CinePose& images, std::size_t phase, CineFit& fit,
+           std::vector<std::uint8_t>& heldBack) const {
+    fit.parts[phase] = images.partOfWay();
+    bool held = false;
+    Points pose = images.fitted(images.between(fit.parts[phase]), stiffness_, held);
+    heldBack[phase] = held;
+    const Values volumes = rig_.volumesMl(rig_.vertices(pose)), wanted = labels_.within(volumes);
+    if (keepVolumes_ && wanted != volumes)
+      fit.motion.volumes[phase] = images.giveVolumes(wanted, stiffness_, pose);
+    fit.planes[phase] = images.shares(pose);
+    fit.motion.freeVolumesMl[phase] = volumes;
+    fit.motion.poses[phase] = std::move(pose);
+  }
+
+private:
+  const MotionRig& rig_;
+  const WallStiffness& stiffness_;
+  const LabelledVolumes& labels_;
+  bool keepVolumes_;
+};
 
 /// Sizes everything for so many phases; volumes that nothing asks for count as met.
 CineFit emptyFit(std::size_t phases, std::size_t planes, Eigen::Index surfaces, bool keepVolumes) {
@@ -150,6 +196,8 @@ CineFit fitCine(const MotionRig& rig, std::vector<LabelledPhase> labelled,
   });
   const std::vector<bool> isLong = longAxisPlanes(planes);
   const std::vector<FreePhase> free = freePhases(segments);
+  const LabelledVolumes labels(rig, poses, outer);
+  const FreePhaseFit phaseFit(rig, *stiffness, labels, options.keepVolumes);
   std::vector<std::uint8_t> heldBack(times.count(), 0);
   std::atomic<int> done{0};
   parallelRanges(static_cast<Eigen::Index>(free.size()), 1, threads, [&](Eigen::Index begin, Eigen::Index) {
@@ -157,12 +205,12 @@ CineFit fitCine(const MotionRig& rig, std::vector<LabelledPhase> labelled,
     const auto& [segment, at] = free[static_cast<std::size_t>(begin)];
     const CinePose images(rig, *segment, at, poses[segment->from], poses[segment->to], isLong, planes,
                           options.caps);
-    fitFreePhase(rig, images, *stiffness, segment->phases[at], fit, heldBack);
+    phaseFit.run(images, segment->phases[at], fit, heldBack);
     progress.report(0.6 + 0.4 * ++done / static_cast<double>(free.size()), "fitting the images");
   });
   keepEnds(poses, fit.motion);
   fit.heldBack.assign(heldBack.begin(), heldBack.end());
-  findEnds(rig, outer, fit);
+  findEnds(rig, poses, outer, fit);
   progress.report(1);
   return fit;
 }

@@ -6,8 +6,6 @@
 #include <numbers>
 #include <utility>
 
-#include <Eigen/Cholesky>
-
 #include "nearest_place.h"
 #include "viscera/geometry/normals.h"
 
@@ -18,10 +16,11 @@ constexpr double kClosureMm = 2;
 constexpr double kGateMm = 8, kWideGateMm = 12, kWithinGateMm = 12;
 constexpr int kWideSteps = 3, kWaySteps = 8, kHandleSteps = 4;
 constexpr double kLongestWayStep = 0.25, kStillWay = 0.003, kStillHandleMm = 0.15, kLongestStepMm = 10;
-/// Of strain, bending between neighbours and handles' own bending against the mean squared distance, mm^2.
+/// Costs of strain, bending between neighbours and handles' own bending against the mean squared distance,
+/// mm^2.
 constexpr double kStrainCost = 2, kBendingCost = 12, kHandleCost = 1e-4;
 constexpr double kPoseFloor = 1e-7;
-constexpr double kWithinWeight = 0.3, kRimWeight = 2; ///< Of long-axis rows within the plane.
+constexpr double kWithinWeight = 0.3, kRimWeight = 2; ///< Long-axis rows within the plane.
 /// Below this det F tissue resists, more the flatter it is: the cost of a point, mm^2.
 constexpr double kLeastRatio = 0.2, kRatioCost = 0.05;
 
@@ -147,8 +146,14 @@ double CinePose::partOfWay() const {
   return part;
 }
 
-Points CinePose::step(const Points& pose, const Points& prior, const Eigen::MatrixXd& hold,
-                      const WallStiffness& stiffness) const {
+Points CinePose::System::solve(const Points& right) const {
+  const Eigen::VectorXd stacked = right.reshaped();
+  const Eigen::VectorXd found = matrix.solve(stacked);
+  return found.reshaped(right.rows(), 3);
+}
+
+CinePose::System CinePose::systemAt(const Points& pose, const Points& prior,
+                                    const WallStiffness& stiffness) const {
   static constexpr std::array<std::pair<int, int>, 6> kBlocks = {
       {{0, 0}, {1, 0}, {1, 1}, {2, 0}, {2, 1}, {2, 2}}};
   const Rows rows = rowsAt(pose, kGateMm, true);
@@ -159,8 +164,10 @@ Points CinePose::step(const Points& pose, const Points& prior, const Eigen::Matr
   const Eigen::MatrixXd handles = rows.handles(used, Eigen::all);
   const Points direction = rows.direction(used, Eigen::all);
   const Values weight = rows.weight(used) / (rows.weight.sum() + 1e-9), apart = rows.apart(used);
+  const Eigen::MatrixXd hold =
+      kStrainCost * stiffness.strain() + kBendingCost * stiffness.bending() + kHandleCost * rig_.bending();
   const Eigen::Index n = rig_.handles();
-  Eigen::MatrixXd matrix(3 * n, 3 * n);
+  Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(3 * n, 3 * n);
   for (const auto& [row, column] : kBlocks) {
     const Values scale = weight.cwiseProduct(direction.col(row)).cwiseProduct(direction.col(column));
     Eigen::MatrixXd block = handles.transpose() * (scale.asDiagonal() * handles);
@@ -180,17 +187,14 @@ Points CinePose::step(const Points& pose, const Points& prior, const Eigen::Matr
       gradient += kRatioCost * (kLeastRatio - ratios[point]) * slope;
     }
   matrix.diagonal().array() += kPoseFloor;
-  const Eigen::VectorXd stacked = gradient.reshaped();
-  const Eigen::VectorXd found = matrix.selfadjointView<Eigen::Lower>().llt().solve(stacked);
-  return found.reshaped(n, 3);
+  return {matrix.selfadjointView<Eigen::Lower>().llt(), std::move(gradient)};
 }
 
 Points CinePose::fitted(const Points& prior, const WallStiffness& stiffness, bool& heldBack) const {
-  const Eigen::MatrixXd hold =
-      kStrainCost * stiffness.strain() + kBendingCost * stiffness.bending() + kHandleCost * rig_.bending();
   Points pose = prior;
   for (int round = 0; round < kHandleSteps && !tissue_.empty(); ++round) {
-    const Points change = step(pose, prior, hold, stiffness);
+    const System system = systemAt(pose, prior, stiffness);
+    const Points change = system.solve(system.gradient);
     const double largest = std::sqrt(rig_.vertices(change).rowwise().squaredNorm().maxCoeff());
     pose += std::min(1.0, kLongestStepMm / std::max(largest, 1e-9)) * change;
     if (largest < kStillHandleMm)
@@ -206,6 +210,13 @@ Points CinePose::fitted(const Points& prior, const WallStiffness& stiffness, boo
     pose = prior + part * all;
   }
   return pose;
+}
+
+VolumeResidual CinePose::giveVolumes(const Values& wantedMl, const WallStiffness& stiffness,
+                                     Points& pose) const {
+  const System system = systemAt(pose, pose, stiffness);
+  return solveVolumes(
+      rig_, wantedMl, [&](const Points& gradient) { return system.solve(gradient); }, pose);
 }
 
 std::vector<PlaneShare> CinePose::shares(const Points& pose) const {

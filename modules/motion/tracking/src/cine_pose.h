@@ -2,6 +2,8 @@
 
 #include <vector>
 
+#include <Eigen/Cholesky>
+
 #include "cine_contours.h"
 #include "wall_stiffness.h"
 
@@ -22,6 +24,8 @@ public:
   Points between(double part) const { return from_.pose + part * (to_.pose - from_.pose); }
   /// The handles about that pose. `heldBack` is set where the tissue would have folded.
   Points fitted(const Points& prior, const WallStiffness& stiffness, bool& heldBack) const;
+  /// `pose` changed to such volumes of the surfaces, ml, at the least cost of its fit.
+  VolumeResidual giveVolumes(const Values& wantedMl, const WallStiffness& stiffness, Points& pose) const;
   /// What each plane contributed.
   std::vector<PlaneShare> shares(const Points& pose) const;
 
@@ -43,8 +47,14 @@ private:
   Rows rowsAt(const Points& pose, double gateMm, bool within) const;
   Eigen::Index acrossRows(const Points& vertices, double gateMm, Rows& rows) const;
   void withinRows(const Points& pose, Eigen::Index first, Rows& rows) const;
-  Points step(const Points& pose, const Points& prior, const Eigen::MatrixXd& hold,
-              const WallStiffness& stiffness) const;
+  /// The normal equations of a Gauss-Newton step, x, y and z of all handles below each other.
+  struct System {
+    Eigen::LLT<Eigen::MatrixXd> matrix;
+    Points gradient;
+
+    Points solve(const Points& right) const;
+  };
+  System systemAt(const Points& pose, const Points& prior, const WallStiffness& stiffness) const;
 
   const MotionRig& rig_;
   const LabelledPose& from_;
@@ -52,7 +62,7 @@ private:
   const std::vector<bool>& isLong_;
   const std::vector<CinePlane>& planes_;
   double time_;                          ///< Part of the way in time.
-  std::vector<std::vector<bool>> isCap_; ///< Of each surface's triangles; empty where none is.
+  std::vector<std::vector<bool>> isCap_; ///< For each surface's triangles.
   std::vector<Tissue> tissue_;
 };
 

@@ -7,7 +7,7 @@
 namespace viscera::tracking {
 namespace {
 
-constexpr double kCutOff = 4; ///< Of a Gaussian, in its widths.
+constexpr double kCutOff = 4; ///< Where a Gaussian ends, in its widths.
 
 std::vector<float> gaussianOf(double sigma) {
   const int radius = static_cast<int>(kCutOff * sigma + 0.5);

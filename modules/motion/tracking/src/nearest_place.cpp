@@ -75,7 +75,7 @@ SurfacePlace NearestPlace::of(const Vec3& point) const {
       const Vec3 weights = nearestOfTriangle(point, a, b, c);
       const Vec3 at = weights[0] * a + weights[1] * b + weights[2] * c;
       const double apart = (point - at).squaredNorm();
-      // Of two that are as near the first one by its number, whatever the order of the tree.
+      // Where two are as near, the first one by its number, whatever the order of the tree.
       if (apart < least || (apart == least && t < best.triangle)) {
         least = apart;
         best = {t, weights, at, 0};

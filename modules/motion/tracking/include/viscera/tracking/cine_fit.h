@@ -25,25 +25,31 @@ struct CineFitOptions {
   /// The triangles of each surface that close an opening and are no wall, such as those of valves; empty for
   /// a surface without them, or for all.
   std::vector<std::vector<Eigen::Index>> caps = {};
-  bool keepVolumes = true; ///< Of labelled phases, exactly.
+  /// Labelled phases have their volumes exactly, and no cavity (or only surface) of another phase is larger
+  /// or smaller than all labels: ejection fraction and stroke volume are those of the labels.
+  bool keepVolumes = true;
 };
 
 /// What one plane contributed to one phase.
 struct PlaneShare {
   double weight = 0;    ///< 0 to 1: of its contours, on average.
   double closureMm = 0; ///< How far its tissue arrived from the next labelled surface, the median.
-  double apartMm = 0;   ///< Of its tissue from the fitted surfaces, the mean by weight.
-  int points = 0;       ///< Of contours; 0: it shows no wall, or has no image in that phase.
+  double apartMm = 0;   ///< Its tissue from the fitted surfaces, the mean by weight.
+  int points = 0;       ///< On contours; 0: it shows no wall, or has no image in that phase.
 };
 
 /// A motion found between labelled phases.
 struct CineFit {
-  MotionFit motion;                            ///< As of a series in which every phase is labelled.
+  MotionFit motion;                            ///< Like that of a series in which every phase is labelled.
   std::vector<std::vector<PlaneShare>> planes; ///< `[phase][plane]`; none in labelled phases.
   /// How far each phase is from the labelled phase before to the next one, as the images say it, before its
   /// handles are fitted one by one; 0 in a labelled phase.
   std::vector<double> parts;
-  std::size_t endDiastole = 0, endSystole = 0; ///< The phases with most and least blood in the cavities.
+  /// The labelled phases with most and least blood in the cavities, or in the only surface.
+  std::size_t endDiastole = 0, endSystole = 0;
+  /// The phases with most and least of it as the images say, before volumes were kept: where another one than
+  /// the label is clearly emptier, end of systole was labelled elsewhere.
+  std::size_t fullest = 0, emptiest = 0;
   /// Whether a phase was taken back towards the one between its labelled phases, since its tissue would fold.
   std::vector<bool> heldBack;
 };
@@ -52,9 +58,9 @@ struct CineFit {
 /// images of a cine study between them. docs/patient_motion.md has the method: contours of the labelled
 /// surfaces are followed in every plane from both sides; one number a phase places it between its labelled
 /// phases; then the handles about that pose, at least strain of the wall. A labelled phase has its measured
-/// volumes, the others those of the images. `times` are those of all phases; a plane's images are matched by
-/// parts of the cycle. Phases outside the labelled ones of a series that is no loop keep the nearest one's
-/// pose.
+/// volumes, the others those of the images, within the labels'. `times` are those of all phases; a plane's
+/// images are matched by parts of the cycle. Phases outside the labelled ones of a series that is no loop
+/// keep the nearest one's pose.
 ///
 /// Bitwise independent of the number of threads. About a second a phase for eleven planes. Throws `DataError`
 /// for fewer than two labelled phases or one named twice, what `requireValid` throws, `Cancelled`.

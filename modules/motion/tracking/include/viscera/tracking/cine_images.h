@@ -29,7 +29,7 @@ struct CinePlane {
   Vec3 origin = Vec3::Zero();                               ///< The centre of the first pixel.
   Vec3 alongRow = Vec3::UnitX();                            ///< Unit; the way in which column numbers grow.
   Vec3 alongColumn = Vec3::UnitY();                         ///< Unit; the way in which row numbers grow.
-  Eigen::Vector2d spacing = Eigen::Vector2d::Constant(1.0); ///< Of columns, and of rows, mm.
+  Eigen::Vector2d spacing = Eigen::Vector2d::Constant(1.0); ///< Between columns, and rows, mm.
   /// When each image was taken: the part of the plane's own interval, in [0, 1), ascending. Planes are taken
   /// in different breath-holds with intervals that differ, so that only parts compare.
   std::vector<double> fractions;
