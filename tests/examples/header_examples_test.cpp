@@ -45,6 +45,7 @@
 #include "viscera/live/player.h"
 #include "viscera/live/strain_reading.h"
 #include "viscera/localised_scc/region_layout.h"
+#include "viscera/medical_io/cine_study.h"
 #include "viscera/medical_io/contour.h"
 #include "viscera/medical_io/scan.h"
 #include "viscera/medical_io/slice_frame.h"
@@ -150,6 +151,16 @@ Points cubeCorners() {
   const Scan scan = readScan("ct.nii.gz", {}, progress);
   const std::optional<double> hu = scan.at(Vec3(12, -40, 310));
   return hu;
+}
+
+[[maybe_unused]] std::vector<std::shared_ptr<const medical_io::CineImage>> endSystolicImages() {
+  using namespace medical_io; // There is no such folder.
+  Progress progress;
+  const CineStudy study = readCineStudy("patient1", progress);
+  std::vector<std::shared_ptr<const CineImage>> endSystole;
+  for (const CineSlice& slice : study.slices)
+    endSystole.push_back(slice.image(slice.phaseAt(0.35)));
+  return endSystole;
 }
 
 [[maybe_unused]] void writeAsTheWindow() {

@@ -7,6 +7,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "cli/cine_info.h"
 #include "cli/inputs.h"
 #include "cli/listing.h"
 #include "cli/patient_info.h"
@@ -324,8 +325,22 @@ private:
     return entry.increment(error) == end ? std::optional(file) : std::nullopt;
   }
 
-  /// Describes the first of several volumes, as of a scan, unless the user asks for another.
+  /// Describes a cine study, unless the user asks for one series or phase of it; else the first of several
+  /// volumes, as of a scan.
   Outcome describeImage(CommandContext& context) const {
+    std::vector<Text> warnings;
+    if (scan_.chosen().series.empty() && !scan_.chosenPhase())
+      if (auto study = describeCine(file_, context, warnings))
+        return std::move(*study);
+    Outcome outcome = describeOneImage(context);
+    if (!warnings.empty()) {
+      outcome.warnings.insert(outcome.warnings.begin(), warnings.begin(), warnings.end());
+      outcome.json["warnings"] = outcome.warnings;
+    }
+    return outcome;
+  }
+
+  Outcome describeOneImage(CommandContext& context) const {
     const auto read = [&](std::optional<int> phase) {
       return medical_io::readScanOrLabels(file_, scan_.chosen(), context.progress, phase);
     };

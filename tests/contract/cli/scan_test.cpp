@@ -2,6 +2,7 @@
 #include <filesystem>
 
 #include "build_paths.h"
+#include "cine_pictures.h"
 #include "cli_test.h"
 #include "dicom_slices.h"
 #include "phantom_scan.h"
@@ -65,6 +66,44 @@ TEST_F(CliScan, InfoOfADicomFolderNamesWhatIsOdd) {
   EXPECT_EQ(info["size"][2], 12);
   EXPECT_EQ(info["warnings"].size(), 2U);
   expectFailure({"info", path("dicom"), "--series", "9.9"}, kUsage, "It has no series 9.9");
+}
+
+TEST_F(CliScan, InfoListsACineStudyAsOnePatient) {
+  std::filesystem::create_directories(path("cine"));
+  std::string cut;
+  for (tests::CinePicture picture :
+       {tests::shortAxisPicture(1, 0, 860), tests::shortAxisPicture(2, 17.7, 776),
+        tests::longAxisPicture(6, 121, 900)})
+    for (picture.phase = 0; picture.phase < picture.phases; ++picture.phase) {
+      std::string bytes = tests::dicomBytes(tests::cineElements(picture));
+      if (picture.series == 2 && picture.phase == 4) {
+        bytes.resize(bytes.size() - 10);
+        cut = tests::cineFileName(picture);
+      }
+      put("cine/" + tests::cineFileName(picture), bytes);
+    }
+  const json info = runJson({"info", path("cine")});
+  EXPECT_EQ(info["kind"], "cine study");
+  EXPECT_EQ(info["date"], "20240301");
+  ASSERT_EQ(info["series"].size(), 3U);
+  EXPECT_EQ(info["series"][1]["number"], 2);
+  EXPECT_EQ(info["series"][1]["description"], "cine");
+  EXPECT_EQ(info["series"][1]["spacingMm"], json::array({2.0, 2.0}));
+  EXPECT_EQ(info["series"][1]["thicknessMm"], 6);
+  const json slice = info["series"][1]["slices"][0];
+  EXPECT_EQ(slice["plane"], "short axis");
+  EXPECT_EQ(slice["phases"], 11);
+  ASSERT_EQ(slice["missingFractions"].size(), 1U);
+  EXPECT_NEAR(slice["missingFractions"][0].get<double>(), 1.0 / 3, 1e-6);
+  EXPECT_NEAR(slice["intervalMs"].get<double>(), 776, 1e-9);
+  EXPECT_EQ(info["series"][2]["slices"][0]["plane"], "4-chamber");
+  ASSERT_EQ(info["stacks"].size(), 1U);
+  EXPECT_EQ(info["stacks"][0]["series"], json::array({1, 2}));
+  EXPECT_NEAR(info["stacks"][0]["gapsMm"][0].get<double>(), 11.7, 1e-6);
+  const std::string warnings = info["warnings"].dump();
+  EXPECT_NE(warnings.find(cut), std::string::npos) << warnings;
+  EXPECT_NE(warnings.find("phase 4 of series 2"), std::string::npos) << warnings;
+  EXPECT_EQ(runJson({"info", path("cine"), "--phase", "1"})["kind"], "scan");
 }
 
 TEST_F(CliScan, InfoNamesTheOtherHalfOfThePatientBesideIt) {
