@@ -7086,6 +7086,252 @@
         <source>Tissue is swollen to %1 % of its volume. Living tissue, mostly water, hardly changes its volume; the coordinates do not know that. A smaller motion, more handles or a locked volume help.</source>
         <translation>El teixit està inflat al %1 % del seu volum. El teixit viu, sobretot aigua, gairebé no canvia de volum; les coordenades no ho saben. Un moviment més petit, més tiradors o un volum bloquejat hi ajuden.</translation>
     </message>
+    <message>
+        <source>Chordae tendineae</source>
+        <translation>Cordes tendinoses</translation>
+    </message>
+    <message>
+        <source>Left main coronary artery</source>
+        <translation>Tronc de l’artèria coronària esquerra</translation>
+    </message>
+    <message>
+        <source>Circumflex artery</source>
+        <translation>Artèria circumflexa</translation>
+    </message>
+    <message>
+        <source>Diagonal branch</source>
+        <translation>Branca diagonal</translation>
+    </message>
+    <message>
+        <source>Septal branches</source>
+        <translation>Branques septals</translation>
+    </message>
+    <message>
+        <source>Intermediate branch</source>
+        <translation>Branca intermèdia</translation>
+    </message>
+    <message>
+        <source>Right ventricular branch</source>
+        <translation>Branca ventricular dreta</translation>
+    </message>
+    <message>
+        <source>Conus branch</source>
+        <translation>Branca del con</translation>
+    </message>
+    <message>
+        <source>Left marginal branch</source>
+        <translation>Branca marginal esquerra</translation>
+    </message>
+    <message>
+        <source>Right marginal branch</source>
+        <translation>Branca marginal dreta</translation>
+    </message>
+    <message>
+        <source>Posterolateral branch</source>
+        <translation>Branca posterolateral</translation>
+    </message>
+    <message>
+        <source>Posterior descending artery</source>
+        <translation>Artèria descendent posterior</translation>
+    </message>
+    <message>
+        <source>Sinoatrial nodal branch</source>
+        <translation>Branca del nòdul sinusal</translation>
+    </message>
+    <message>
+        <source>Great cardiac vein</source>
+        <translation>Vena cardíaca major</translation>
+    </message>
+    <message>
+        <source>Middle cardiac vein</source>
+        <translation>Vena cardíaca mitjana</translation>
+    </message>
+    <message>
+        <source>Posterior vein of the left ventricle</source>
+        <translation>Vena posterior del ventricle esquerre</translation>
+    </message>
+    <message>
+        <source>Coronary sinus</source>
+        <translation>Si coronari</translation>
+    </message>
+    <message>
+        <source>geometric mean (Chemla 2005, doi 10.1152/japplphysiol.00713.2005) of the systolic and diastolic bounds, 73 to 98 mmHg, rounded</source>
+        <translation>mitjana geomètrica (Chemla 2005, doi 10.1152/japplphysiol.00713.2005) dels límits sistòlics i diastòlics, de 73 a 98 mmHg, arrodonida</translation>
+    </message>
+    <message>
+        <source>short axis</source>
+        <translation>eix curt</translation>
+    </message>
+    <message>
+        <source>long axis</source>
+        <translation>eix llarg</translation>
+    </message>
+    <message>
+        <source>other plane</source>
+        <translation>un altre pla</translation>
+    </message>
+    <message>
+        <source>2-chamber</source>
+        <translation>2 cambres</translation>
+    </message>
+    <message>
+        <source>3-chamber</source>
+        <translation>3 cambres</translation>
+    </message>
+    <message>
+        <source>4-chamber</source>
+        <translation>4 cambres</translation>
+    </message>
+    <message>
+        <source>It has no images over a heart&apos;s cycle</source>
+        <translation>No conté imatges al llarg d&apos;un cicle cardíac</translation>
+    </message>
+    <message>
+        <source>name the folder of a cine study, or a file with volumes over time</source>
+        <translation>indiqueu la carpeta d&apos;un estudi de cine o un fitxer amb volums en el temps</translation>
+    </message>
+    <message>
+        <source>It has changed since it was opened</source>
+        <translation>Ha canviat des que es va obrir</translation>
+    </message>
+    <message>
+        <source>open it again</source>
+        <translation>torneu-lo a obrir</translation>
+    </message>
+    <message>
+        <source>It does not say how long the heart&apos;s cycle is; its phases are spread over one</source>
+        <translation>No diu quant dura el cicle cardíac; les seves fases es reparteixen en un</translation>
+    </message>
+    <message>
+        <source>It has the images of %1 patients: &quot;%2&quot; and &quot;%3&quot; are of two</source>
+        <translation>Conté les imatges de %1 pacients: «%2» i «%3» són de dos d&apos;ells</translation>
+    </message>
+    <message>
+        <source>Series %1 shows the same place as series %2, and stands in for it in the stack</source>
+        <translation>La sèrie %1 mostra el mateix lloc que la sèrie %2 i la substitueix a la pila</translation>
+    </message>
+    <message>
+        <source>The %1 slices of a stack (%2) have gaps of %3 to %4 mm between them, in which nothing was seen</source>
+        <translation>Els %1 talls d&apos;una pila (%2) deixen entre ells buits de %3 a %4 mm, on no s&apos;ha vist res</translation>
+    </message>
+    <message>
+        <source>Series %1 and %2 are %3 mm apart, other slices of the stack %4 mm: a slice between them may be missing</source>
+        <translation>Les sèries %1 i %2 són a %3 mm, altres talls de la pila a %4 mm: potser falta un tall entre elles</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {phase|phases} of series %2 {is|are} missing: %3 of %4 (the first is 0)</source>
+        <translation>
+            <numerusform>Falta %n fase de la sèrie %2: %3 de %4 (la primera és 0)</numerusform>
+            <numerusform>Falten %n fases de la sèrie %2: %3 de %4 (la primera és 0)</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {picture|pictures} of series %2 {has|have} the time of another one and {is|are} left out</source>
+        <translation>
+            <numerusform>%n imatge de la sèrie %2 té l&apos;instant d&apos;una altra i s&apos;omet</numerusform>
+            <numerusform>%n imatges de la sèrie %2 tenen l&apos;instant d&apos;una altra i s&apos;ometen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Series %1 states a cycle of %2 ms, which is shorter than its phases; %3 ms were taken from their distance</source>
+        <translation>La sèrie %1 indica un cicle de %2 ms, més curt que les seves fases; de la distància entre elles s&apos;han pres %3 ms</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is damaged and left out, phase %2 of series %3 (%4)</source>
+        <translation>«%1» està malmès i s&apos;omet, fase %2 de la sèrie %3 (%4)</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is damaged and left out (%2)</source>
+        <translation>«%1» està malmès i s&apos;omet (%2)</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n other {file is|files are} damaged and left out</source>
+        <translation>
+            <numerusform>%n fitxer més està malmès i s&apos;omet</numerusform>
+            <numerusform>%n fitxers més estan malmesos i s&apos;ometen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {slice|slices} of another study left out (series %2)</source>
+        <translation>
+            <numerusform>%n tall d&apos;un altre estudi omès (sèrie %2)</numerusform>
+            <numerusform>%n talls d&apos;un altre estudi omesos (sèrie %2)</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {slice|slices} of the study in another frame of reference left out (series %2)</source>
+        <translation>
+            <numerusform>%n tall de l&apos;estudi en un altre sistema de referència omès (sèrie %2)</numerusform>
+            <numerusform>%n talls de l&apos;estudi en un altre sistema de referència omesos (sèrie %2)</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {series|series} without the phases of a heart&apos;s cycle left out: %2</source>
+        <translation>
+            <numerusform>%n sèrie sense les fases d&apos;un cicle cardíac omesa: %2</numerusform>
+            <numerusform>%n sèries sense les fases d&apos;un cicle cardíac omeses: %2</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The %1 slices of a stack (%2) have gaps of %3 mm between them, in which nothing was seen</source>
+        <translation>Els %1 talls d&apos;una pila (%2) deixen entre ells buits de %3 mm, on no s&apos;ha vist res</translation>
+    </message>
+    <message>
+        <source>The directions of its rows and columns are not perpendicular</source>
+        <translation>Les direccions de les seves files i columnes no són perpendiculars</translation>
+    </message>
+    <message>
+        <source>export the series again</source>
+        <translation>exporteu la sèrie de nou</translation>
+    </message>
+    <message>
+        <source>The size of its pixels is unknown</source>
+        <translation>Es desconeix la mida dels seus píxels</translation>
+    </message>
+    <message>
+        <source>It has no image, or images without times</source>
+        <translation>No té cap imatge, o té imatges sense temps</translation>
+    </message>
+    <message>
+        <source>The time of image %1 is not after the one before, within one cycle</source>
+        <translation>El temps de la imatge %1 no és posterior a l&apos;anterior dins d&apos;un cicle</translation>
+    </message>
+    <message>
+        <source>Image %1 has another size than the first</source>
+        <translation>La imatge %1 té una mida diferent de la primera</translation>
+    </message>
+    <message>
+        <source>Image %1 has grey values that are no numbers</source>
+        <translation>La imatge %1 té nivells de gris que no són nombres</translation>
+    </message>
+    <message>
+        <source>One labelled phase is too few for the motion between two</source>
+        <translation>Una fase etiquetada és massa poc per al moviment entre dues</translation>
+    </message>
+    <message>
+        <source>label the end of diastole and the end of systole</source>
+        <translation>etiqueteu el final de la diàstole i el final de la sístole</translation>
+    </message>
+    <message>
+        <source>phases are 0 to %1</source>
+        <translation>les fases van de 0 a %1</translation>
+    </message>
+    <message>
+        <source>Phase %1 has labels twice</source>
+        <translation>La fase %1 està etiquetada dues vegades</translation>
+    </message>
+    <message>
+        <source>name each phase once</source>
+        <translation>anomeneu cada fase una sola vegada</translation>
+    </message>
+    <message>
+        <source>following the tissue</source>
+        <translation>seguint el teixit</translation>
+    </message>
+    <message>
+        <source>fitting the images</source>
+        <translation>ajustant a les imatges</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app</name>

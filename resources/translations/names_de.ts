@@ -7086,6 +7086,252 @@
         <source>Tissue is swollen to %1 % of its volume. Living tissue, mostly water, hardly changes its volume; the coordinates do not know that. A smaller motion, more handles or a locked volume help.</source>
         <translation>Gewebe ist auf %1 % seines Volumens geschwollen. Lebendes Gewebe, größtenteils Wasser, ändert sein Volumen kaum; die Koordinaten wissen das nicht. Eine kleinere Bewegung, mehr Griffe oder ein gesperrtes Volumen helfen.</translation>
     </message>
+    <message>
+        <source>Chordae tendineae</source>
+        <translation>Sehnenfäden</translation>
+    </message>
+    <message>
+        <source>Left main coronary artery</source>
+        <translation>Stamm der linken Koronararterie</translation>
+    </message>
+    <message>
+        <source>Circumflex artery</source>
+        <translation>Ramus circumflexus</translation>
+    </message>
+    <message>
+        <source>Diagonal branch</source>
+        <translation>Diagonalast</translation>
+    </message>
+    <message>
+        <source>Septal branches</source>
+        <translation>Septumäste</translation>
+    </message>
+    <message>
+        <source>Intermediate branch</source>
+        <translation>Intermediärast</translation>
+    </message>
+    <message>
+        <source>Right ventricular branch</source>
+        <translation>Ast zur rechten Kammer</translation>
+    </message>
+    <message>
+        <source>Conus branch</source>
+        <translation>Konusast</translation>
+    </message>
+    <message>
+        <source>Left marginal branch</source>
+        <translation>Linker Marginalast</translation>
+    </message>
+    <message>
+        <source>Right marginal branch</source>
+        <translation>Rechter Marginalast</translation>
+    </message>
+    <message>
+        <source>Posterolateral branch</source>
+        <translation>Posterolateralast</translation>
+    </message>
+    <message>
+        <source>Posterior descending artery</source>
+        <translation>Ramus interventricularis posterior</translation>
+    </message>
+    <message>
+        <source>Sinoatrial nodal branch</source>
+        <translation>Sinusknotenast</translation>
+    </message>
+    <message>
+        <source>Great cardiac vein</source>
+        <translation>Große Herzvene</translation>
+    </message>
+    <message>
+        <source>Middle cardiac vein</source>
+        <translation>Mittlere Herzvene</translation>
+    </message>
+    <message>
+        <source>Posterior vein of the left ventricle</source>
+        <translation>Hintere Vene der linken Kammer</translation>
+    </message>
+    <message>
+        <source>Coronary sinus</source>
+        <translation>Sinus coronarius</translation>
+    </message>
+    <message>
+        <source>geometric mean (Chemla 2005, doi 10.1152/japplphysiol.00713.2005) of the systolic and diastolic bounds, 73 to 98 mmHg, rounded</source>
+        <translation>geometrisches Mittel (Chemla 2005, doi 10.1152/japplphysiol.00713.2005) der systolischen und diastolischen Grenzen, 73 bis 98 mmHg, gerundet</translation>
+    </message>
+    <message>
+        <source>short axis</source>
+        <translation>Kurzachse</translation>
+    </message>
+    <message>
+        <source>long axis</source>
+        <translation>Längsachse</translation>
+    </message>
+    <message>
+        <source>other plane</source>
+        <translation>andere Ebene</translation>
+    </message>
+    <message>
+        <source>2-chamber</source>
+        <translation>Zweikammerblick</translation>
+    </message>
+    <message>
+        <source>3-chamber</source>
+        <translation>Dreikammerblick</translation>
+    </message>
+    <message>
+        <source>4-chamber</source>
+        <translation>Vierkammerblick</translation>
+    </message>
+    <message>
+        <source>It has no images over a heart&apos;s cycle</source>
+        <translation>Es enthält keine Bilder über einen Herzzyklus</translation>
+    </message>
+    <message>
+        <source>name the folder of a cine study, or a file with volumes over time</source>
+        <translation>nennen Sie den Ordner einer Cine-Studie oder eine Datei mit Volumen über die Zeit</translation>
+    </message>
+    <message>
+        <source>It has changed since it was opened</source>
+        <translation>Sie hat sich geändert, seit sie geöffnet wurde</translation>
+    </message>
+    <message>
+        <source>open it again</source>
+        <translation>öffnen Sie sie noch einmal</translation>
+    </message>
+    <message>
+        <source>It does not say how long the heart&apos;s cycle is; its phases are spread over one</source>
+        <translation>Sie sagt nicht, wie lang der Herzzyklus ist; ihre Phasen sind über einen verteilt</translation>
+    </message>
+    <message>
+        <source>It has the images of %1 patients: &quot;%2&quot; and &quot;%3&quot; are of two</source>
+        <translation>Es enthält die Bilder von %1 Patienten: „%2“ und „%3“ sind von zweien</translation>
+    </message>
+    <message>
+        <source>Series %1 shows the same place as series %2, and stands in for it in the stack</source>
+        <translation>Serie %1 zeigt dieselbe Stelle wie Serie %2 und steht im Stapel für sie</translation>
+    </message>
+    <message>
+        <source>The %1 slices of a stack (%2) have gaps of %3 to %4 mm between them, in which nothing was seen</source>
+        <translation>Die %1 Schichten eines Stapels (%2) haben Lücken von %3 bis %4 mm, in denen nichts gesehen wurde</translation>
+    </message>
+    <message>
+        <source>Series %1 and %2 are %3 mm apart, other slices of the stack %4 mm: a slice between them may be missing</source>
+        <translation>Die Serien %1 und %2 liegen %3 mm auseinander, andere Schichten des Stapels %4 mm: zwischen ihnen fehlt vielleicht eine Schicht</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {phase|phases} of series %2 {is|are} missing: %3 of %4 (the first is 0)</source>
+        <translation>
+            <numerusform>%n Phase der Serie %2 fehlt: %3 von %4 (die erste ist 0)</numerusform>
+            <numerusform>%n Phasen der Serie %2 fehlen: %3 von %4 (die erste ist 0)</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {picture|pictures} of series %2 {has|have} the time of another one and {is|are} left out</source>
+        <translation>
+            <numerusform>%n Bild der Serie %2 hat die Zeit eines anderen und wurde ausgelassen</numerusform>
+            <numerusform>%n Bilder der Serie %2 haben die Zeit eines anderen und wurden ausgelassen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Series %1 states a cycle of %2 ms, which is shorter than its phases; %3 ms were taken from their distance</source>
+        <translation>Serie %1 nennt einen Zyklus von %2 ms, der kürzer ist als ihre Phasen; %3 ms wurden aus deren Abstand genommen</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is damaged and left out, phase %2 of series %3 (%4)</source>
+        <translation>„%1“ ist beschädigt und wurde ausgelassen, Phase %2 der Serie %3 (%4)</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is damaged and left out (%2)</source>
+        <translation>„%1“ ist beschädigt und wurde ausgelassen (%2)</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n other {file is|files are} damaged and left out</source>
+        <translation>
+            <numerusform>%n weitere Datei ist beschädigt und wurde ausgelassen</numerusform>
+            <numerusform>%n weitere Dateien sind beschädigt und wurden ausgelassen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {slice|slices} of another study left out (series %2)</source>
+        <translation>
+            <numerusform>%n Schicht einer anderen Studie ausgelassen (Serie %2)</numerusform>
+            <numerusform>%n Schichten einer anderen Studie ausgelassen (Serie %2)</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {slice|slices} of the study in another frame of reference left out (series %2)</source>
+        <translation>
+            <numerusform>%n Schicht der Studie in einem anderen Bezugssystem ausgelassen (Serie %2)</numerusform>
+            <numerusform>%n Schichten der Studie in einem anderen Bezugssystem ausgelassen (Serie %2)</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {series|series} without the phases of a heart&apos;s cycle left out: %2</source>
+        <translation>
+            <numerusform>%n Serie ohne die Phasen eines Herzzyklus ausgelassen: %2</numerusform>
+            <numerusform>%n Serien ohne die Phasen eines Herzzyklus ausgelassen: %2</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The %1 slices of a stack (%2) have gaps of %3 mm between them, in which nothing was seen</source>
+        <translation>Die %1 Schichten eines Stapels (%2) haben Lücken von %3 mm, in denen nichts gesehen wurde</translation>
+    </message>
+    <message>
+        <source>The directions of its rows and columns are not perpendicular</source>
+        <translation>Die Richtungen seiner Zeilen und Spalten stehen nicht senkrecht aufeinander</translation>
+    </message>
+    <message>
+        <source>export the series again</source>
+        <translation>exportieren Sie die Serie noch einmal</translation>
+    </message>
+    <message>
+        <source>The size of its pixels is unknown</source>
+        <translation>Die Größe seiner Pixel ist unbekannt</translation>
+    </message>
+    <message>
+        <source>It has no image, or images without times</source>
+        <translation>Es hat kein Bild oder Bilder ohne Zeiten</translation>
+    </message>
+    <message>
+        <source>The time of image %1 is not after the one before, within one cycle</source>
+        <translation>Die Zeit von Bild %1 liegt nicht nach der des vorigen in einem Zyklus</translation>
+    </message>
+    <message>
+        <source>Image %1 has another size than the first</source>
+        <translation>Bild %1 hat eine andere Größe als das erste</translation>
+    </message>
+    <message>
+        <source>Image %1 has grey values that are no numbers</source>
+        <translation>Bild %1 hat Grauwerte, die keine Zahlen sind</translation>
+    </message>
+    <message>
+        <source>One labelled phase is too few for the motion between two</source>
+        <translation>Eine beschriftete Phase ist zu wenig für die Bewegung zwischen zweien</translation>
+    </message>
+    <message>
+        <source>label the end of diastole and the end of systole</source>
+        <translation>beschriften Sie das Ende der Diastole und das Ende der Systole</translation>
+    </message>
+    <message>
+        <source>phases are 0 to %1</source>
+        <translation>die Phasen sind 0 bis %1</translation>
+    </message>
+    <message>
+        <source>Phase %1 has labels twice</source>
+        <translation>Phase %1 ist zweimal beschriftet</translation>
+    </message>
+    <message>
+        <source>name each phase once</source>
+        <translation>nennen Sie jede Phase einmal</translation>
+    </message>
+    <message>
+        <source>following the tissue</source>
+        <translation>Gewebe wird verfolgt</translation>
+    </message>
+    <message>
+        <source>fitting the images</source>
+        <translation>Anpassen an die Bilder</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app</name>

@@ -7086,6 +7086,252 @@
         <source>Tissue is swollen to %1 % of its volume. Living tissue, mostly water, hardly changes its volume; the coordinates do not know that. A smaller motion, more handles or a locked volume help.</source>
         <translation>El tejido está hinchado al %1 % de su volumen. El tejido vivo, sobre todo agua, apenas cambia de volumen; las coordenadas no lo saben. Un movimiento menor, más tiradores o un volumen bloqueado ayudan.</translation>
     </message>
+    <message>
+        <source>Chordae tendineae</source>
+        <translation>Cuerdas tendinosas</translation>
+    </message>
+    <message>
+        <source>Left main coronary artery</source>
+        <translation>Tronco de la arteria coronaria izquierda</translation>
+    </message>
+    <message>
+        <source>Circumflex artery</source>
+        <translation>Arteria circunfleja</translation>
+    </message>
+    <message>
+        <source>Diagonal branch</source>
+        <translation>Rama diagonal</translation>
+    </message>
+    <message>
+        <source>Septal branches</source>
+        <translation>Ramas septales</translation>
+    </message>
+    <message>
+        <source>Intermediate branch</source>
+        <translation>Rama intermedia</translation>
+    </message>
+    <message>
+        <source>Right ventricular branch</source>
+        <translation>Rama ventricular derecha</translation>
+    </message>
+    <message>
+        <source>Conus branch</source>
+        <translation>Rama del cono</translation>
+    </message>
+    <message>
+        <source>Left marginal branch</source>
+        <translation>Rama marginal izquierda</translation>
+    </message>
+    <message>
+        <source>Right marginal branch</source>
+        <translation>Rama marginal derecha</translation>
+    </message>
+    <message>
+        <source>Posterolateral branch</source>
+        <translation>Rama posterolateral</translation>
+    </message>
+    <message>
+        <source>Posterior descending artery</source>
+        <translation>Arteria descendente posterior</translation>
+    </message>
+    <message>
+        <source>Sinoatrial nodal branch</source>
+        <translation>Rama del nódulo sinusal</translation>
+    </message>
+    <message>
+        <source>Great cardiac vein</source>
+        <translation>Vena cardíaca mayor</translation>
+    </message>
+    <message>
+        <source>Middle cardiac vein</source>
+        <translation>Vena cardíaca media</translation>
+    </message>
+    <message>
+        <source>Posterior vein of the left ventricle</source>
+        <translation>Vena posterior del ventrículo izquierdo</translation>
+    </message>
+    <message>
+        <source>Coronary sinus</source>
+        <translation>Seno coronario</translation>
+    </message>
+    <message>
+        <source>geometric mean (Chemla 2005, doi 10.1152/japplphysiol.00713.2005) of the systolic and diastolic bounds, 73 to 98 mmHg, rounded</source>
+        <translation>media geométrica (Chemla 2005, doi 10.1152/japplphysiol.00713.2005) de los límites sistólicos y diastólicos, de 73 a 98 mmHg, redondeada</translation>
+    </message>
+    <message>
+        <source>short axis</source>
+        <translation>eje corto</translation>
+    </message>
+    <message>
+        <source>long axis</source>
+        <translation>eje largo</translation>
+    </message>
+    <message>
+        <source>other plane</source>
+        <translation>otro plano</translation>
+    </message>
+    <message>
+        <source>2-chamber</source>
+        <translation>2 cámaras</translation>
+    </message>
+    <message>
+        <source>3-chamber</source>
+        <translation>3 cámaras</translation>
+    </message>
+    <message>
+        <source>4-chamber</source>
+        <translation>4 cámaras</translation>
+    </message>
+    <message>
+        <source>It has no images over a heart&apos;s cycle</source>
+        <translation>No contiene imágenes a lo largo de un ciclo cardíaco</translation>
+    </message>
+    <message>
+        <source>name the folder of a cine study, or a file with volumes over time</source>
+        <translation>indique la carpeta de un estudio de cine o un archivo con volúmenes en el tiempo</translation>
+    </message>
+    <message>
+        <source>It has changed since it was opened</source>
+        <translation>Ha cambiado desde que se abrió</translation>
+    </message>
+    <message>
+        <source>open it again</source>
+        <translation>ábralo de nuevo</translation>
+    </message>
+    <message>
+        <source>It does not say how long the heart&apos;s cycle is; its phases are spread over one</source>
+        <translation>No indica cuánto dura el ciclo cardíaco; sus fases se reparten en uno</translation>
+    </message>
+    <message>
+        <source>It has the images of %1 patients: &quot;%2&quot; and &quot;%3&quot; are of two</source>
+        <translation>Contiene las imágenes de %1 pacientes: «%2» y «%3» son de dos de ellos</translation>
+    </message>
+    <message>
+        <source>Series %1 shows the same place as series %2, and stands in for it in the stack</source>
+        <translation>La serie %1 muestra el mismo lugar que la serie %2 y la sustituye en la pila</translation>
+    </message>
+    <message>
+        <source>The %1 slices of a stack (%2) have gaps of %3 to %4 mm between them, in which nothing was seen</source>
+        <translation>Los %1 cortes de una pila (%2) dejan entre sí huecos de %3 a %4 mm, en los que no se vio nada</translation>
+    </message>
+    <message>
+        <source>Series %1 and %2 are %3 mm apart, other slices of the stack %4 mm: a slice between them may be missing</source>
+        <translation>Las series %1 y %2 están a %3 mm, otros cortes de la pila a %4 mm: quizá falte un corte entre ellas</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {phase|phases} of series %2 {is|are} missing: %3 of %4 (the first is 0)</source>
+        <translation>
+            <numerusform>Falta %n fase de la serie %2: %3 de %4 (la primera es 0)</numerusform>
+            <numerusform>Faltan %n fases de la serie %2: %3 de %4 (la primera es 0)</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {picture|pictures} of series %2 {has|have} the time of another one and {is|are} left out</source>
+        <translation>
+            <numerusform>%n imagen de la serie %2 tiene el instante de otra y se omite</numerusform>
+            <numerusform>%n imágenes de la serie %2 tienen el instante de otra y se omiten</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Series %1 states a cycle of %2 ms, which is shorter than its phases; %3 ms were taken from their distance</source>
+        <translation>La serie %1 indica un ciclo de %2 ms, más corto que sus fases; de la distancia entre ellas se tomaron %3 ms</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is damaged and left out, phase %2 of series %3 (%4)</source>
+        <translation>«%1» está dañado y se omite, fase %2 de la serie %3 (%4)</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is damaged and left out (%2)</source>
+        <translation>«%1» está dañado y se omite (%2)</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n other {file is|files are} damaged and left out</source>
+        <translation>
+            <numerusform>%n archivo más está dañado y se omite</numerusform>
+            <numerusform>%n archivos más están dañados y se omiten</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {slice|slices} of another study left out (series %2)</source>
+        <translation>
+            <numerusform>%n corte de otro estudio omitido (serie %2)</numerusform>
+            <numerusform>%n cortes de otro estudio omitidos (serie %2)</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {slice|slices} of the study in another frame of reference left out (series %2)</source>
+        <translation>
+            <numerusform>%n corte del estudio en otro sistema de referencia omitido (serie %2)</numerusform>
+            <numerusform>%n cortes del estudio en otro sistema de referencia omitidos (serie %2)</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {series|series} without the phases of a heart&apos;s cycle left out: %2</source>
+        <translation>
+            <numerusform>%n serie sin las fases de un ciclo cardíaco omitida: %2</numerusform>
+            <numerusform>%n series sin las fases de un ciclo cardíaco omitidas: %2</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The %1 slices of a stack (%2) have gaps of %3 mm between them, in which nothing was seen</source>
+        <translation>Los %1 cortes de una pila (%2) dejan entre sí huecos de %3 mm, en los que no se vio nada</translation>
+    </message>
+    <message>
+        <source>The directions of its rows and columns are not perpendicular</source>
+        <translation>Las direcciones de sus filas y columnas no son perpendiculares</translation>
+    </message>
+    <message>
+        <source>export the series again</source>
+        <translation>exporte la serie de nuevo</translation>
+    </message>
+    <message>
+        <source>The size of its pixels is unknown</source>
+        <translation>Se desconoce el tamaño de sus píxeles</translation>
+    </message>
+    <message>
+        <source>It has no image, or images without times</source>
+        <translation>No tiene imagen, o tiene imágenes sin tiempos</translation>
+    </message>
+    <message>
+        <source>The time of image %1 is not after the one before, within one cycle</source>
+        <translation>El tiempo de la imagen %1 no es posterior al anterior dentro de un ciclo</translation>
+    </message>
+    <message>
+        <source>Image %1 has another size than the first</source>
+        <translation>La imagen %1 tiene otro tamaño que la primera</translation>
+    </message>
+    <message>
+        <source>Image %1 has grey values that are no numbers</source>
+        <translation>La imagen %1 tiene niveles de gris que no son números</translation>
+    </message>
+    <message>
+        <source>One labelled phase is too few for the motion between two</source>
+        <translation>Una fase etiquetada es poco para el movimiento entre dos</translation>
+    </message>
+    <message>
+        <source>label the end of diastole and the end of systole</source>
+        <translation>etiquete el final de la diástole y el final de la sístole</translation>
+    </message>
+    <message>
+        <source>phases are 0 to %1</source>
+        <translation>las fases van de 0 a %1</translation>
+    </message>
+    <message>
+        <source>Phase %1 has labels twice</source>
+        <translation>La fase %1 está etiquetada dos veces</translation>
+    </message>
+    <message>
+        <source>name each phase once</source>
+        <translation>nombre cada fase una sola vez</translation>
+    </message>
+    <message>
+        <source>following the tissue</source>
+        <translation>siguiendo el tejido</translation>
+    </message>
+    <message>
+        <source>fitting the images</source>
+        <translation>ajustando a las imágenes</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app</name>

@@ -7086,6 +7086,252 @@
         <source>Tissue is swollen to %1 % of its volume. Living tissue, mostly water, hardly changes its volume; the coordinates do not know that. A smaller motion, more handles or a locked volume help.</source>
         <translation>Le tissu est gonflé à %1&#xa0;% de son volume. Un tissu vivant, fait surtout d’eau, ne change guère de volume&#xa0;; les coordonnées ne le savent pas. Un mouvement plus petit, plus de poignées ou un volume verrouillé aident.</translation>
     </message>
+    <message>
+        <source>Chordae tendineae</source>
+        <translation>Cordages tendineux</translation>
+    </message>
+    <message>
+        <source>Left main coronary artery</source>
+        <translation>Tronc commun de l’artère coronaire gauche</translation>
+    </message>
+    <message>
+        <source>Circumflex artery</source>
+        <translation>Artère circonflexe</translation>
+    </message>
+    <message>
+        <source>Diagonal branch</source>
+        <translation>Branche diagonale</translation>
+    </message>
+    <message>
+        <source>Septal branches</source>
+        <translation>Branches septales</translation>
+    </message>
+    <message>
+        <source>Intermediate branch</source>
+        <translation>Branche intermédiaire</translation>
+    </message>
+    <message>
+        <source>Right ventricular branch</source>
+        <translation>Branche ventriculaire droite</translation>
+    </message>
+    <message>
+        <source>Conus branch</source>
+        <translation>Branche du cône</translation>
+    </message>
+    <message>
+        <source>Left marginal branch</source>
+        <translation>Branche marginale gauche</translation>
+    </message>
+    <message>
+        <source>Right marginal branch</source>
+        <translation>Branche marginale droite</translation>
+    </message>
+    <message>
+        <source>Posterolateral branch</source>
+        <translation>Branche postérolatérale</translation>
+    </message>
+    <message>
+        <source>Posterior descending artery</source>
+        <translation>Artère interventriculaire postérieure</translation>
+    </message>
+    <message>
+        <source>Sinoatrial nodal branch</source>
+        <translation>Branche du nœud sinusal</translation>
+    </message>
+    <message>
+        <source>Great cardiac vein</source>
+        <translation>Grande veine du cœur</translation>
+    </message>
+    <message>
+        <source>Middle cardiac vein</source>
+        <translation>Veine moyenne du cœur</translation>
+    </message>
+    <message>
+        <source>Posterior vein of the left ventricle</source>
+        <translation>Veine postérieure du ventricule gauche</translation>
+    </message>
+    <message>
+        <source>Coronary sinus</source>
+        <translation>Sinus coronaire</translation>
+    </message>
+    <message>
+        <source>geometric mean (Chemla 2005, doi 10.1152/japplphysiol.00713.2005) of the systolic and diastolic bounds, 73 to 98 mmHg, rounded</source>
+        <translation>moyenne géométrique (Chemla 2005, doi 10.1152/japplphysiol.00713.2005) des limites systoliques et diastoliques, de 73 à 98 mmHg, arrondie</translation>
+    </message>
+    <message>
+        <source>short axis</source>
+        <translation>petit axe</translation>
+    </message>
+    <message>
+        <source>long axis</source>
+        <translation>grand axe</translation>
+    </message>
+    <message>
+        <source>other plane</source>
+        <translation>autre plan</translation>
+    </message>
+    <message>
+        <source>2-chamber</source>
+        <translation>2 cavités</translation>
+    </message>
+    <message>
+        <source>3-chamber</source>
+        <translation>3 cavités</translation>
+    </message>
+    <message>
+        <source>4-chamber</source>
+        <translation>4 cavités</translation>
+    </message>
+    <message>
+        <source>It has no images over a heart&apos;s cycle</source>
+        <translation>Il ne contient pas d&apos;images sur un cycle cardiaque</translation>
+    </message>
+    <message>
+        <source>name the folder of a cine study, or a file with volumes over time</source>
+        <translation>indiquez le dossier d&apos;une étude ciné, ou un fichier de volumes au cours du temps</translation>
+    </message>
+    <message>
+        <source>It has changed since it was opened</source>
+        <translation>Il a changé depuis son ouverture</translation>
+    </message>
+    <message>
+        <source>open it again</source>
+        <translation>ouvrez-le à nouveau</translation>
+    </message>
+    <message>
+        <source>It does not say how long the heart&apos;s cycle is; its phases are spread over one</source>
+        <translation>Il n&apos;indique pas la durée du cycle cardiaque ; ses phases sont réparties sur un cycle</translation>
+    </message>
+    <message>
+        <source>It has the images of %1 patients: &quot;%2&quot; and &quot;%3&quot; are of two</source>
+        <translation>Il contient les images de %1 patients : « %2 » et « %3 » sont de deux d&apos;entre eux</translation>
+    </message>
+    <message>
+        <source>Series %1 shows the same place as series %2, and stands in for it in the stack</source>
+        <translation>La série %1 montre le même endroit que la série %2 et la remplace dans la pile</translation>
+    </message>
+    <message>
+        <source>The %1 slices of a stack (%2) have gaps of %3 to %4 mm between them, in which nothing was seen</source>
+        <translation>Les %1 coupes d&apos;une pile (%2) laissent entre elles des intervalles de %3 à %4 mm, où rien n&apos;a été vu</translation>
+    </message>
+    <message>
+        <source>Series %1 and %2 are %3 mm apart, other slices of the stack %4 mm: a slice between them may be missing</source>
+        <translation>Les séries %1 et %2 sont à %3 mm l&apos;une de l&apos;autre, les autres coupes de la pile à %4 mm : il manque peut-être une coupe entre elles</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {phase|phases} of series %2 {is|are} missing: %3 of %4 (the first is 0)</source>
+        <translation>
+            <numerusform>%n phase de la série %2 manque : %3 sur %4 (la première est 0)</numerusform>
+            <numerusform>%n phases de la série %2 manquent : %3 sur %4 (la première est 0)</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {picture|pictures} of series %2 {has|have} the time of another one and {is|are} left out</source>
+        <translation>
+            <numerusform>%n image de la série %2 a l&apos;instant d&apos;une autre et est laissée de côté</numerusform>
+            <numerusform>%n images de la série %2 ont l&apos;instant d&apos;une autre et sont laissées de côté</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Series %1 states a cycle of %2 ms, which is shorter than its phases; %3 ms were taken from their distance</source>
+        <translation>La série %1 indique un cycle de %2 ms, plus court que ses phases ; %3 ms ont été tirés de leur écart</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is damaged and left out, phase %2 of series %3 (%4)</source>
+        <translation>« %1 » est endommagé et laissé de côté, phase %2 de la série %3 (%4)</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is damaged and left out (%2)</source>
+        <translation>« %1 » est endommagé et laissé de côté (%2)</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n other {file is|files are} damaged and left out</source>
+        <translation>
+            <numerusform>%n autre fichier est endommagé et laissé de côté</numerusform>
+            <numerusform>%n autres fichiers sont endommagés et laissés de côté</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {slice|slices} of another study left out (series %2)</source>
+        <translation>
+            <numerusform>%n coupe d&apos;une autre étude laissée de côté (série %2)</numerusform>
+            <numerusform>%n coupes d&apos;une autre étude laissées de côté (série %2)</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {slice|slices} of the study in another frame of reference left out (series %2)</source>
+        <translation>
+            <numerusform>%n coupe de l&apos;étude dans un autre repère laissée de côté (série %2)</numerusform>
+            <numerusform>%n coupes de l&apos;étude dans un autre repère laissées de côté (série %2)</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {series|series} without the phases of a heart&apos;s cycle left out: %2</source>
+        <translation>
+            <numerusform>%n série sans les phases d&apos;un cycle cardiaque laissée de côté : %2</numerusform>
+            <numerusform>%n séries sans les phases d&apos;un cycle cardiaque laissées de côté : %2</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The %1 slices of a stack (%2) have gaps of %3 mm between them, in which nothing was seen</source>
+        <translation>Les %1 coupes d&apos;une pile (%2) laissent entre elles des intervalles de %3 mm, où rien n&apos;a été vu</translation>
+    </message>
+    <message>
+        <source>The directions of its rows and columns are not perpendicular</source>
+        <translation>Les directions de ses lignes et de ses colonnes ne sont pas perpendiculaires</translation>
+    </message>
+    <message>
+        <source>export the series again</source>
+        <translation>exportez de nouveau la série</translation>
+    </message>
+    <message>
+        <source>The size of its pixels is unknown</source>
+        <translation>La taille de ses pixels est inconnue</translation>
+    </message>
+    <message>
+        <source>It has no image, or images without times</source>
+        <translation>Il n&apos;a pas d&apos;image, ou des images sans temps</translation>
+    </message>
+    <message>
+        <source>The time of image %1 is not after the one before, within one cycle</source>
+        <translation>Le temps de l&apos;image %1 ne suit pas le précédent, dans un même cycle</translation>
+    </message>
+    <message>
+        <source>Image %1 has another size than the first</source>
+        <translation>L&apos;image %1 n&apos;a pas la même taille que la première</translation>
+    </message>
+    <message>
+        <source>Image %1 has grey values that are no numbers</source>
+        <translation>L&apos;image %1 a des niveaux de gris qui ne sont pas des nombres</translation>
+    </message>
+    <message>
+        <source>One labelled phase is too few for the motion between two</source>
+        <translation>Une seule phase étiquetée ne suffit pas pour le mouvement entre deux</translation>
+    </message>
+    <message>
+        <source>label the end of diastole and the end of systole</source>
+        <translation>étiquetez la fin de la diastole et la fin de la systole</translation>
+    </message>
+    <message>
+        <source>phases are 0 to %1</source>
+        <translation>les phases vont de 0 à %1</translation>
+    </message>
+    <message>
+        <source>Phase %1 has labels twice</source>
+        <translation>La phase %1 est étiquetée deux fois</translation>
+    </message>
+    <message>
+        <source>name each phase once</source>
+        <translation>nommez chaque phase une seule fois</translation>
+    </message>
+    <message>
+        <source>following the tissue</source>
+        <translation>suivi du tissu</translation>
+    </message>
+    <message>
+        <source>fitting the images</source>
+        <translation>ajustement aux images</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app</name>

@@ -340,6 +340,38 @@ N: noms, H: tiradors, X: paret, R: restableix, T: clar o fosc, Inici: principi</
         <source>Left</source>
         <translation>Esquerra</translation>
     </message>
+    <message>
+        <source>Cut open</source>
+        <translation>Secciona</translation>
+    </message>
+    <message>
+        <source>Open the heart and look into it (C)</source>
+        <translation>Obre el cor i mira a dins (C)</translation>
+    </message>
+    <message>
+        <source>Blood</source>
+        <translation>Sang</translation>
+    </message>
+    <message>
+        <source>Blood in the opened chambers (F)</source>
+        <translation>Sang a les cavitats obertes (F)</translation>
+    </message>
+    <message>
+        <source>Conduction</source>
+        <translation>Conducció</translation>
+    </message>
+    <message>
+        <source>Conduction system, lit with the electrocardiogram (E)</source>
+        <translation>Sistema de conducció, s’il·lumina amb l’electrocardiograma (E)</translation>
+    </message>
+    <message>
+        <source>ECG</source>
+        <translation>ECG</translation>
+    </message>
+    <message>
+        <source>C: cut open, F: blood, E: conduction system</source>
+        <translation>C: obre, F: sang, E: sistema de conducció</translation>
+    </message>
 </context>
 <context>
     <name>NewFile</name>
@@ -697,8 +729,8 @@ N: noms, H: tiradors, X: paret, R: restableix, T: clar o fosc, Inici: principi</
         <translation>Sang</translation>
     </message>
     <message>
-        <source>Fill the chambers of the heart with blood. Without it they are empty and show walls, papillary muscles and valves</source>
-        <translation>Omple de sang les cavitats del cor. Sense sang són buides i mostren parets, músculs papil·lars i vàlvules</translation>
+        <source>Fill chambers and vessels of the heart with blood. Without it they are empty and show walls, papillary muscles and valves</source>
+        <translation>Omple de sang les cavitats i els vasos del cor. Sense sang són buits i mostren parets, músculs papil·lars i vàlvules</translation>
     </message>
 </context>
 <context>
@@ -1418,6 +1450,10 @@ N: noms, H: tiradors, X: paret, R: restableix, T: clar o fosc, Inici: principi</
     <message>
         <source>Fit the textbook&apos;s beat to %1</source>
         <translation>Ajusta el batec de llibre a %1</translation>
+    </message>
+    <message>
+        <source>Spine and pelvis stay in place: breathing does not move them.</source>
+        <translation>La columna vertebral i la pelvis es queden al seu lloc: la respiració no les mou.</translation>
     </message>
 </context>
 <context>

@@ -340,6 +340,38 @@ N: Namen, H: Griffe, X: Wand, R: zurück, T: hell oder dunkel, Pos1: Anfang</tra
         <source>Left</source>
         <translation>Links</translation>
     </message>
+    <message>
+        <source>Cut open</source>
+        <translation>Aufschneiden</translation>
+    </message>
+    <message>
+        <source>Open the heart and look into it (C)</source>
+        <translation>Das Herz öffnen und hineinsehen (C)</translation>
+    </message>
+    <message>
+        <source>Blood</source>
+        <translation>Blut</translation>
+    </message>
+    <message>
+        <source>Blood in the opened chambers (F)</source>
+        <translation>Blut in den geöffneten Höhlen (F)</translation>
+    </message>
+    <message>
+        <source>Conduction</source>
+        <translation>Erregung</translation>
+    </message>
+    <message>
+        <source>Conduction system, lit with the electrocardiogram (E)</source>
+        <translation>Erregungsleitung, leuchtet mit dem Elektrokardiogramm (E)</translation>
+    </message>
+    <message>
+        <source>ECG</source>
+        <translation>EKG</translation>
+    </message>
+    <message>
+        <source>C: cut open, F: blood, E: conduction system</source>
+        <translation>C: aufschneiden, F: Blut, E: Erregungsleitung</translation>
+    </message>
 </context>
 <context>
     <name>NewFile</name>
@@ -697,8 +729,8 @@ N: Namen, H: Griffe, X: Wand, R: zurück, T: hell oder dunkel, Pos1: Anfang</tra
         <translation>Blut</translation>
     </message>
     <message>
-        <source>Fill the chambers of the heart with blood. Without it they are empty and show walls, papillary muscles and valves</source>
-        <translation>Die Kammern des Herzens mit Blut füllen. Ohne Blut sind sie leer und zeigen Wände, Papillarmuskeln und Klappen</translation>
+        <source>Fill chambers and vessels of the heart with blood. Without it they are empty and show walls, papillary muscles and valves</source>
+        <translation>Kammern und Gefäße des Herzens mit Blut füllen. Ohne Blut sind sie leer und zeigen Wände, Papillarmuskeln und Klappen</translation>
     </message>
 </context>
 <context>
@@ -1418,6 +1450,10 @@ N: Namen, H: Griffe, X: Wand, R: zurück, T: hell oder dunkel, Pos1: Anfang</tra
     <message>
         <source>Fit the textbook&apos;s beat to %1</source>
         <translation>Lehrbuchschlag an %1 anpassen</translation>
+    </message>
+    <message>
+        <source>Spine and pelvis stay in place: breathing does not move them.</source>
+        <translation>Wirbelsäule und Becken bleiben an ihrem Ort: Die Atmung bewegt sie nicht.</translation>
     </message>
 </context>
 <context>

@@ -340,6 +340,38 @@ N: nombres, H: tiradores, X: pared, R: restablecer, T: claro u oscuro, Inicio: p
         <source>Left</source>
         <translation>Izquierda</translation>
     </message>
+    <message>
+        <source>Cut open</source>
+        <translation>Seccionar</translation>
+    </message>
+    <message>
+        <source>Open the heart and look into it (C)</source>
+        <translation>Abrir el corazón y mirar dentro (C)</translation>
+    </message>
+    <message>
+        <source>Blood</source>
+        <translation>Sangre</translation>
+    </message>
+    <message>
+        <source>Blood in the opened chambers (F)</source>
+        <translation>Sangre en las cavidades abiertas (F)</translation>
+    </message>
+    <message>
+        <source>Conduction</source>
+        <translation>Conducción</translation>
+    </message>
+    <message>
+        <source>Conduction system, lit with the electrocardiogram (E)</source>
+        <translation>Sistema de conducción, se ilumina con el electrocardiograma (E)</translation>
+    </message>
+    <message>
+        <source>ECG</source>
+        <translation>ECG</translation>
+    </message>
+    <message>
+        <source>C: cut open, F: blood, E: conduction system</source>
+        <translation>C: abrir, F: sangre, E: sistema de conducción</translation>
+    </message>
 </context>
 <context>
     <name>NewFile</name>
@@ -697,8 +729,8 @@ N: nombres, H: tiradores, X: pared, R: restablecer, T: claro u oscuro, Inicio: p
         <translation>Sangre</translation>
     </message>
     <message>
-        <source>Fill the chambers of the heart with blood. Without it they are empty and show walls, papillary muscles and valves</source>
-        <translation>Llenar de sangre las cavidades del corazón. Sin ella están vacías y muestran paredes, músculos papilares y válvulas</translation>
+        <source>Fill chambers and vessels of the heart with blood. Without it they are empty and show walls, papillary muscles and valves</source>
+        <translation>Llenar de sangre las cavidades y los vasos del corazón. Sin ella están vacíos y muestran paredes, músculos papilares y válvulas</translation>
     </message>
 </context>
 <context>
@@ -1418,6 +1450,10 @@ N: nombres, H: tiradores, X: pared, R: restablecer, T: claro u oscuro, Inicio: p
     <message>
         <source>Fit the textbook&apos;s beat to %1</source>
         <translation>Ajustar el latido de manual a %1</translation>
+    </message>
+    <message>
+        <source>Spine and pelvis stay in place: breathing does not move them.</source>
+        <translation>La columna vertebral y la pelvis permanecen en su sitio: la respiración no las mueve.</translation>
     </message>
 </context>
 <context>

@@ -340,6 +340,38 @@ N&#xa0;: noms, H&#xa0;: poignées, X&#xa0;: paroi, R&#xa0;: rétablir, T&#xa0;: 
         <source>Left</source>
         <translation>Gauche</translation>
     </message>
+    <message>
+        <source>Cut open</source>
+        <translation>Ouvrir</translation>
+    </message>
+    <message>
+        <source>Open the heart and look into it (C)</source>
+        <translation>Ouvrir le cœur et regarder dedans (C)</translation>
+    </message>
+    <message>
+        <source>Blood</source>
+        <translation>Sang</translation>
+    </message>
+    <message>
+        <source>Blood in the opened chambers (F)</source>
+        <translation>Du sang dans les cavités ouvertes (F)</translation>
+    </message>
+    <message>
+        <source>Conduction</source>
+        <translation>Conduction</translation>
+    </message>
+    <message>
+        <source>Conduction system, lit with the electrocardiogram (E)</source>
+        <translation>Système de conduction, s’allume avec l’électrocardiogramme (E)</translation>
+    </message>
+    <message>
+        <source>ECG</source>
+        <translation>ECG</translation>
+    </message>
+    <message>
+        <source>C: cut open, F: blood, E: conduction system</source>
+        <translation>C&#xa0;: ouvrir, F&#xa0;: sang, E&#xa0;: système de conduction</translation>
+    </message>
 </context>
 <context>
     <name>NewFile</name>
@@ -697,8 +729,8 @@ N&#xa0;: noms, H&#xa0;: poignées, X&#xa0;: paroi, R&#xa0;: rétablir, T&#xa0;: 
         <translation>Sang</translation>
     </message>
     <message>
-        <source>Fill the chambers of the heart with blood. Without it they are empty and show walls, papillary muscles and valves</source>
-        <translation>Remplir de sang les cavités du cœur. Sans lui, elles sont vides et montrent parois, muscles papillaires et valves</translation>
+        <source>Fill chambers and vessels of the heart with blood. Without it they are empty and show walls, papillary muscles and valves</source>
+        <translation>Remplir de sang les cavités et les vaisseaux du cœur. Sans lui, ils sont vides et montrent parois, muscles papillaires et valves</translation>
     </message>
 </context>
 <context>
@@ -1418,6 +1450,10 @@ N&#xa0;: noms, H&#xa0;: poignées, X&#xa0;: paroi, R&#xa0;: rétablir, T&#xa0;: 
     <message>
         <source>Fit the textbook&apos;s beat to %1</source>
         <translation>Ajuster le battement de référence à %1</translation>
+    </message>
+    <message>
+        <source>Spine and pelvis stay in place: breathing does not move them.</source>
+        <translation>La colonne vertébrale et le bassin restent en place : la respiration ne les déplace pas.</translation>
     </message>
 </context>
 <context>
