@@ -87,15 +87,15 @@ public:
     return tracking::MotionRig(rest, handles, 3, tracking::softnessFor(handles, 8, 1.5), progress);
   }
 
-  /// Three short-axis slices 18 mm apart, and two long-axis ones.
+  /// Four short-axis slices 16 mm apart, and three long-axis ones.
   static std::vector<tracking::CinePlane> planes(const CineFaults& faults = {}) {
     std::vector<tracking::CinePlane> planes;
     std::mt19937 random(3);
-    for (int slice = 0; slice < 3; ++slice)
-      planes.push_back(plane("short " + std::to_string(slice + 1), Vec3(0, 0, 18 * slice - 18), Vec3::UnitX(),
+    for (int slice = 0; slice < 4; ++slice)
+      planes.push_back(plane("short " + std::to_string(slice + 1), Vec3(0, 0, 16 * slice - 24), Vec3::UnitX(),
                              Vec3::UnitY(), faults, random));
-    for (int view = 0; view < 2 && faults.longAxis; ++view) {
-      const double turn = std::numbers::pi / 2 * view;
+    for (int view = 0; view < 3 && faults.longAxis; ++view) {
+      const double turn = std::numbers::pi / 3 * view;
       planes.push_back(plane("long " + std::to_string(view + 1), Vec3::Zero(),
                              Vec3(std::cos(turn), std::sin(turn), 0), Vec3::UnitZ(), faults, random));
     }

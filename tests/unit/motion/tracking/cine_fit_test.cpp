@@ -108,7 +108,7 @@ TEST(FitCine, FindsThePhasesBetweenTheLabels) {
 TEST(FitCine, SaysWhatEachPlaneContributed) {
   const FoundPhantom& found = foundOnce();
   for (std::size_t phase = 0; phase < CinePhantom::kPhases; ++phase) {
-    ASSERT_EQ(found.fit.planes[phase].size(), 5U);
+    ASSERT_EQ(found.fit.planes[phase].size(), 7U);
     for (const PlaneShare& share : found.fit.planes[phase]) {
       if (isLabelled(phase)) {
         EXPECT_EQ(share.points, 0);
@@ -166,7 +166,7 @@ TEST(FitCine, CanBeCancelled) {
 
 TEST(LongAxisPlanes, AreThoseBesideTheStack) {
   const std::vector<bool> isLong = longAxisPlanes(CinePhantom::planes({.noise = 0}));
-  EXPECT_EQ(isLong, std::vector<bool>({false, false, false, true, true}));
+  EXPECT_EQ(isLong, std::vector<bool>({false, false, false, false, true, true, true}));
 }
 
 TEST(CinePlane, ImagesAreMatchedByPartsOfTheCycle) {
