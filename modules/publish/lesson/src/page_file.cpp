@@ -15,6 +15,11 @@
 namespace viscera::lesson {
 namespace {
 
+QByteArray partOf(const QString& name) {
+  QFile file(QStringLiteral(":/viscera/lesson/") + name);
+  return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
 /// The script in the order in which its parts need one another. What only an opened heart needs is not in
 /// other lessons.
 QByteArray scriptOf(bool heart) {
