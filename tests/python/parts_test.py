@@ -4,6 +4,7 @@ parts_test.py PLUGINS: the folder with the plugins of the build.
 """
 
 import pathlib
+import struct
 import subprocess
 import sys
 import tempfile
@@ -23,6 +24,40 @@ class Folder(unittest.TestCase):
         self.temporary = tempfile.TemporaryDirectory()
         self.folder = pathlib.Path(self.temporary.name)
         self.addCleanup(self.temporary.cleanup)
+
+
+class Cine(Folder):
+    def test_volumes_over_time_are_a_stack_of_slices(self):
+        voxels = np.arange(5 * 2 * 3 * 4, dtype="<i2").reshape(5, 2, 3, 4)  # Phase, layer, row, column.
+        header = bytearray(352)
+        struct.pack_into("<i", header, 0, 348)
+        struct.pack_into("<8h", header, 40, 4, 4, 3, 2, 5, 1, 1, 1)
+        struct.pack_into("<2h", header, 70, 4, 16)
+        struct.pack_into("<8f", header, 76, 1, 2, 2, 8, 160, 0, 0, 0)
+        struct.pack_into("<2f", header, 108, 352, 1)
+        header[123] = 2 | 16  # mm, ms
+        struct.pack_into("<h", header, 254, 1)
+        struct.pack_into("<12f", header, 280, -2, 0, 0, 7, 0, -2, 0, 0, 0, 0, 8, 0)
+        header[344:347] = b"n+1"
+        file = self.folder / "cine.nii"
+        file.write_bytes(bytes(header) + voxels.tobytes())
+        study = viscera.cine(file)
+        self.assertEqual(len(study.slices), 2)
+        for layer, slice in enumerate(study.slices):
+            self.assertEqual(slice.images.dtype, np.float32)
+            np.testing.assert_array_equal(slice.images, voxels[:, layer])
+            np.testing.assert_array_equal(slice.image(3), voxels[3, layer])
+            np.testing.assert_allclose(slice.fractions, np.arange(5) / 5, atol=1e-6)
+            np.testing.assert_allclose(slice.index_to_lps @ [1, 1, 0, 1], [-5, 2, 8 * layer, 1], atol=1e-5)
+            self.assertAlmostEqual(slice.interval, 0.8, 5)
+            self.assertEqual(slice.phase_at(0.59), 3)
+        self.assertEqual(study.stacks[0].slices, [0, 1])
+        self.assertEqual(study.stacks[0].gaps, [0])
+        self.assertEqual(study.findings, [])
+        with self.assertRaises(viscera.UsageError):
+            study.slices[0].image(5)
+        with self.assertRaises(viscera.NoInputError):
+            viscera.cine(self.folder / "none")
 
 
 class Files(Folder):

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -11,6 +12,7 @@
 #include "long_jobs.h"
 #include "viscera/core/error.h"
 #include "viscera/core/phrase.h"
+#include "viscera/medical_io/cine_study.h"
 #include "viscera/medical_io/handle_file.h"
 #include "viscera/medical_io/label_map.h"
 #include "viscera/medical_io/label_surfaces.h"
@@ -263,6 +265,79 @@ void addLabelMaps(py::module_& module) {
              "Reads NIfTI, NRRD, MetaImage or DICOM-SEG.");
 }
 
+medical_io::CineStudy cine(const path& place, const py::object& listener) {
+  return resultOfLong(listener,
+                      [&](Progress& progress) { return medical_io::readCineStudy(place, progress); });
+}
+
+/// From (column, row, 0, 1) to mm; the third column is the slice's thickness along its normal.
+Eigen::Matrix4d indexToLps(const medical_io::CineSlice& slice) {
+  const medical_io::CineGeometry& place = slice.geometry;
+  Eigen::Matrix4d matrix = Eigen::Matrix4d::Identity();
+  matrix.block<3, 1>(0, 0) = place.betweenColumns * place.row;
+  matrix.block<3, 1>(0, 1) = place.betweenRows * place.column;
+  matrix.block<3, 1>(0, 2) = (place.thickness > 0 ? place.thickness : 1) * place.normal();
+  matrix.block<3, 1>(0, 3) = place.origin;
+  return matrix;
+}
+
+py::array cineImage(const medical_io::CineSlice& slice, std::size_t phase) {
+  if (phase >= slice.fractions.size())
+    throw UsageError("there is no phase " + std::to_string(phase), "phase",
+                     "there are " + std::to_string(slice.fractions.size()));
+  return share<medical_io::CineImage>(unlocked([&] { return slice.image(phase); }));
+}
+
+py::array_t<float> cineImages(const medical_io::CineSlice& slice) {
+  const std::size_t phases = slice.fractions.size();
+  py::array_t<float> array(
+      {py::ssize_t(phases), py::ssize_t(slice.geometry.rows), py::ssize_t(slice.geometry.columns)});
+  float* out = array.mutable_data();
+  unlocked([&] {
+    for (std::size_t phase = 0; phase < phases; ++phase) {
+      const auto image = slice.image(phase);
+      out = std::copy_n(image->data(), image->size(), out);
+    }
+    return 0;
+  });
+  return array;
+}
+
+void addCine(py::module_& module) {
+  using medical_io::CineSlice;
+  using medical_io::CineStack;
+  using medical_io::CineStudy;
+  py::class_<CineSlice>(module, "CineSlice", "One plane through the heart, in many phases of its cycle.")
+      .def_readonly("number", &CineSlice::number, "Of its series.")
+      .def_readonly("series", &CineSlice::series, "UID of its series.")
+      .def_readonly("description", &CineSlice::description)
+      .def_property_readonly("plane", [](const CineSlice& slice) { return nameOf(slice.plane); })
+      .def_readonly("fractions", &CineSlice::fractions, "Of each phase, the part of the cycle gone by.")
+      .def_readonly("missing", &CineSlice::missing, "The same of phases that have no image.")
+      .def_readonly("interval", &CineSlice::interval, "Of its cycle, s; 0: not known.")
+      .def_property_readonly(
+          "thickness", [](const CineSlice& slice) { return slice.geometry.thickness; }, "mm.")
+      .def_property_readonly("index_to_lps", &indexToLps, "4 x 4, from (column, row, 0, 1) to mm in LPS.")
+      .def_property_readonly("images", &cineImages, "phases x rows x columns, float32; decoded now.")
+      .def("image", &cineImage, py::arg("phase"), "rows x columns, float32; no copy, read only.")
+      .def("phase_at", &CineSlice::phaseAt, py::arg("fraction"), "The phase nearest to it.")
+      .def("__repr__", [](const CineSlice& slice) {
+        return "<CineSlice " + std::to_string(slice.number) + ": " + nameOf(slice.plane) + ">";
+      });
+  py::class_<CineStack>(module, "CineStack", "Parallel slices of one geometry.")
+      .def_readonly("slices", &CineStack::slices, "Their places in `slices` of the study.")
+      .def_readonly("distances", &CineStack::distances, "mm from each to the next.")
+      .def_readonly("gaps", &CineStack::gaps, "mm between them that no slice covers.");
+  py::class_<CineStudy>(module, "CineStudy", "The cine images of one study of one patient.")
+      .def_readonly("date", &CineStudy::date)
+      .def_readonly("modality", &CineStudy::modality)
+      .def_readonly("slices", &CineStudy::slices)
+      .def_readonly("stacks", &CineStudy::stacks)
+      .def_property_readonly("findings", [](const CineStudy& study) { return inEnglish(study.findings); });
+  module.def("cine", &cine, py::arg("path"), py::arg("progress") = py::none(),
+             "Reads a folder with a cine study, or a file with volumes over time.");
+}
+
 } // namespace
 } // namespace viscera::python
 
@@ -275,6 +350,7 @@ PYBIND11_MODULE(_files, module) {
   viscera::python::addRepairs(module);
   viscera::python::addHandles(module);
   viscera::python::addLabelMaps(module);
+  viscera::python::addCine(module);
   module.def(
       "sample_names",
       [] { return viscera::sample_organs::sampleNames(viscera::sample_organs::standardLibrary()); },

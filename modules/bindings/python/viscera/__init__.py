@@ -52,6 +52,7 @@ from .errors import (
     UsageError,
 )
 from .files import (
+    cine,
     life_size_factor,
     read_handles,
     read_label_map,
@@ -95,6 +96,7 @@ __all__ = [
     "bind",
     "breathing",
     "check_surface",
+    "cine",
     "circulate",
     "circulation_parameters",
     "circulation_response",

@@ -1,4 +1,4 @@
-"""Surfaces, handles, label maps and sample organs. Needs the part of Viscera that is built with VTK."""
+"""Surfaces, handles, label maps, cine studies and sample organs. Needs the part of Viscera that is built with VTK."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from ._parts import part as extension
 from .deformation import Progress
 
 if TYPE_CHECKING:
-    from ._files import Handles, LabelMap, Surface
+    from ._files import CineStudy, Handles, LabelMap, Surface
 
 PathLike = Union[str, "os.PathLike[str]"]
 
@@ -77,6 +77,16 @@ def read_label_map(path: PathLike, progress: Progress | None = None) -> LabelMap
     `segments` names the organs, `layers` are the voxels (k x j x i), `surfaces()` makes closed surfaces of them.
     """
     return extension("_files").read_label_map(os.fspath(path), progress)
+
+
+def cine(path: PathLike, progress: Progress | None = None) -> CineStudy:
+    """Reads a cine study: a DICOM folder of one patient, or a 4D NIfTI or .seq.nrrd as a stack over time.
+
+    `slices` are the planes, each with `images` (phases x rows x columns), `fractions` of its own cycle,
+    `index_to_lps` and `plane`; `stacks` are parallel slices with their gaps in mm; `findings` say what is missing,
+    damaged or left out. Raises NoInputError, DataError for two patients and for a folder without phases.
+    """
+    return extension("_files").cine(os.fspath(path), progress)
 
 
 def sample_names() -> list[str]:
