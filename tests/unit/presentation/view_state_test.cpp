@@ -16,8 +16,8 @@ namespace {
 using What = Compared::What;
 using nlohmann::ordered_json;
 
-ViewState viewOf(const std::string& json) {
-  return viewFromJson(ordered_json::parse(json));
+ViewState viewOf(const std::string& text) {
+  return viewFromJson(ordered_json::parse(text));
 }
 
 Compared back(const Compared& compared) {

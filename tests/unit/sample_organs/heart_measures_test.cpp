@@ -72,36 +72,36 @@ struct Lumen {
   double mean = 0, least = 0, largest = 0, wall = 0;
 };
 
-constexpr int kRays = 32;
-constexpr double kFar = 40;
+constexpr int kLumenRays = 32;
+constexpr double kLumenFar = 40;
 
 Lumen lumenAt(Vec3 middle, const Vec3& along, const Vec3& across, const Inside& tissue) {
   const Vec3 normal = along.normalized();
   const Vec3 first = (across - across.dot(normal) * normal).normalized(), second = normal.cross(first);
-  std::array<double, kRays> ways{};
+  std::array<double, kLumenRays> ways{};
   const auto ray = [&](int i) -> Vec3 {
-    const double angle = 2 * std::numbers::pi * i / kRays;
+    const double angle = 2 * std::numbers::pi * i / kLumenRays;
     return std::cos(angle) * first + std::sin(angle) * second;
   };
   for (int round = 0; round < 3; ++round) { // From the middle of what the last rays met.
     Vec3 shift = Vec3::Zero();
-    for (int i = 0; i < kRays; ++i) {
-      ways[static_cast<std::size_t>(i)] = wayUntil(middle, ray(i), kFar, tissue);
-      shift += 2.0 / kRays * ways[static_cast<std::size_t>(i)] * ray(i);
+    for (int i = 0; i < kLumenRays; ++i) {
+      ways[static_cast<std::size_t>(i)] = wayUntil(middle, ray(i), kLumenFar, tissue);
+      shift += 2.0 / kLumenRays * ways[static_cast<std::size_t>(i)] * ray(i);
     }
     if (round < 2)
       middle += shift;
   }
   Lumen lumen{0, std::numeric_limits<double>::infinity(), 0, std::numeric_limits<double>::infinity()};
-  for (int i = 0; i < kRays; ++i) {
+  for (int i = 0; i < kLumenRays; ++i) {
     const double way = ways[static_cast<std::size_t>(i)];
-    const double diameter = way + ways[static_cast<std::size_t>((i + kRays / 2) % kRays)];
-    lumen.mean += diameter / kRays;
+    const double diameter = way + ways[static_cast<std::size_t>((i + kLumenRays / 2) % kLumenRays)];
+    lumen.mean += diameter / kLumenRays;
     lumen.least = std::min(lumen.least, diameter);
     lumen.largest = std::max(lumen.largest, diameter);
     const Vec3 wall = middle + (way + 0.05) * ray(i);
     lumen.wall =
-        std::min(lumen.wall, wayUntil(wall, ray(i), kFar, [&](const Vec3& p) { return !tissue(p); }));
+        std::min(lumen.wall, wayUntil(wall, ray(i), kLumenFar, [&](const Vec3& p) { return !tissue(p); }));
   }
   return lumen;
 }
@@ -238,7 +238,7 @@ const heart::HeartFrame& ventricleFrame() {
 }
 
 /// A place by its way towards the septum, the diaphragm and the apex, mm.
-Vec3 inVentricle(double a, double b, double c) {
+Vec3 ventriclePlace(double a, double b, double c) {
   return ventricleFrame().toWorld(Vec3(a, b, c));
 }
 
@@ -257,10 +257,10 @@ TEST(HeartMeasures, MuscleIsAsThickAsInHealthyAdultsInSixteenSegments) {
   for (const auto& [height, segments] : {Ring{18, 6}, Ring{42, 6}, Ring{66, 4}})
     for (int segment = 0; segment < segments; ++segment) {
       const double angle = 2 * std::numbers::pi * (segment + 0.5) / segments;
-      const Vec3 out = inVentricle(std::cos(angle), std::sin(angle), 0) - origin;
-      const Vec3 axis = inVentricle(0, 0, height);
-      const double inner = wayUntil(axis, out, kFar, [&](const Vec3& p) { return cavity(p) > 0; });
-      const double outer = wayUntil(axis, out, kFar, [&](const Vec3& p) { return wall(p) > 0; });
+      const Vec3 out = ventriclePlace(std::cos(angle), std::sin(angle), 0) - origin;
+      const Vec3 axis = ventriclePlace(0, 0, height);
+      const double inner = wayUntil(axis, out, kLumenFar, [&](const Vec3& p) { return cavity(p) > 0; });
+      const double outer = wayUntil(axis, out, kLumenFar, [&](const Vec3& p) { return wall(p) > 0; });
       // Across the wall, which narrows towards the apex: the way out is the longer side of that.
       const Vec3 inside = axis + inner * out;
       constexpr double kDelta = 0.01;
@@ -276,7 +276,7 @@ double degreesBetween(const Vec3& a, const Vec3& b) {
 }
 
 TEST(HeartMeasures, AxesStandToEachOtherAsInAtlases) {
-  const Vec3 toApex = inVentricle(0, 0, 1) - ventricleFrame().origin();
+  const Vec3 toApex = ventriclePlace(0, 0, 1) - ventricleFrame().origin();
   HeldRange down("the left ventricle's axis below the horizontal plane", 20, 60, "degrees", "customary");
   down.add(90 - degreesBetween(toApex, {0, 0, -1}));
   HeldRange front("the left ventricle's axis before the frontal plane", 20, 60, "degrees", "customary");
@@ -379,11 +379,11 @@ TEST(HeartMeasures, BloodGoesFromEachPulmonaryVeinToEachArteryThroughTheRingsOfI
                {{-54, 61.5, 45}, {-48, 59, 44}, {-34, 52, 40}},
                {{-54, 65, 14.5}, {-48, 62, 16}, {-34, 54, 20}}},
               {{-14, 47, 28},
-               inVentricle(-8, 6, -6),
-               inVentricle(-5.2, 7, 1),
-               inVentricle(0, 0, 22),
-               inVentricle(9, -12, 6),
-               inVentricle(7.5, -10, -4),
+               ventriclePlace(-8, 6, -6),
+               ventriclePlace(-5.2, 7, 1),
+               ventriclePlace(0, 0, 22),
+               ventriclePlace(9, -12, 6),
+               ventriclePlace(7.5, -10, -4),
                {-15, 8, 43}},
               {upTo({{-20, 16, 100}, {-25, 14, 114}, {-28, 12.5, 122}}),
                upTo({{-10, 27, 105}, {-9, 27, 109}, {-8, 25, 120}, {-7.4, 23, 126}}),
@@ -398,12 +398,12 @@ TEST(HeartMeasures, BloodGoesFromEachVenaCavaToEachPulmonaryArteryThroughTheRing
       "blood_right",
       {{{-48, 16.8, 85}, {-48, 16, 76}, {-49, 15, 56}}, {{-46.2, 20.6, -36}, {-47, 19, -26}, {-49, 15, -8}}},
       {{-50, 12, 16},
-       inVentricle(38, 17, -9),
-       inVentricle(40.6, 14.2, 0),
-       inVentricle(44, 8, 16),
-       inVentricle(40, -14, 26),
-       inVentricle(33, -26, 24),
-       inVentricle(28, -37, 18),
+       ventriclePlace(38, 17, -9),
+       ventriclePlace(40.6, 14.2, 0),
+       ventriclePlace(44, 8, 16),
+       ventriclePlace(40, -14, 26),
+       ventriclePlace(33, -26, 24),
+       ventriclePlace(28, -37, 18),
        {7, -19, 48},
        {12, -6, 61},
        {15, 5, 67}},

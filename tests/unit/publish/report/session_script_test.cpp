@@ -55,7 +55,7 @@ TEST(SessionScript, TakesNoNameForACommand) {
   session.record();
   presentation::ViewState view;
   view.shown.stress = true;
-  view.motions = {{session.organ(), kHostileName}};
+  view.motions = {{session.organ(), live::SampleMotion{kHostileName, sample_organs::Resolution::low}}};
   const TemporaryFolder folder;
   for (const int motion : {-1, 0}) {
     view.playing = presentation::Playing{motion, 0.3, 30, 1, true, false};
