@@ -88,10 +88,10 @@ TissueOverABeat tissueOver(int frames, BeatingTissue& tissue) {
 /// 1.4 pairs a frame, which is held here; those of the window's resolution do not where they were looked at
 /// (`TissueOfAHeart.GoesAlongWithItsSurfacesInTheBeat`).
 TEST(HeartTissueOverABeat, KeepsItsVolumeAndHardlyMeetsItselfInTheTextbooksBeat) {
-  constexpr int kFrames = 10;
+  constexpr int kBeatFrames = 10;
   Progress progress;
   BeatingTissue tissue(setUpSequence(tests::cachedLibrary(), "heartbeat", Resolution::low, progress));
-  const TissueOverABeat found = tissueOver(kFrames, tissue);
+  const TissueOverABeat found = tissueOver(kBeatFrames, tissue);
   HeldValue volume("change of the walls' volume over the textbook's beat, either way", 5, "%");
   volume.add(found.change);
   HeldValue crossings("crossings of the coarse walls with themselves in ten frames of the textbook's beat",
