@@ -83,8 +83,8 @@ TEST_F(CliSession, RenderDrawsItAsItIsPosedAndSeen) {
   EXPECT_NE(rest, posed);
   EXPECT_EQ(drawn("posed.viscera"), posed);
   EXPECT_NE(drawn("posed.viscera", {"--view", "left"}), posed);
-  contents_.view =
-      R"({"mode": "deform", "camera": {"position": [90, -80, 70], "focus": [0, 0, 0], "up": [0, 0, 1]}})";
+  contents_.view = json::parse(
+      R"({"mode": "deform", "camera": {"position": [90, -80, 70], "focus": [0, 0, 0], "up": [0, 0, 1]}})");
   write("seen.viscera");
   const std::string seen = drawn("seen.viscera");
   EXPECT_NE(seen, posed);
@@ -97,8 +97,7 @@ TEST_F(CliSession, RenderColoursByTheInfluenceOfTheHandleThatWasSelected) {
                             {"group", 0},
                             {"handles", json::array({contents_.state.rig->handles.at(handle).id.value})}};
     contents_.view =
-        json{{"mode", "deform"}, {"switches", {{"handles.influence", shown}}}, {"selection", selection}}
-            .dump();
+        json{{"mode", "deform"}, {"switches", {{"handles.influence", shown}}}, {"selection", selection}};
     write("map.viscera");
     return drawn("map.viscera");
   };
