@@ -427,21 +427,6 @@ TEST_F(PlayMode, ValvesAreOfferedOnlyWhereTheyAreDrawnAndTheWishForThemStays) {
   EXPECT_FALSE(window().viewModel().state().valves);
 }
 
-TEST_F(PlayMode, APoseByHandIsNotCalledRest) {
-  const auto& phase = find<QLabel>("phase");
-  window().playback().stop();
-  settle();
-  EXPECT_EQ(phase.text(), QStringLiteral("at rest"));
-  Points pose = document().pose();
-  pose.row(0) += Vec3(4, 0, 0).transpose();
-  ASSERT_TRUE(window().workspace().perform(document::setPose(pose)));
-  settle();
-  EXPECT_EQ(phase.text(), QStringLiteral("posed by hand"));
-  window().workspace().undo().undo();
-  settle();
-  EXPECT_EQ(phase.text(), QStringLiteral("at rest"));
-}
-
 TEST_F(PlayMode, UndoAndRedoOfAChangeOfSequenceStopWhatPlaysOrIsPausedInEveryMode) {
   const auto* heart = window().playback().sequence();
   loadSample(QStringLiteral("stomach"));

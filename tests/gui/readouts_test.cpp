@@ -237,6 +237,21 @@ TEST_F(Readouts, NoRateIsShownWhereThereIsNoMotion) {
             QStringLiteral("%1 / min").arg(std::lround(window().playback().player().ratePerMinute())));
 }
 
+TEST_F(Readouts, APoseByHandIsNotCalledRest) {
+  const auto& phase = find<QLabel>("phase");
+  window().playback().stop();
+  settle();
+  EXPECT_EQ(phase.text(), QStringLiteral("at rest"));
+  Points pose = document().pose();
+  pose.row(0) += Vec3(4, 0, 0).transpose();
+  ASSERT_TRUE(window().workspace().perform(document::setPose(pose)));
+  settle();
+  EXPECT_EQ(phase.text(), QStringLiteral("posed by hand"));
+  window().workspace().undo().undo();
+  settle();
+  EXPECT_EQ(phase.text(), QStringLiteral("at rest"));
+}
+
 /// A motion that can be played at one rate only, as the beat of a circulation.
 class OneRate final : public sequences::Sequence {
 public:
