@@ -61,9 +61,13 @@ std::optional<SampleHeartOrgans> sampleHeartIn(const document::DocumentState& st
     }
   if (!heart.outer)
     return std::nullopt;
+  // The command line has the surfaces beside each other, without a parent.
+  const auto isOfIt = [&](const document::Organ& organ) {
+    return (!organ.parent || organ.parent == heart.outer->id) &&
+           organ.origin.sample == heart.outer->origin.sample;
+  };
   for (const auto& organ : *state.organs)
-    if (organ->parent == heart.outer->id && organ->origin.sample == heart.outer->origin.sample &&
-        std::count(kCavities.begin(), kCavities.end(), organ->origin.surface) > 0)
+    if (isOfIt(*organ) && std::count(kCavities.begin(), kCavities.end(), organ->origin.surface) > 0)
       heart.cavities.push_back(organ);
   return heart;
 }

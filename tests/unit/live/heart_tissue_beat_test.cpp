@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <functional>
 #include <limits>
 #include <memory>
@@ -113,6 +114,26 @@ TEST(HeartTissueOverABeat, KeepsItsVolumeAndHardlyMeetsItselfInTwoScenarios) {
     const TissueOverABeat found = tissueOver(kFramesEach, tissue);
     volume.add(found.change);
     crossings.add(found.crossings);
+  }
+}
+
+TEST(SampleHeartIn, HasItsCavitiesWithAndWithoutAParent) {
+  for (const bool nested : {true, false}) {
+    document::OrganList organs;
+    for (const char* surface : {"outer", "lv", "ra"}) {
+      document::Organ organ;
+      organ.id = document::OrganId{static_cast<std::int64_t>(organs.size()) + 1};
+      organ.origin.sample = "heart@low";
+      organ.origin.surface = surface;
+      if (nested && !organs.empty())
+        organ.parent = organs.front()->id;
+      organs.push_back(std::make_shared<const document::Organ>(std::move(organ)));
+    }
+    document::DocumentState state;
+    state.organs = std::make_shared<const document::OrganList>(organs);
+    const auto heart = sampleHeartIn(state);
+    ASSERT_TRUE(heart) << nested;
+    EXPECT_EQ(heart->cavities.size(), 2u) << nested;
   }
 }
 
