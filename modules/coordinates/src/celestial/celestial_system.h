@@ -32,8 +32,8 @@ public:
   std::unique_ptr<Binding> bind(const HandleSet& handles, const Points& points, const BindOptions& options,
                                 Progress& progress) const override;
 
-  /// In closed form, by the implicit function theorem. Points at a handle have no derivative without softness
-  /// (there is a kink): they are among the failures.
+  /// The derivatives are in closed form, by the implicit function theorem. Points at a handle have no
+  /// derivative without softness (there is a kink): they are among the failures.
   CoordinateGradients gradients(const HandleSet& handles, const Points& points, const BindOptions& options,
                                 Progress& progress) const override;
 

@@ -88,7 +88,7 @@ private:
 
 /// Green coordinates (Lipman, Levin and Cohen-Or 2008, doi 10.1145/1360612.1360677): inside a closed cage of
 /// any shape a point is a sum of the cage's corners and of its triangles' normals, by Green's third identity.
-/// In a pose the normals are those of the posed cage, scaled by the stretch of their triangles.
+/// The normals in a pose are those of the posed cage, scaled by the stretch of their triangles.
 ///
 /// They reproduce every point at rest and follow every similarity; they do not follow other affine motions,
 /// and do not interpolate handles; in return they nearly keep angles. The points are not linear in the pose,

@@ -182,8 +182,8 @@ BalanceIn<2> planeLagrange(const ParameterValues& parameters) {
 ///     most 200 times, then points that still have one have no coordinates.
 /// * `shift`: for `iterative`, the target is raised; or lowered, as the thesis prints it.
 ///
-/// With the sign of the multipliers tested as well, the solution of (3.25) is unique; the thesis's local test
-/// leaves it out, which is where its jumps come from. O(n) a point but for the tests, which try sets of
+/// The solution of (3.25) is unique where the sign of the multipliers is tested as well; the thesis's local
+/// test leaves it out, which is where its jumps come from. O(n) a point but for the tests, which try sets of
 /// handles.
 std::shared_ptr<const CoordinateSystem> lagrangeMinimisation() {
   return std::make_shared<PointwiseSystem>(

@@ -105,12 +105,12 @@ std::unique_ptr<const PointSolver> prepareHarmonic(const HandleSet& handles, con
 /// any shape each coordinate is the solution of Laplace's equation that is linear on the cage's triangles, 1
 /// at its handle and 0 at the others.
 ///
-/// By linear finite elements on tetrahedra whose edges are about a `resolution`-th of the cage's diagonal;
-/// the error falls with its square. Linear functions are among the elements, so identity and unity are exact
-/// on any tetrahedra. True harmonic coordinates are positive in any cage; on tetrahedra with obtuse angles
-/// the elements may fall below zero by a little, which is why the traits do not promise it. Derivatives are
-/// those of the elements: constant in each tetrahedron. Points outside the cage have no coordinates.
-/// A factorisation of about `resolution^3 / 2` unknowns, then O(handles) a point.
+/// The system solves it by linear finite elements on tetrahedra whose edges are about a `resolution`-th of
+/// the cage's diagonal; the error falls with its square. Linear functions are among the elements, so identity
+/// and unity are exact on any tetrahedra. True harmonic coordinates are positive in any cage; on tetrahedra
+/// with obtuse angles the elements may fall below zero by a little, which is why the traits do not promise
+/// it. Derivatives are those of the elements: constant in each tetrahedron. Points outside the cage have no
+/// coordinates. A factorisation of about `resolution^3 / 2` unknowns, then O(handles) a point.
 std::shared_ptr<const CoordinateSystem> harmonic() {
   return std::make_shared<PointwiseSystem>(
       SystemDescription{

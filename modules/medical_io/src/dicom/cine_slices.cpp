@@ -9,7 +9,7 @@
 
 #include "cine_planes.h"
 #include "dicom/cine_times.h"
-#include "dicom/folder_headers.h"
+#include "dicom/dicom_header.h"
 #include "dicom/for_all.h"
 #include "dicom/pixel_conversion.h"
 #include "dicom/slice_stack.h"

@@ -4,10 +4,12 @@
 #include <cmath>
 #include <limits>
 #include <sstream>
+#include <utility>
 
 #include "dicom/dicom_kinds.h"
 #include "dicom/dicom_load.h"
 #include "dicom/dicom_text.h"
+#include "dicom/for_all.h"
 #include "image_formats/raw_image.h"
 #include "text_scanner.h"
 #include "viscera/core/error.h"
@@ -409,6 +411,22 @@ DicomHeader remainsOfDicomHeader(const std::filesystem::path& file) {
     return none;
   }
   return ElementReader(file, format).runWithoutPixels();
+}
+
+FolderHeaders readDicomHeaders(std::vector<std::filesystem::path> files, Progress& progress, double until) {
+  FolderHeaders folder;
+  folder.files = std::move(files);
+  folder.headers.resize(folder.files.size());
+  folder.errors.resize(folder.files.size());
+  forAll(folder.files.size(), progress, 0, until, "headers", [&](std::size_t i) {
+    try {
+      folder.headers[i] = readDicomHeader(folder.files[i]);
+    } catch (const DataError& error) {
+      folder.headers[i].file = folder.files[i];
+      folder.errors[i] = error;
+    }
+  });
+  return folder;
 }
 
 } // namespace viscera::medical_io

@@ -6,7 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "viscera/core/error.h"
 #include "viscera/core/phrase.h"
+#include "viscera/core/progress.h"
 #include "viscera/medical_io/scan.h"
 
 class DcmFileFormat;
@@ -78,5 +80,15 @@ DicomHeader readDicomHeader(const std::filesystem::path& file);
 /// What can still be read of a damaged file before its pixels: whose it is, and its first frame, if any. Does
 /// not throw.
 DicomHeader remainsOfDicomHeader(const std::filesystem::path& file);
+
+/// The headers of several files, one for each; of a damaged one only its name and an error.
+struct FolderHeaders {
+  std::vector<std::filesystem::path> files;
+  std::vector<DicomHeader> headers;
+  std::vector<std::optional<DataError>> errors;
+};
+
+/// Reads the headers on several threads; progress runs from 0 to `until`. Throws `NoInputError`, `Cancelled`.
+FolderHeaders readDicomHeaders(std::vector<std::filesystem::path> files, Progress& progress, double until);
 
 } // namespace viscera::medical_io

@@ -6,7 +6,7 @@
 #include <set>
 
 #include "dicom/dicom_folder.h"
-#include "dicom/folder_headers.h"
+#include "dicom/dicom_header.h"
 #include "dicom/for_all.h"
 #include "dicom/mixed_slices.h"
 #include "dicom/pixel_conversion.h"

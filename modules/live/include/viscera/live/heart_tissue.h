@@ -32,7 +32,7 @@ bool sameSurfaces(const SampleHeartOrgans& a, const SampleHeartOrgans& b);
 /// The surfaces and lines at rest of which the picture of an opened heart is made.
 struct HeartSurfaces {
   std::shared_ptr<const geometry::TriangleMesh> tissue; ///< Never null.
-  /// From which the tissue's inside was made, left and right; null: no blood is drawn.
+  /// The surfaces that the tissue's inside was made from, left and right; null: no blood is drawn.
   std::array<std::shared_ptr<const geometry::TriangleMesh>, 2> lumina = {};
   std::vector<geometry::NamedVessel> vessels = {};
 };

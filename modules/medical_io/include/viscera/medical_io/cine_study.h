@@ -55,7 +55,7 @@ struct CineSlice {
   std::string date;        ///< Of the series, "20240301"; empty: not stated.
   CinePlane plane = CinePlane::other;
   CineGeometry geometry;
-  /// Of each picture the part of this slice's own cycle that has gone by, in [0, 1), ascending.
+  /// The part of this slice's own cycle that has gone by at each picture, in [0, 1), ascending.
   std::vector<double> fractions;
   std::vector<double> missing; ///< The same of phases that should be there and are not.
   double interval = 0;         ///< Duration of its cycle, s; 0: not stated, and not to be told.
