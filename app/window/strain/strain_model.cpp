@@ -213,16 +213,17 @@ void StrainModel::submit(const Basis& basis, std::function<live::MovedOrgans(Pro
   running_ = true;
   Q_EMIT changed();
   auto made = std::make_shared<std::shared_ptr<const live::StrainGauge>>(gauge_);
+  const std::shared_ptr<const live::StrainGauge> before = lastGauge_;
   live::StrainOptions options;
   options.landmarks = basis.axes;
-  auto work = [made, rest = atRest(basis), state = workspace_.state(), motion = std::move(motion), reference,
-               options](Progress& progress) mutable {
+  auto work = [made, before, rest = atRest(basis), state = workspace_.state(), motion = std::move(motion),
+               reference, options](Progress& progress) mutable {
     Reading reading;
     inBackground([&] {
       if (!*made)
         runPart(progress, 0, 0.7, [&](Progress& part) {
           live::addOwnWall(state, part, rest);
-          *made = std::make_shared<const live::StrainGauge>(rest, options, part);
+          *made = std::make_shared<const live::StrainGauge>(rest, options, part, Threads{}, before.get());
         });
       runPart(progress, 0.7, 1, [&](Progress& part) {
         const live::MovedOrgans moved = motion(part);
@@ -237,6 +238,7 @@ void StrainModel::submit(const Basis& basis, std::function<live::MovedOrgans(Pro
     running_ = false;
     if (gaugeOf_ == basis && !result.cancelled()) {
       gauge_ = *made;
+      lastGauge_ = gauge_;
       refused_ = !gauge_;
       failureReason_ = result.error ? sentenceOf(*result.error) : QString();
       if (gauge_)

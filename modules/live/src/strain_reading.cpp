@@ -99,29 +99,58 @@ struct BoundSurface {
   std::shared_ptr<const coordinates::Binding> binding = nullptr; ///< Never null once it is bound.
 };
 
+/// The tetrahedra between the outer surface of a heart and its cavities, with what they were made for.
+struct Tissue {
+  TriangleMesh outer;
+  std::vector<std::shared_ptr<const TriangleMesh>> cavities;
+  int wanted = 0; ///< Witness points in the outer surface.
+  deformation::WitnessMesh mesh;
+  std::vector<Text> remarks;
+
+  bool isOf(const TriangleMesh& surface, const std::vector<std::shared_ptr<const TriangleMesh>>& holes,
+            int points) const {
+    return wanted == points && cavities == holes && outer.triangles == surface.triangles &&
+           outer.points == surface.points;
+  }
+};
+
+/// Takes `before` where it is of the same surfaces: the tetrahedra take most of the time.
+std::shared_ptr<const Tissue> tissueOf(const TriangleMesh& outer, const MovedOrgans& organs,
+                                       const TriangleMesh* left, int wanted,
+                                       const std::shared_ptr<const Tissue>& before, Progress& progress,
+                                       Threads threads) {
+  std::vector<std::shared_ptr<const TriangleMesh>> cavities;
+  for (const SequenceOrgan& organ : organs.organs)
+    if (organ.mesh.get() != &outer && (organ.mesh.get() == left || anatomy::chamberNamed(organ.name)))
+      cavities.push_back(organ.mesh);
+  if (before && before->isOf(outer, cavities, wanted))
+    return before;
+  WitnessOptions options;
+  options.wanted = wanted;
+  options.threads = threads;
+  const WitnessSample sample = sampleWitnesses(outer, options, progress);
+  deformation::WitnessMesh mesh = deformation::withoutCavities(*sample.mesh, cavities, threads);
+  return std::make_shared<const Tissue>(
+      Tissue{outer, std::move(cavities), wanted, std::move(mesh), sample.remarks});
+}
+
 /// The wall of the left ventricle with the gradients at its points.
 struct BoundWall {
+  std::shared_ptr<const Tissue> tissue;
   std::shared_ptr<const strain::WallPoints> points;
   std::shared_ptr<const deformation::WitnessGradients> gradients;
   std::vector<Eigen::Matrix3d> atRest; ///< The gradients in the pose of rest.
 };
 
 BoundWall boundWall(const MovedOrgans& organs, const strain::WallSurfaces& surfaces,
-                    const strain::FoundAxes& axes, const StrainOptions& options, std::vector<Text>& warnings,
-                    Progress& progress, Threads threads) {
-  WitnessOptions wanted;
-  wanted.wanted = options.witnesses;
-  wanted.threads = threads;
-  WitnessSample sample;
-  runPart(progress, 0, 0.3, [&](Progress& part) { sample = sampleWitnesses(*surfaces.outer, wanted, part); });
-  warnings.insert(warnings.end(), sample.remarks.begin(), sample.remarks.end());
-  std::vector<std::shared_ptr<const TriangleMesh>> cavities;
-  for (const SequenceOrgan& organ : organs.organs)
-    if (organ.mesh.get() != surfaces.outer &&
-        (organ.mesh.get() == surfaces.leftCavity || anatomy::chamberNamed(organ.name)))
-      cavities.push_back(organ.mesh);
-  const deformation::WitnessMesh tissue = deformation::withoutCavities(*sample.mesh, cavities, threads);
+                    const strain::FoundAxes& axes, const StrainOptions& options,
+                    const std::shared_ptr<const Tissue>& before, Progress& progress, Threads threads) {
   BoundWall wall;
+  runPart(progress, 0, 0.3, [&](Progress& part) {
+    wall.tissue =
+        tissueOf(*surfaces.outer, organs, surfaces.leftCavity, options.witnesses, before, part, threads);
+  });
+  const deformation::WitnessMesh& tissue = wall.tissue->mesh;
   runPart(progress, 0.3, 0.6, [&](Progress& part) {
     wall.points = std::make_shared<const strain::WallPoints>(
         strain::wallPoints(tissue, surfaces, axes.axes, axes.cap, part, threads));
@@ -340,7 +369,7 @@ struct ChosenOrgans {
 } // namespace
 
 StrainGauge::StrainGauge(const MovedOrgans& organs, const StrainOptions& options, Progress& progress,
-                         Threads threads) {
+                         Threads threads, const StrainGauge* before) {
   const ChosenOrgans chosen(organs, options);
   progress.report(0, "surfaces in motion");
   // 1. The surfaces at rest and what moves them.
@@ -369,12 +398,13 @@ StrainGauge::StrainGauge(const MovedOrgans& organs, const StrainOptions& options
   strain::FoundAxes axes = strain::findAxes(leftMesh, meshOf(chosen.right), options.landmarks);
   const TriangleMesh* outer = own ? organs.wall->mesh.get() : meshOf(chosen.outer);
   std::optional<BoundWall> wall;
-  std::vector<Text> warnings;
   if (outer)
     runPart(progress, 0.1, 0.9, [&](Progress& part) {
-      wall = boundWall(organs, {meshOf(chosen.left), outer, meshOf(chosen.right)}, axes, options, warnings,
-                       part, threads);
+      wall =
+          boundWall(organs, {meshOf(chosen.left), outer, meshOf(chosen.right)}, axes, options,
+                    before && before->parts_->wall ? before->parts_->wall->tissue : nullptr, part, threads);
     });
+  const std::vector<Text> warnings = wall ? wall->tissue->remarks : std::vector<Text>();
   const strain::HeartGauge heart(std::move(surfaces), std::move(axes), wall ? wall->points : nullptr,
                                  presentContours(organs, options, chosen.left), threads);
   // 3. Segments of the organs that are seen.
@@ -384,7 +414,7 @@ StrainGauge::StrainGauge(const MovedOrgans& organs, const StrainOptions& options
     segments[*chosen.outer] = segmentsAround(heart, organs.organs[*chosen.outer].mesh->points);
   parts_ =
       std::make_shared<const Parts>(Parts{heart, std::move(bound), std::move(wall), organs.handles.positions,
-                                          options.reference, std::move(segments), std::move(warnings)});
+                                          options.reference, std::move(segments), warnings});
 }
 
 const std::vector<int>& StrainGauge::segmentsOn(std::size_t organ) const {

@@ -60,9 +60,11 @@ public:
   /// Takes organs, handles and coordinates of `organs`; its poses do not matter. Where there is an outer
   /// surface around the left ventricle, its wall is filled with witness points, whose deformation gradients
   /// are analytic; else segments are those of the endocardium alone. Throws `DataError` for organs without a
-  /// left ventricle, `UsageError` for wrong names, what binding throws, and `Cancelled`. Seconds.
+  /// left ventricle, `UsageError` for wrong names, what binding throws, and `Cancelled`. Seconds; half of
+  /// these where `before` is a gauge of the same surfaces by other axes, whose tetrahedra are taken. The
+  /// numbers do not depend on `before`.
   StrainGauge(const MovedOrgans& organs, const StrainOptions& options, Progress& progress,
-              Threads threads = {});
+              Threads threads = {}, const StrainGauge* before = nullptr);
 
   /// Measures the poses of `moved`, which has the same organs and handles, or its measured surfaces; against
   /// the phase `reference` where it is given, else as the options say. A phase takes milliseconds; a motion
