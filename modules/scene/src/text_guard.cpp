@@ -12,7 +12,10 @@
 #include <vtkMathTextFreeTypeTextRenderer.h>
 #include <vtkObjectFactory.h>
 #include <vtkTextProperty.h>
+#if __has_include(<vtkUnicodeString.h>) // VTK 9.2 is the last that has it.
 #include <vtkUnicodeString.h>
+#define VISCERA_VTK_HAS_UNICODE_STRING
+#endif
 
 #include "viscera/scene/text_font.h"
 
@@ -75,27 +78,12 @@ protected:
     const TextGuard guard;
     return Superclass::GetBoundingBoxInternal(inOurFont(style), text, box, dpi, backend);
   }
-  bool GetBoundingBoxInternal(vtkTextProperty* style, const vtkUnicodeString& text, int box[4], int dpi,
-                              int backend) override {
-    const TextGuard guard;
-    return Superclass::GetBoundingBoxInternal(inOurFont(style), text, box, dpi, backend);
-  }
   bool GetMetricsInternal(vtkTextProperty* style, const vtkStdString& text, Metrics& metrics, int dpi,
                           int backend) override {
     const TextGuard guard;
     return Superclass::GetMetricsInternal(inOurFont(style), text, metrics, dpi, backend);
   }
-  bool GetMetricsInternal(vtkTextProperty* style, const vtkUnicodeString& text, Metrics& metrics, int dpi,
-                          int backend) override {
-    const TextGuard guard;
-    return Superclass::GetMetricsInternal(inOurFont(style), text, metrics, dpi, backend);
-  }
   bool RenderStringInternal(vtkTextProperty* style, const vtkStdString& text, vtkImageData* picture,
-                            int size[2], int dpi, int backend) override {
-    const TextGuard guard;
-    return Superclass::RenderStringInternal(inOurFont(style), text, picture, size, dpi, backend);
-  }
-  bool RenderStringInternal(vtkTextProperty* style, const vtkUnicodeString& text, vtkImageData* picture,
                             int size[2], int dpi, int backend) override {
     const TextGuard guard;
     return Superclass::RenderStringInternal(inOurFont(style), text, picture, size, dpi, backend);
@@ -108,6 +96,27 @@ protected:
     style->SetFontSize(ours->GetFontSize()); // The size found is part of the answer.
     return size;
   }
+  bool StringToPathInternal(vtkTextProperty* style, const vtkStdString& text, vtkPath* path, int dpi,
+                            int backend) override {
+    const TextGuard guard;
+    return Superclass::StringToPathInternal(inOurFont(style), text, path, dpi, backend);
+  }
+#ifdef VISCERA_VTK_HAS_UNICODE_STRING
+  bool GetBoundingBoxInternal(vtkTextProperty* style, const vtkUnicodeString& text, int box[4], int dpi,
+                              int backend) override {
+    const TextGuard guard;
+    return Superclass::GetBoundingBoxInternal(inOurFont(style), text, box, dpi, backend);
+  }
+  bool GetMetricsInternal(vtkTextProperty* style, const vtkUnicodeString& text, Metrics& metrics, int dpi,
+                          int backend) override {
+    const TextGuard guard;
+    return Superclass::GetMetricsInternal(inOurFont(style), text, metrics, dpi, backend);
+  }
+  bool RenderStringInternal(vtkTextProperty* style, const vtkUnicodeString& text, vtkImageData* picture,
+                            int size[2], int dpi, int backend) override {
+    const TextGuard guard;
+    return Superclass::RenderStringInternal(inOurFont(style), text, picture, size, dpi, backend);
+  }
   int GetConstrainedFontSizeInternal(const vtkUnicodeString& text, vtkTextProperty* style, int width,
                                      int height, int dpi, int backend) override {
     const TextGuard guard;
@@ -116,16 +125,12 @@ protected:
     style->SetFontSize(ours->GetFontSize()); // The size found is part of the answer.
     return size;
   }
-  bool StringToPathInternal(vtkTextProperty* style, const vtkStdString& text, vtkPath* path, int dpi,
-                            int backend) override {
-    const TextGuard guard;
-    return Superclass::StringToPathInternal(inOurFont(style), text, path, dpi, backend);
-  }
   bool StringToPathInternal(vtkTextProperty* style, const vtkUnicodeString& text, vtkPath* path, int dpi,
                             int backend) override {
     const TextGuard guard;
     return Superclass::StringToPathInternal(inOurFont(style), text, path, dpi, backend);
   }
+#endif
   void SetScaleToPowerOfTwoInternal(bool scale) override {
     const TextGuard guard;
     Superclass::SetScaleToPowerOfTwoInternal(scale);

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <string_view>
 
 #include <Eigen/Dense>
 
@@ -33,7 +34,7 @@ using Unknowns = Eigen::Vector3d;
 
 const std::array<const char*, 3> kSought = {"lvEes", "stressedVolume", "systemicResistance"};
 
-const ParameterInfo& infoOf(const std::string& name) {
+const ParameterInfo& infoOf(std::string_view name) {
   const auto& infos = parameterInfos();
   return *std::find_if(infos.begin(), infos.end(), [&](const auto& info) { return info.name == name; });
 }
