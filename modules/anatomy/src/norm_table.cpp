@@ -161,7 +161,7 @@ void addCirculation(std::vector<Norm>& rows) {
       "none or a trace, which normal valves often have: doi 10.1378/chest.103.1.226");
 }
 
-/// In hard exercise; what is not healthy at rest may be so here.
+/// Limits in hard exercise: what is not healthy at rest may be so here.
 void addExercise(std::vector<Norm>& rows) {
   constexpr auto kWedge = "62 healthy people, wedge pressure; some of the oldest exceed it";
   constexpr auto kWolsk = "Wolsk 2017, doi 10.1016/j.jchf.2016.10.012";

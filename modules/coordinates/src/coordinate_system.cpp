@@ -7,7 +7,7 @@
 namespace viscera::coordinates {
 namespace {
 
-/// Of the handles' diagonal. Rounding (1e-16 / step) and truncation (step^2) then both stay below 1e-10.
+/// Part of the handles' diagonal. Rounding (1e-16 / step) and truncation (step^2) then both stay below 1e-10.
 constexpr double kRelativeStep = 1e-5;
 constexpr Eigen::Index kOffsets = 6;
 

@@ -43,7 +43,7 @@ CornerDeterminants::CornerDeterminants(const Binding& binding, const Triangles& 
 
 void CornerDeterminants::ofHandle(Eigen::Index k, Sums& sums) const {
   assert(k >= 0 && k < handles_);
-  // With R_j(p) = sum over the triangles (p, q, r) at p of a_j(q) a_k(r) - a_j(r) a_k(q), D_ijk is
+  // Let R_j(p) = sum over the triangles (p, q, r) at p of a_j(q) a_k(r) - a_j(r) a_k(q), D_ijk is
   // sum_p a_i(p) R_j(p): each determinant, expanded along the column of i, is met at its three corners.
   const simd::DeterminantKernels& kernels = simd::determinantKernels();
   const Eigen::Index width = roundedUp(k, simd::kPanel);

@@ -10,7 +10,7 @@
 namespace viscera::coordinates {
 namespace {
 
-/// Of the handles' size: nearer is the same place, thinner is flat.
+/// Part of the handles' size: nearer is the same place, thinner is flat.
 constexpr double kHandleTolerance = 1e-9;
 
 template <int Dim>

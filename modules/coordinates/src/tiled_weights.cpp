@@ -74,7 +74,7 @@ void TiledWeights::setRow(Eigen::Index point, const Values& row) {
       set(point, handle, row[handle]);
     return;
   }
-  // As the kernel `round` does for 16 points.
+  // The kernel `round` does the same for 16 points.
   float* own = ownSingleTile(point / kTile) + point % kTile;
   double kept = 0, lost = 0;
   for (Eigen::Index handle = 0; handle < handles_; ++handle) {

@@ -13,7 +13,7 @@
 namespace viscera {
 namespace {
 
-/// On Linux each thread has a priority of its own, which those that it starts take over. It cannot be raised
+/// Each thread of Linux has a priority of its own, which those that it starts take over. It cannot be raised
 /// again without privileges: hence the new thread.
 void lowerOwnPriority() {
 #if defined(__linux__)

@@ -28,7 +28,7 @@ constexpr int kMany = 2147483647;
 constexpr const char* kUnreadable = "The file cannot be read: %1";
 constexpr const char* kMisused = "Internal error: %1";
 
-/// Of "{handle|handles} and more" at `at` the form for `one` or for several; moves `at` behind it. Without a
+/// The form for `one` or for several of "{handle|handles} and more" at `at`, which moves on. Without a
 /// bar and a closing brace it is no choice, and nothing is taken.
 std::optional<std::string_view> chosenForm(std::string_view pattern, std::size_t& at, bool one) {
   const std::size_t bar = pattern.find('|', at);

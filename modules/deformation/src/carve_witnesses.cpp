@@ -32,7 +32,7 @@ constexpr double kFlatPart = 1e-6;
 /// Steps by the false position from the first guess of a point on the wall.
 constexpr int kWallSteps = 2;
 
-/// Which of the points are inside a cavity.
+/// Tells which of the points are inside a cavity.
 std::vector<char> insideOf(const Points& points, const geometry::TriangleMesh& cavity, Threads threads) {
   std::vector<char> inside(static_cast<std::size_t>(points.rows()), 0);
   const geometry::WindingNumber winding(cavity);

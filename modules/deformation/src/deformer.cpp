@@ -48,14 +48,14 @@ void Deformer::setPose(const Points& pose) {
   changed();
 }
 
-/// As `setPose`, but for the points: they follow in pieces.
+/// Works as `setPose`, but the points follow in pieces.
 PiecesOfWork Deformer::poseInPieces(std::shared_ptr<const Points> pose) {
   pose_ = std::move(pose);
   changed();
   return binding_->deformInPieces(*pose_, points_);
 }
 
-/// As `moveHandle` of each of these, but for the points: they follow in pieces.
+/// Works as `moveHandle` of each of these, but the points follow in pieces.
 PiecesOfWork Deformer::moveInPieces(std::shared_ptr<const Points> pose, const std::vector<int>& moved) {
   std::vector<PiecesOfWork> works;
   std::shared_ptr<const Points> before = pose_;

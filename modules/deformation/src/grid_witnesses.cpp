@@ -27,7 +27,7 @@ constexpr std::array<std::array<int, 3>, 6> kWalks = {
     {{0, 1, 2}, {1, 2, 0}, {2, 0, 1}, {0, 2, 1}, {2, 1, 0}, {1, 0, 2}}};
 constexpr std::size_t kEvenWalks = 3; ///< The first ones turn right-handed.
 
-/// Which nodes of a regular grid over a box lie inside a surface.
+/// The nodes of a regular grid over a box that lie inside a surface.
 class InsideGrid {
 public:
   InsideGrid(const geometry::WindingNumber& winding, const Bounds& box, double spacing, Progress& progress,

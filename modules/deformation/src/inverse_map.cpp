@@ -18,7 +18,7 @@ namespace {
 constexpr Eigen::Index kSolvedAtOnce = 1024;
 constexpr int kMostSteps = 24;
 constexpr double kSolved = 0.01; ///< Of the accuracy.
-/// Of the accuracy: what is found so nearly is found. Where cells meet, Newton's method may go to and fro.
+/// Part of the accuracy that is enough. Where cells meet, Newton's method may go to and fro.
 constexpr double kFound = 0.5;
 constexpr Eigen::Index kLattice = 4; ///< Samples between those that are solved first.
 constexpr double kLinear = 0.25;     ///< Of the accuracy: how far samples between them may be off.
@@ -72,7 +72,7 @@ struct Solver {
     return folded ? RestState::folded : RestState::moved;
   }
 
-  /// From the point itself, and once more from where it would have come with the motion there.
+  /// Begins at the point itself, and once more where it would have come from with the motion there.
   RestState cold(const Vec3& posed, Vec3& rest) const {
     const RestState state = (*this)(posed, posed - field.displacementAt(posed), rest);
     return state == RestState::folded ? (*this)(posed, posed, rest) : state;

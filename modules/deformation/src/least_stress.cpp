@@ -13,7 +13,7 @@
 namespace viscera::deformation {
 namespace {
 
-/// Of the mean diagonal of Q: what a millimetre of any handle costs.
+/// Part of the mean diagonal of Q: what a millimetre of any handle costs.
 constexpr double kDisplacementShare = 1e-3;
 /// Witnesses whose contributions are summed together; the sums are added in a fixed order.
 constexpr Eigen::Index kSummedWitnesses = 64;

@@ -52,7 +52,7 @@ public:
     names_.push_back(wall.name);
   }
 
-  /// Which wall a point of the solid is on; -1: it is within.
+  /// The wall that a point of the solid is on; -1: it is within.
   int wallAt(const Place& place) const {
     const auto found = places_.find(place);
     return found == places_.end() ? -1 : found->second;

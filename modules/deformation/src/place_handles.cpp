@@ -18,11 +18,11 @@ namespace {
 constexpr int kCorners = 8;
 constexpr int kLeastOfASurface = 4; ///< Vertices, and triangles: a tetrahedron.
 
-/// Of the wanted offset: what must remain to every part of the surface, and between two handles. A vertex in
+/// Part of the offset that must remain to every part of the surface, and between two handles. A vertex in
 /// a groove can be so deep that its handle would come out on the other side.
 constexpr double kSurfaceClearance = 0.5;
 
-/// Of the nearest distance: triangles that share the nearest edge or vertex differ by rounding only.
+/// Part of the nearest distance: triangles that share the nearest edge or vertex differ by rounding only.
 constexpr double kTie = 1e-9;
 
 struct Triangle {

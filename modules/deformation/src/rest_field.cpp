@@ -59,7 +59,7 @@ InCell cellAt(const VectorGrid& grid, const Vec3& point) {
   return result;
 }
 
-/// Of a cell's eight nodes, x first, from its first one on.
+/// The eight nodes of a cell, x first, from its first one on.
 std::array<Eigen::Index, 8> cornersOf(const VectorGrid& grid, Eigen::Index first) {
   const Eigen::Index y = grid.size[0], z = y * grid.size[1];
   return {first,     first + 1,     first + y,     first + y + 1,
@@ -217,7 +217,7 @@ void RestField::markWholeCells() {
   }
 }
 
-/// From nodes with coordinates outwards, layer by layer.
+/// Mends from nodes with coordinates outwards, layer by layer.
 void RestField::planMending() {
   std::vector<std::uint8_t> known(static_cast<std::size_t>(inner_.count()), 0);
   std::vector<Eigen::Index> open;

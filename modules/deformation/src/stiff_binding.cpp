@@ -72,7 +72,7 @@ public:
     Points softPoints;
     soft_->deform(pose, softPoints, threads);
     const BodyPlace placed = placement(softPoints);
-    // Of x = R u + m, u = p - c: dE = tau . omega + G . dm, where R^T dR = [omega] and
+    // Let x = R u + m, u = p - c: dE = tau . omega + G . dm, where R^T dR = [omega] and
     // tau = sum u x R^T g, G = sum g. From A = sum w (q - m) u^T = R P follows
     // (tr(P) I - P) omega = axis(R^T dA - dA^T R), so with (tr(P) I - P) y = tau
     // dE/dq = w (R (y x u) + G).

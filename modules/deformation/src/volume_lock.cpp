@@ -172,7 +172,7 @@ double VolumeLock::error(const std::vector<double>& volumes) const {
   return worst;
 }
 
-/// On the surfaces themselves.
+/// Measures on the surfaces themselves.
 double VolumeLock::measuredError(const Points& pose, PosedSurfaces& posed) const {
   std::vector<double> now;
   for (std::size_t k = 0; k < surfaces_.size(); ++k)
@@ -180,7 +180,7 @@ double VolumeLock::measuredError(const Points& pose, PosedSurfaces& posed) const
   return error(now);
 }
 
-/// By the forms, where there are some.
+/// Uses the forms, where there are some.
 double VolumeLock::expectedError(const Points& pose, PosedSurfaces& posed) const {
   std::vector<double> now;
   for (std::size_t k = 0; k < surfaces_.size(); ++k)

@@ -98,7 +98,7 @@ private:
       best = {t, least, weights};
   }
 
-  /// By rings of cells around the target's, until the next ring is farther away than the best.
+  /// Searches rings of cells around the target's, until the next ring is farther away than the best.
   std::int32_t nearestPoint(const Vec3& target) const {
     const geometry::CellLists::Cell center = points_.cellOf(target);
     const Eigen::Index rings = points_.size().maxCoeff();

@@ -18,7 +18,7 @@ namespace {
 constexpr double kCubesMet = 1.5;
 constexpr int kBitsOfAxis = 20;
 
-/// For each vertex the cube that it lies in.
+/// The cube that each vertex lies in.
 std::vector<std::uint64_t> cubesOf(const Points& points, double edge) {
   const Vec3 low = points.colwise().minCoeff();
   std::vector<std::uint64_t> cubes(static_cast<std::size_t>(points.rows()), 0);
@@ -31,7 +31,7 @@ std::vector<std::uint64_t> cubesOf(const Points& points, double edge) {
   return cubes;
 }
 
-/// For each vertex the set of vertices in its cube that edges within the cube connect with it, named by its
+/// The set of vertices in its cube that edges within the cube connect with each vertex, named by its
 /// first vertex. The two sides of a thin muscle stay two sets but at its rim, where edges connect them.
 std::vector<std::int32_t> clustersOf(const TriangleMesh& mesh, double edge) {
   const std::vector<std::uint64_t> cubes = cubesOf(mesh.points, edge);
@@ -49,7 +49,7 @@ std::vector<std::int32_t> clustersOf(const TriangleMesh& mesh, double edge) {
   return clusters;
 }
 
-/// For each vertex the one of its cluster that is nearest to the mean of the cluster.
+/// The vertex of its cluster that is nearest to the mean of the cluster, for each vertex.
 std::vector<std::int32_t> representatives(const TriangleMesh& mesh, double edge) {
   const std::vector<std::int32_t> clusters = clustersOf(mesh, edge);
   Points means = Points::Zero(mesh.points.rows(), 3);

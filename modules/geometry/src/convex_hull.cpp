@@ -33,7 +33,7 @@ public:
   Qhull& operator=(const Qhull&) = delete;
 
   bool run(Points& points, std::string command) {
-    // Its diagnostics go nowhere: our own message says what a user can do about it.
+    // Qhull's diagnostics go nowhere: our own message says what a user can do about it.
     std::FILE* silent = std::fopen("/dev/null", "w");
     const int code = qh_new_qhull(&state_, 3, static_cast<int>(points.rows()), points.data(), False,
                                   command.data(), nullptr, silent);

@@ -153,7 +153,7 @@ bool EditableSurface::collapse(const Edge& edge, double longest) {
   const Wings wing = wings(edge.a, edge.b);
   if (wing.count != 2 || !linkAllowsCollapse(edge, wing))
     return false;
-  // Over a sharp rim the middle folds what an end of the edge does not.
+  // The middle folds over a sharp rim what an end of the edge does not.
   const std::array<Vec3, 3> places = {0.5 * (point(edge.a) + point(edge.b)), point(edge.a), point(edge.b)};
   const auto fits = [&](const Vec3& place) {
     return spokesFit(edge, place, longest) && staysUnfolded(edge.a, place, wing) &&

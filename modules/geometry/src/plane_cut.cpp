@@ -44,7 +44,7 @@ void forEach(std::size_t count, Threads threads, Work work) {
   });
 }
 
-/// Which sides the points of a piece lie on; the bits that all of them have, and those that any has.
+/// The sides that the points of a piece lie on; the bits that all of them have, and those that any has.
 std::array<std::uint8_t, 2> sidesOf(const Points& points, const Piece& piece,
                                     const std::vector<Plane>& planes, Sides& sides) {
   std::array<std::uint8_t, 2> allAndAny = {0xff, 0};

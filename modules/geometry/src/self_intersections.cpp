@@ -20,7 +20,7 @@ using Box = Eigen::AlignedBox3d;
 using CornerPoints = std::array<Vec3, 3>;
 
 constexpr double kRounding = std::numeric_limits<double>::epsilon() / 2;
-/// Of the permanent of the determinant, with the rounding of the bound itself.
+/// Part of the permanent of the determinant, with the rounding of the bound itself.
 constexpr double kBound3 = 8 * kRounding;
 constexpr double kBound2 = 4 * kRounding;
 constexpr Eigen::Index kTrianglesAtOnce = 256;
@@ -215,7 +215,7 @@ private:
         static_cast<std::size_t>(std::min_element(partner.begin(), partner.end()) - partner.begin());
     const Vec3 &from = a[(i + 1) % 3], &to = a[(i + 2) % 3];
     const auto k = static_cast<std::size_t>(3 - partner[(i + 1) % 3] - partner[(i + 2) % 3]);
-    // In one plane, and on the same side of the common edge: the normals of both, each taken along that edge,
+    // Both lie in one plane, on one side of the common edge: their normals, each taken along that edge,
     // agree.
     return side(from, to, a[i], b[k]) == 0 &&
            (to - from).cross(a[i] - from).dot((to - from).cross(b[k] - from)) > 0;

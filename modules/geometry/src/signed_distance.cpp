@@ -18,7 +18,7 @@ namespace viscera::geometry {
 namespace {
 
 constexpr int kLeafSize = 4;
-/// Of the triangle's size: nearer to an edge or corner than that counts as on it.
+/// Part of the triangle's size: nearer to an edge or corner than that counts as on it.
 constexpr double kOnEdge = 1e-9;
 
 double angleAt(const Vec3& a, const Vec3& b, const Vec3& c) {

@@ -62,7 +62,7 @@ private:
   int spokenFor_ = 0;
 };
 
-/// Which nodes along an axis are within the band of [low, high].
+/// The nodes along an axis that are within the band of [low, high].
 std::pair<int, int> nodesNear(const SignedDistanceGrid& grid, std::size_t axis, double low, double high) {
   const double band = kDistanceBand * grid.spacing, origin = grid.origin[Eigen::Index(axis)];
   return {std::max(0, static_cast<int>(std::ceil((low - band - origin) / grid.spacing))),

@@ -19,7 +19,7 @@
 namespace viscera::geometry {
 namespace {
 
-/// As parts of the longest way along the surface: around a tip nothing is farther than it within the first;
+/// Parts of the longest way along the surface: around a tip nothing is farther than it within the first;
 /// the surface within the second tells a wide end from a narrow one; the harmonic function is fixed within
 /// the third.
 constexpr double kTipReach = 0.12;
@@ -36,7 +36,7 @@ Neighbors neighborsOf(const TriangleMesh& mesh) {
     for (int k = 0; k < 3; ++k) {
       const int a = mesh.triangles(t, k);
       const int b = mesh.triangles(t, (k + 1) % 3);
-      // Of a closed oriented surface every edge comes once in each direction.
+      // Every edge of a closed oriented surface comes once in each direction.
       neighbors[static_cast<std::size_t>(a)].emplace_back(b,
                                                           (mesh.points.row(a) - mesh.points.row(b)).norm());
     }
@@ -149,7 +149,7 @@ Values harmonic(const TriangleMesh& mesh, const Values& fromOne, const Values& f
       const Vec3 u = (mesh.points.row(a) - mesh.points.row(c)).transpose();
       const Vec3 v = (mesh.points.row(b) - mesh.points.row(c)).transpose();
       const double area2 = u.cross(v).norm();
-      // At a free vertex sum over its edges of (cot alpha + cot beta) / 2 (u_a - u_b) = 0, with the angles
+      // The sum of (cot alpha + cot beta) / 2 (u_a - u_b) over the edges of a free vertex is 0, the angles
       // opposite to the edge; cot = u . v / |u x v|. The halves drop out.
       const double weight = std::clamp(area2 > 0 ? u.dot(v) / area2 : 0.0, kLeastWeight, 1 / kLeastWeight);
       for (const auto& [row, other] : {std::pair(a, b), std::pair(b, a)}) {
@@ -342,7 +342,7 @@ TubeAxis tubeAxis(const TriangleMesh& mesh, int from, int to, int slices) {
   Slicer slicer(mesh, values);
   for (const double level : evenLevels(values, slices)) {
     const Slice slice = slicer.at(level);
-    // At the mouth of a side branch centres go aside and back by less than this.
+    // Centres at the mouth of a side branch go aside and back by less than this.
     if (!(slice.area > 0) || (slice.center - axis.points.back()).norm() < kApart * length)
       continue;
     axis.points.push_back(slice.center);

@@ -227,7 +227,7 @@ std::vector<RegionLayout::Share> RegionLayout::shares(const Vec3& point) const {
 
 coordinates::SpaceLayout spaceLayoutOf(const RegionLayout& layout, std::size_t groups,
                                        const std::string& offsetName) {
-  // Without groups the one region is that of all handles.
+  // The one region is that of all handles where there are no groups.
   const auto ofRegions = [groups](std::vector<int> regions) {
     return groups == 0 ? std::vector<int>() : regions;
   };

@@ -120,7 +120,7 @@ void SurfaceCache::store(const CacheKey& key, const TriangleMesh& mesh) const {
         file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
     });
   } catch (const CannotCreateError&) {
-    // Without a cache the next start only takes longer.
+    // The next start only takes longer where there is no cache.
   }
 }
 

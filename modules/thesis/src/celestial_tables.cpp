@@ -22,7 +22,7 @@ constexpr Eigen::Index kBoxCorners = 8;
 constexpr double kEfficientNs = 3300;
 constexpr double kInvariant = 1e-9;
 constexpr double kExactInTables = 1e-9;
-/// Of all influence that the nearer half of the handles have.
+/// Part of all influence that the nearer half of the handles has.
 constexpr double kLocal = 0.75;
 
 /// One system, measured along the line.

@@ -5,7 +5,7 @@
 namespace viscera::thesis {
 namespace {
 
-/// Of a letter's height; the mean of common sans-serif faces, a little generous.
+/// Part of a letter's height; the mean of common sans-serif faces, a little generous.
 constexpr double kLetterWidth = 0.56;
 
 std::string number(double value) {

@@ -26,7 +26,7 @@ py::array anyArray(const py::handle& value, const std::string& what) {
   return array;
 }
 
-/// Of numbers, not of texts or objects; of whole ones if so asked.
+/// Requires numbers, not texts or objects; whole ones if so asked.
 void requireNumbers(const py::array& array, bool whole, const std::string& what) {
   const char kind = array.dtype().kind();
   const bool integer = kind == 'i' || kind == 'u';

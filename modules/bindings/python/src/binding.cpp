@@ -150,7 +150,7 @@ py::object weightTiles(const std::shared_ptr<BoundPoints>& bound) {
     tiles.attr("flags").attr("writeable") = false;
     return py::object(std::move(tiles));
   };
-  // In single precision each tile ends with the factors of its points.
+  // Each tile of single precision ends with the factors of its points.
   return weights.single() ? shown(weights.singleTile(0), weights.handles() + 1)
                           : shown(weights.tile(0), weights.handles());
 }

@@ -270,7 +270,7 @@ medical_io::CineStudy cine(const path& place, const py::object& listener) {
                       [&](Progress& progress) { return medical_io::readCineStudy(place, progress); });
 }
 
-/// From (column, row, 0, 1) to mm; the third column is the slice's thickness along its normal.
+/// Maps (column, row, 0, 1) to mm; the third column is the slice's thickness along its normal.
 Eigen::Matrix4d indexToLps(const medical_io::CineSlice& slice) {
   const medical_io::CineGeometry& place = slice.geometry;
   Eigen::Matrix4d matrix = Eigen::Matrix4d::Identity();

@@ -10,7 +10,7 @@
 namespace viscera::coordinates {
 namespace {
 
-/// Of the cage's size: files keep six digits of a position.
+/// Part of the cage's size: files keep six digits of a position.
 constexpr double kSameCornerPlace = 1e-6;
 
 } // namespace

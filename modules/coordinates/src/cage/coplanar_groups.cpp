@@ -13,7 +13,7 @@
 namespace viscera::coordinates {
 namespace {
 
-/// Of the cage's size: triangles whose planes differ by less are one face.
+/// Part of the cage's size: triangles whose planes differ by less are one face.
 constexpr double kOnePlane = 1e-9;
 
 struct Facet {

@@ -21,7 +21,7 @@ struct SingleSlopes {
 /// is 2t^3/3 + t + 2r^3/3 in a form that does not cancel for negative t; u is 1/(r - t) there for the same
 /// reason.)
 struct SFunction {
-  /// To the bit what `evaluate` gives there.
+  /// Equals to the bit what `evaluate` gives there.
   static constexpr FunctionValues kAtZero = {Pack{} + (1.0 / 6.0 + 0.5), Pack{} + 1.0, Pack{} + 2.0};
   static constexpr bool kHasSingle = true;
 

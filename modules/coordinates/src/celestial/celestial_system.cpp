@@ -15,11 +15,11 @@ namespace {
 
 constexpr Eigen::Index kTilesPerSolution = 32;
 
-/// Of the handles' size: the identity error aimed at, which is about what rounding leaves.
+/// Part of the handles' size: the identity error aimed at, which is about what rounding leaves.
 constexpr double kIdentityAimedAt = 1e-13;
 /// The rounding of sums over more handles than this grows noticeably.
 constexpr double kManyHandles = 500;
-/// Of the handles' size: without softness, a point this near to a handle is at it.
+/// Part of the handles' size: without softness, a point this near to a handle is at it.
 constexpr double kSamePlaceUnsoftened = 1e-14;
 
 const Parameter kLocality{
@@ -47,7 +47,7 @@ simd::CelestialProblem problemOf(const PointsOf<Dim>& handles,
   problem.locality = options.locality;
   problem.softnessSquared = options.softness * options.softness;
   problem.samePlaceSquared = kSamePlaceUnsoftened * size * kSamePlaceUnsoftened * size;
-  // With w_i = beta_i / D_i and g = sum beta_i q_i the point is missed by sum w_i (v_i - p) / sum w_i =
+  // Let w_i = beta_i / D_i and g = sum beta_i q_i: the point is missed by sum w_i (v_i - p) / sum w_i =
   // g / sum (beta_i / D_i), at most max D |g| / sum beta_i. Softness lengthens D: max D^2 <= size^2 + e^2.
   problem.tolerance = kIdentityAimedAt * std::max(1.0, static_cast<double>(handles.rows()) / kManyHandles) *
                       size / std::hypot(size, options.softness);

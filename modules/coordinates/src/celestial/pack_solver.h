@@ -111,7 +111,7 @@ public:
   }
 
 private:
-  // Of each handle the scratch memory holds Dim packs of q, then these.
+  // The scratch memory holds Dim packs of q for each handle, then these.
   static constexpr int kInverse = Dim * kWidth;     ///< 1 / D.
   static constexpr int kOffset = kInverse + kWidth; ///< q . center.
   static constexpr int kWeight = kOffset + kWidth;  ///< m, where there is a prior.

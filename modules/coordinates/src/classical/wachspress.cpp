@@ -15,9 +15,9 @@
 namespace viscera::coordinates {
 namespace {
 
-/// Of the cage's size: how far a corner may stand out of a plane of a convex cage.
+/// Part of the cage's size: how far a corner may stand out of a plane of a convex cage.
 constexpr double kConvex = 1e-9;
-/// Of the cage's size: nearer to a face the distance is taken as this, which gives the limit on the face to
+/// Part of the cage's size: nearer to a face the distance is taken as this. That gives the limit on it to
 /// the same accuracy.
 constexpr double kOnFace = 1e-13;
 
@@ -79,7 +79,7 @@ struct FacePlanes {
     offsets = normals.cwiseProduct(middles).rowwise().sum().cwiseQuotient(areas);
   }
 
-  /// Those around a corner, each once where neighbours in its fan of triangles share one.
+  /// The planes around a corner, each once where neighbours in its fan of triangles share one.
   std::vector<Eigen::Index> around(const std::vector<Eigen::Index>& fan) const {
     std::vector<Eigen::Index> planes;
     for (const Eigen::Index triangle : fan)

@@ -50,7 +50,7 @@ Points CageNormals::pullBack(const Points& pose, const Points& rowGradient) cons
     if (!(twice > 0))
       continue;
     const Vec3 gradient = rowGradient.row(pose.rows() + t).transpose(), normal = now.area / twice;
-    // With g the derivative by the row s n: g . d(s n) = (g.n) ds + s g . dn, where ds = ((|v|^2 u' - (u.v)
+    // Let g be the derivative by the row s n: g . d(s n) = (g.n) ds + s g . dn, where ds = ((|v|^2 u' - (u.v)
     // v') . du' + (|u|^2 v' - (u.v) u') . dv') / (8 A^2 s) and dn = (I - n n^T)(du' x v' + u' x dv') / |u' x
     // v'|.
     const double along = gradient.dot(normal) / (squares_[t] * now.stretch);

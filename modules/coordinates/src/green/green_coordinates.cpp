@@ -12,7 +12,7 @@
 namespace viscera::coordinates {
 namespace {
 
-/// Of the cage's size: a point this near to a triangle is on it.
+/// Part of the cage's size: a point this near to a triangle is on it.
 constexpr double kOnCage = 1e-11;
 
 /// The triangle that covers most of the sphere around the point; all of it where the point touches it.
@@ -68,7 +68,7 @@ private:
     const bool onCage = covering.angle == kWhole;
     if (!onCage && !(angle > kWhole / 2))
       return false;
-    // From inside the solid angles sum to 4 pi. On the cage that leaves what the triangles there cover as
+    // The solid angles sum to 4 pi from inside. On the cage that leaves what the triangles there cover as
     // seen from just inside, next to an edge what rounding has taken from its triangles. A solid angle d more
     // gives lambda_k(foot) d to the corners and -h d to the normal, which together are d p.
     const double missing = (kWhole - angle) / kWhole;

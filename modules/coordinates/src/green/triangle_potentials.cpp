@@ -9,7 +9,7 @@
 namespace viscera::coordinates {
 namespace {
 
-/// Of an edge: what the way over its two ends is longer than itself, at least; the logarithm stays finite.
+/// The way over an edge's ends is longer than it by this part, at least; the logarithm stays finite.
 constexpr double kLeastDetour = 1e-30;
 
 } // namespace
@@ -41,7 +41,7 @@ bool SeenTriangle::touches(double tolerance) const {
 }
 
 TrianglePotentials SeenTriangle::potentials(bool touching, bool wantGradients) const {
-  // With G = -1 / (4 pi r), r the distance to the origin, 4 pi times what is asked for are the single layer
+  // Let G = -1 / (4 pi r), r the distance to the origin, 4 pi times what is asked for are the single layer
   // int 1/r dA, and the double layers int lambda_k h / r^3 dA of the hat functions lambda_k, which sum to the
   // solid angle Omega = int h / r^3 dA.
   TrianglePotentials result;

@@ -20,11 +20,11 @@ public:
 
   /// Barycentric coordinates of the origin's foot in the triangle's plane.
   const Vec3& foot() const { return foot_; }
-  /// Of the plane over the origin along the outward normal, mm: positive from inside.
+  /// Height of the plane over the origin along the outward normal, mm: positive from inside.
   double height() const { return height_; }
   /// Whether the origin lies on the triangle, to `tolerance` mm.
   bool touches(double tolerance) const;
-  /// Without the gradients, which do not exist on the triangle's edges, where they are not asked for. A
+  /// Leaves out the gradients, which do not exist on the triangle's edges, where they are not asked for. A
   /// triangle that touches the origin gives its single layer only.
   TrianglePotentials potentials(bool touching, bool wantGradients) const;
 

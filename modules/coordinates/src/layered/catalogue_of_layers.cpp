@@ -22,7 +22,7 @@ const Parameter kPartitions =
     choiceParameter("partitions", "Inner handles of each layer", {"nested", "independent"});
 const Parameter kPolyhedra = choiceParameter("polyhedra", "Pieces of the hull", {"tetrahedra", "convex"});
 
-/// Of the handles' size: what lies in a plane, and what is outside.
+/// Part of the handles' size: what lies in a plane, and what is outside.
 constexpr double kInLayer = 1e-9;
 
 using Face = std::array<int, 3>;

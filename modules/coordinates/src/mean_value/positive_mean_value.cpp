@@ -71,7 +71,7 @@ private:
     return false;
   }
 
-  /// By the solid angles of all triangles, which sum up to 4 pi inside.
+  /// Sums the solid angles of all triangles, which is 4 pi inside.
   bool insideCage(const Points& corners) const {
     double angle = 0;
     for (Eigen::Index t = 0; t < cage_.rows(); ++t) {

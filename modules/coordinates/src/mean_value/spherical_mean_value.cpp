@@ -17,7 +17,7 @@
 namespace viscera::coordinates {
 namespace {
 
-/// Of the distance to a face's outline: a point less high over the face's plane lies in it.
+/// Part of the distance to a face's outline: a point less high over the face's plane lies in it.
 constexpr double kInFacePlane = 1e-12;
 /// Below this so much cancels that the face is computed with more digits.
 constexpr double kNearPlane = 1e-3;

@@ -100,7 +100,7 @@ struct BesideTriangle {
   double beside; ///< How far the foot is beyond the edge it is farthest beyond, mm; 0 in the triangle.
 };
 
-/// For corners relative to the point. A triangle without an area has a height that is not a number.
+/// Takes corners relative to the point. A triangle without an area has a height that is not a number.
 inline BesideTriangle besideTriangle(const Corners<double>& corners) {
   const Vec3 area = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
   const double twice = area.norm();

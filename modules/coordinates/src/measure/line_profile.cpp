@@ -16,11 +16,11 @@ constexpr int kJumpLevels = 7; ///< Down to 4e-9 of a part.
 constexpr int kKinkLevels = 3; ///< Down to 1/2048 of a part: much closer, slopes are lost in rounding.
 /// The smallest jump; a smaller change is the slope over the last distance.
 constexpr double kJump = 1e-5;
-/// Of the steepest slope: a smaller change of slope counts for none.
+/// Part of the steepest slope: a smaller change of slope counts for none.
 constexpr double kKink = 0.02;
 /// A smooth curve's change of slope has gone down by the distance's ratio; a kink's has not.
 constexpr double kKept = 0.3;
-/// Of a coordinate's range: less prominent maxima are not counted.
+/// Part of a coordinate's range: less prominent maxima are not counted.
 constexpr double kProminent = 1e-3;
 
 /// Part of the line, from 0 to 1.

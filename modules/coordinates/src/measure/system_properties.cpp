@@ -14,7 +14,7 @@
 namespace viscera::coordinates {
 namespace {
 
-/// Of the handles' size: so far from a handle coordinates are asked for when there are none at it.
+/// Part of the handles' size: so far from a handle its coordinates are taken that do not exist at it.
 constexpr double kBeside = 1e-7;
 /// A binding is timed again until that much time has gone by.
 constexpr double kTimedSeconds = 0.02;

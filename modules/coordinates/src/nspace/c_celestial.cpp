@@ -23,7 +23,7 @@ const Parameter kCelestialSeed = countParameter("seed", "Seed of the random numb
 
 constexpr int kMostCelestialSteps = 100;
 constexpr double kConverged = 1e-10;
-/// Of the function: a descent smaller than that is lost in rounding, and a whole step is taken.
+/// Part of the function: a smaller descent is lost in rounding, and a whole step is taken.
 constexpr double kRounding = 1e-15;
 
 /// Positive numbers `exp(q_i . x)` that balance the directions: somewhere well inside the cone. Damped
@@ -69,7 +69,7 @@ struct Sampler {
     Values at(beta.size());
     if (!startInside(sight.units, at))
       return false;
-    // Without the balance's remaining error, and with |at| = 1/2: inside the unit ball.
+    // Take out the balance's remaining error, and set |at| = 1/2: inside the unit ball.
     at = space.project(at);
     at /= 2 * at.norm();
     if (at.minCoeff() < 0)
@@ -92,7 +92,7 @@ struct Sampler {
     return true;
   }
 
-  /// From where to where the cone and the unit ball leave a line through `at`.
+  /// The part of a line through `at` that the cone and the unit ball leave.
   static std::pair<double, double> chord(const Values& at, const Values& way) {
     const double square = way.squaredNorm(), half = at.dot(way), out = at.squaredNorm() - 1;
     if (!(square > 0))

@@ -21,7 +21,7 @@ const Parameter kStop =
 const Parameter kGradientSeed =
     countParameter("seed", "0 starts from all ones, others from random numbers", 0, 1e6, 1);
 
-/// Of one: slower than this the smallest number does not rise.
+/// Part of one: a smaller rise of the smallest number is none.
 constexpr double kStill = 1e-12;
 
 /// Where a balanced vector goes when its tied numbers are raised together, staying balanced and tied. What is
@@ -56,7 +56,7 @@ public:
         outer += unit * unit.transpose();
       }
     }
-    // With s = sum of the k tied u_i and G = sum of the free u_i u_i^T + s s^T / k, the way is
+    // Let s = sum of the k tied u_i and G = sum of the free u_i u_i^T + s s^T / k, the way is
     // -u_i.G^-1 s for a free number and 1 - s.G^-1 s / k for all tied ones; it keeps sum beta_i u_i = 0.
     outer += sum * sum.transpose() / count;
     Matrix inverse;
@@ -172,7 +172,7 @@ std::shared_ptr<const CoordinateSystem> gradientMethod() {
       SystemDescription{.id = "gradient-method",
                         .name = "Gradient method",
                         .summary = "Maximises the smallest weight; positive, with kinks",
-                        // With 'highest' it jumps.
+                        // The system jumps with 'highest'.
                         .traits = {.positive = true,
                                    .interpolates = true,
                                    .everywhere = false,

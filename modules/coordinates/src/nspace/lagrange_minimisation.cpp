@@ -29,7 +29,7 @@ constexpr int kMostLocalChoices = 20000;
 /// Points times choices tried for all points together.
 constexpr int kMostGlobalTrials = 4000000;
 constexpr int kMostRounds = 200;
-/// Of the target's largest number: as good as not negative.
+/// Part of the target's largest number: as good as not negative.
 constexpr double kNotNegative = 1e-11;
 
 /// The ways that look at one point only.
@@ -116,7 +116,7 @@ std::optional<std::vector<Eigen::Index>> deadHandles(const std::vector<Problem>&
   return found;
 }
 
-/// By how much the targets are to be shifted so that no number of any problem is negative.
+/// The shift of the targets by which no number of any problem is negative.
 double shiftFor(const std::vector<Problem>& problems, Eigen::Index count, double sign, Progress& progress) {
   double shift = 0;
   Values beta(count);
@@ -130,7 +130,7 @@ double shiftFor(const std::vector<Problem>& problems, Eigen::Index count, double
       }
     if (smallest >= -0.1 * kNotNegative * scale)
       break;
-    // With beta_min < 0 the least of all: t_i + beta_min when lowered (thesis, below 3.29), t_i - beta_min
+    // Let beta_min < 0 be the least of all: t_i + beta_min when lowered (thesis, below 3.29), t_i - beta_min
     // when raised.
     shift += sign * smallest;
   }

@@ -11,7 +11,7 @@ namespace {
 
 /// Directions whose outer products have a smaller determinant do not span space.
 constexpr double kFlatProblem = 1e-12;
-/// Of the sum of the numbers: as well balanced as rounding allows.
+/// Part of the sum of the numbers: as well balanced as rounding allows.
 constexpr double kBalanced = 1e-14;
 constexpr int kMostLagrangeSteps = 200;
 constexpr double kSufficientDecrease = 1e-4;

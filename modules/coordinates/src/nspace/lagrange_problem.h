@@ -18,7 +18,7 @@ Values targetAt(Target target, const Values& distances);
 void forEachSubset(Eigen::Index count, Eigen::Index size,
                    const std::function<bool(const std::vector<Eigen::Index>&)>& visit);
 
-/// Of all vectors that balance the directions the one nearest to a target (thesis 3.21 to 3.28), with the
+/// The vector nearest to a target of those that balance the directions (thesis 3.21 to 3.28), with the
 /// different ways to keep its numbers from being negative. For Dim = 2 and 3.
 template <int Dim>
 class LagrangeProblem {
@@ -30,7 +30,7 @@ public:
   /// The problem with `amount` added to the whole target.
   LagrangeProblem shifted(double amount) const;
 
-  /// In closed form with the handles `dead` at zero; the others may become negative. False where the others
+  /// Solves in closed form with `dead` handles at zero; others may get negative. False where the others
   /// do not span space. O(n).
   bool solve(const std::vector<Eigen::Index>& dead, Values& beta) const;
   /// The quadratic programme with `beta >= 0` (3.25), to rounding. False where Newton's method does not end.

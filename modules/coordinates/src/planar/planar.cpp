@@ -15,7 +15,7 @@
 namespace viscera::coordinates {
 namespace {
 
-/// Of a half turn: directions that leave out more do not go all around.
+/// Part of a half turn: directions that leave out more do not go all around.
 constexpr double kHalfTurn = 1e-12;
 
 using PointWeights = std::function<bool(const Eigen::Vector2d& point, Values& weights)>;
@@ -67,7 +67,7 @@ PointWeights balanced(const PointsOf<2>& handles, BalanceIn<2> balance) {
   };
 }
 
-/// Of the polygon's size: a point so near to a corner or an edge lies on it.
+/// Part of the polygon's size: a point so near to a corner or an edge lies on it.
 constexpr double kOnPolygon = 1e-12;
 
 double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {

@@ -119,7 +119,7 @@ void roundTile(double* tile, long handles, float* single) {
       kept += back;
       lost += exact - back;
     }
-    // With a_i rounded to b_i the factor is f = sum a_i / sum b_i = 1 + sum (a_i - b_i) / sum b_i; what is
+    // Rounding a_i to b_i makes the factor f = sum a_i / sum b_i = 1 + sum (a_i - b_i) / sum b_i; what is
     // kept is f - 1, which a single number holds to more digits than f.
     const Pack more = lost / kept;
     const Mask usable =

@@ -37,7 +37,7 @@ struct TileKernels {
   /// Rounds the tile (`handles x 16`) into `single`; it becomes what `single` stands for.
   void (*round)(double* tile, long handles, float* single);
 
-  /// As the three above, for a tile in single precision. Everything is computed in double precision.
+  /// The same three for a tile in single precision. Everything is computed in double precision.
   void (*multiplySingle)(const float* tile, const double* pose, long handles, double* points);
   void (*addColumnSingle)(const float* tile, long handle, long handles, const double* delta, double* points);
   void (*addTransposedSingle)(const float* tile, const double* rows, long handles, double* sums);

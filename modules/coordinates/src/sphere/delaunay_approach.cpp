@@ -51,7 +51,7 @@ std::map<Edge, Quad> quadsNearFlip(const Points& units, const Triangles& triangl
     const auto other = opposite.find({edge.second, edge.first});
     if (edge.first > edge.second || other == opposite.end())
       continue;
-    // At a flip the four lie on one circle: the angles at c and d, opposite to the edge ab, sum up to pi
+    // The four lie on one circle at a flip: the angles at c and d, opposite to the edge ab, sum up to pi
     // (thesis 3.1.1). slack = pi - (angle at c + angle at d).
     Quad quad{edge.first, edge.second, c, other->second};
     quad.slack = std::max(0.0, std::numbers::pi - angleAt(units, c, quad.a, quad.b) -

@@ -35,7 +35,7 @@ std::vector<SphereTriangle> icosahedron() {
   return triangles;
 }
 
-/// On the unit sphere: the solid angle under which the centre sees the triangle,
+/// The solid angle under which the centre of the unit sphere sees the triangle,
 /// `tan(area / 2) = det(a, b, c) / (1 + a . b + b . c + c . a)` (Van Oosterom and Strackee 1983, doi
 /// 10.1109/TBME.1983.325207).
 double sphericalArea(const SphereTriangle& t) {

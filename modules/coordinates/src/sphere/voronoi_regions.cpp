@@ -22,7 +22,7 @@ enum class Transfer { naturalNeighbour, sphericalBarycentric, laguerre };
 const Parameter kTransfer = choiceParameter("transfer", "How the Voronoi vertices' weights reach the handles",
                                             {"natural-neighbour", "spherical-barycentric", "laguerre"});
 
-/// Of the largest distance: nearer handles weigh no more in the Laguerre diagram.
+/// Part of the largest distance: nearer handles weigh no more in the Laguerre diagram.
 constexpr double kNearest = 1e-6;
 /// Cosine from -1: a handle right behind the vertex has no place in the plane.
 constexpr double kBehind = 1e-9;
@@ -89,7 +89,7 @@ struct Regions {
     return true;
   }
 
-  /// By the projection from the opposite of `at` onto the plane that touches the sphere there (thesis 3.9).
+  /// Projects from the opposite of `at` onto the plane that touches the sphere there (thesis 3.9).
   bool amongNeighbours(const Points& units, const Values& nearness, const Vec3& at, Values& shares) const {
     // The line from -at through u_i meets the plane at s_i u_i + (s_i - 1) at with s_i = 2 / (1 + u_i . at):
     // the thesis's 1 + delta_i is s_i.
@@ -102,7 +102,7 @@ struct Regions {
     const Values powers = transfer == Transfer::laguerre ? Values(-nearness) : Values::Zero(units.rows());
     if (!planeNeighbours(sites, powers, shares))
       return false;
-    // With sum l_i = 1 the plane's neighbours meet at `at`: sum l_i s_i u_i = (2 - sum l_i s_i) at (3.10).
+    // The plane's neighbours with sum l_i = 1 meet at `at`: sum l_i s_i u_i = (2 - sum l_i s_i) at (3.10).
     const double left = 2 - shares.dot(stretch); // One less the thesis's sum of shares times delta.
     shares = shares.cwiseProduct(stretch) / left;
     return left > kBehind;

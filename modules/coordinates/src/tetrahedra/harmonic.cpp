@@ -19,7 +19,7 @@ namespace {
 
 const Parameter kHarmonicResolution = resolutionParameter(32, 20);
 
-/// Of the cage's size, and of barycentric coordinates: a point so near to a triangle lies on it.
+/// Part of the cage's size, and of barycentric coordinates: a point so near to a triangle lies on it.
 constexpr double kOnCageFace = 1e-9;
 
 class HarmonicSolver final : public PointSolver {

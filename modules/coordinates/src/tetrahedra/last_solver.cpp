@@ -12,7 +12,7 @@ public:
 
   std::shared_ptr<const PointSolver> of(const HandleSet& handles, const Points& points,
                                         const BindOptions& options, Progress& progress) {
-    // Without a mesher `prepare_` says so.
+    // `prepare_` says that there is no mesher.
     if (auto solver = options.tetrahedralise ? known(handles, options.parameters) : nullptr)
       return solver;
     std::shared_ptr<const PointSolver> solver = prepare_(handles, points, options, progress);

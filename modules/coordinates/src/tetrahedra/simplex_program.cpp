@@ -18,7 +18,7 @@ constexpr int kRhythm = 20;
 /// Residuals that differ by less leave the penalty as it is.
 constexpr double kImbalance = 5;
 constexpr double kMostChange = 20;
-/// Over-relaxation, as usual.
+/// The usual over-relaxation.
 constexpr double kRelaxation = 1.6;
 constexpr Eigen::Index kRows = 256;
 

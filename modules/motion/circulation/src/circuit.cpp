@@ -11,7 +11,7 @@ constexpr double kSkew = 0.75;
 constexpr double kQuarterTurn = std::numbers::pi / 2;
 /// Seconds from the beginning of an atrium's contraction to its height.
 constexpr double kAtrialPeak = 0.125;
-/// At fast rates it is no longer than this part of the beat.
+/// The peak lasts no longer than this part of the beat at fast rates.
 constexpr double kAtrialPeakShare = 0.15;
 /// How fast leaflets follow the pressure across them, 1/(mmHg s): the opening changes by so much of what is
 /// left, as in Mynard and others 2012, doi 10.1002/cnm.1466; fitted to the 20 to 40 ms that leaflets need.
@@ -78,7 +78,7 @@ Circuit::Circuit(const Parameters& p, int steps)
 /// slope. What earlier beats have left goes on fading below it, which makes the curve continuous and periodic
 /// at every rate.
 Circuit::Activation Circuit::activation(const Pump& pump, double seconds) const {
-  // With f = t - t_es - (pi / 2) tau, this beat's own part 1/2 exp(-f / tau) goes on at f = 0 from
+  // Let f = t - t_es - (pi / 2) tau: this beat's own part 1/2 exp(-f / tau) goes on at f = 0 from
   // (1 + cos((t - t_es) / tau)) / 2 with the same value, 1/2, and the same slope, -1 / (2 tau); half counts
   // the earlier beats as well.
   const double since = wrapped(seconds - pump.start, period_);
@@ -89,7 +89,7 @@ Circuit::Activation Circuit::activation(const Pump& pump, double seconds) const 
     const double value = pump.half * std::exp(-fading / tau);
     return {value, -value / tau};
   }
-  // Of the earlier beats alone: half less this beat's own 1/2.
+  // The earlier beats alone: half less this beat's own 1/2.
   const double left = (pump.half - 0.5) * std::exp(-fading / tau);
   if (past >= 0)
     return {0.5 * (1 + std::cos(past / tau)) + left, -(0.5 * std::sin(past / tau) + left) / tau};
@@ -130,7 +130,7 @@ Instant Circuit::instant(const State& state, double seconds) const {
   now.pulmonaryFlow = (lungArteries - lungVeins) / pulmonary_.resistance;
   now.systemicReturn = (veins - now.pressure[at(ra)]) / systemic_.veinResistance;
   now.pulmonaryReturn = (lungVeins - now.pressure[at(la)]) / pulmonary_.veinResistance;
-  // At the root of an artery P = V / C + Z Q, Z its characteristic impedance.
+  // The root of an artery has P = V / C + Z Q, Z its characteristic impedance.
   for (std::size_t i = 0; i < kValves; ++i) {
     const Gate& gate = gates_[i];
     now.pressure[gate.to] += gate.impedance * state[kCompartments + i];

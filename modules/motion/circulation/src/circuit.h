@@ -20,7 +20,7 @@ inline constexpr double kJoulePerMmHgMl = 1.33322387415e-4;
 /// Leaks that a shut valve has in any case, cm^2: 0.005 ml/s at 100 mmHg. Keeps its equation finite.
 inline constexpr double kShutArea = 1e-5;
 
-/// At fast rates an atrium's lead before the ventricle is no longer than this part of the beat.
+/// An atrium leads the ventricle by no more than this part of the beat at fast rates.
 inline constexpr double kAtrialShare = 0.28;
 
 /// The open area of a valve, cm^2.
@@ -49,8 +49,8 @@ struct Instant {
 /// The equations of the circulation for one set of parameters. Immutable; thread-safe.
 class Circuit {
 public:
-  /// For a beat that is integrated in `steps` even steps, or in a part of them: the chambers' activations are
-  /// computed once at their ends and middles.
+  /// Prepares a beat that is integrated in `steps` even steps, or in a part of them: the chambers'
+  /// activations are computed once at their ends and middles.
   Circuit(const Parameters& parameters, int steps);
 
   double period() const { return period_; }

@@ -93,8 +93,8 @@ double totalVolume(const State& state) {
 }
 
 State guessedState(const Parameters& p) {
-  // At the end of diastole at rest, ml: the four chambers, then the vessels; the systemic veins take what is
-  // left.
+  // Volumes at the end of diastole at rest, ml: the four chambers, then the vessels; the systemic veins take
+  // what is left.
   constexpr std::array<double, kCompartments> kRest = {130, 137, 55, 60, 130, 0, 75, 58};
   constexpr double kRestTotal = 940;
   constexpr double kHeart = 382;
@@ -108,7 +108,7 @@ State guessedState(const Parameters& p) {
   State state{};
   for (std::size_t i = 0; i < kCompartments; ++i)
     state[i] = small * kRest[i];
-  // From p = a (exp(b (V - v0)) - 1): a passive chamber at the pressure p holds V = v0 + ln(1 + p / a) / b.
+  // p = a (exp(b (V - v0)) - 1): a passive chamber at the pressure p holds V = v0 + ln(1 + p / a) / b.
   for (std::size_t i = 0; i < kChambers; ++i)
     state[i] =
         std::min(heart * kRest[i], chambers[i]->v0 + std::log1p(kHighest / chambers[i]->a) / chambers[i]->b);

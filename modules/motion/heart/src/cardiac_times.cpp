@@ -11,7 +11,7 @@ constexpr double kShortestEjection = 130; ///< ms
 /// The rate at which the Copenhagen study measured people at rest, a minute.
 constexpr double kCopenhagenBpm = 65;
 
-/// Of which the waves of filling are given.
+/// The rate at which the waves of filling are given.
 constexpr double kWavesBpm = 75;
 constexpr double kEarlyMs = 200;
 constexpr double kAtrialMs = 110;
@@ -39,10 +39,10 @@ double waveMs(double standard, double atDouble, double rate) {
   return standard * std::pow(atDouble, std::log2(rate / kWavesBpm));
 }
 
-// Of the left ventricle's isovolumic contraction: when the right ventricle's valves move.
+// Parts of the left ventricle's isovolumic contraction: when the right ventricle's valves move.
 constexpr double kTricuspidShuts = 0.25;
 constexpr double kPulmonaryOpens = 0.65;
-// Of its isovolumic relaxation.
+// Parts of its isovolumic relaxation.
 constexpr double kPulmonaryShuts = 0.18;
 constexpr double kTricuspidOpens = 0.60;
 

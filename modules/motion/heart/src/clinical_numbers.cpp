@@ -20,7 +20,7 @@ struct Shown {
   Quantity quantity;
 };
 
-/// Of a chamber the volumes of a beat, of another organ its volume.
+/// The volumes of a beat for a chamber, the volume for another organ.
 std::vector<Shown> shownFor(const anatomy::Part& part) {
   if (part == anatomy::kLeftVentricle)
     return {{"lv.edv", Quantity::endDiastolicMl},

@@ -14,7 +14,7 @@
 namespace viscera::heart {
 namespace {
 
-/// Of the way between its ends, how far a slack chord bows.
+/// Part of the way between its ends by which a slack chord bows.
 constexpr double kMostBow = 0.125;
 /// How far from the middle of a muscle's tip its chords begin, rad on the round tip.
 constexpr double kTipSpread = 0.9;

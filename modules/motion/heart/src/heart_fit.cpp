@@ -27,7 +27,7 @@ constexpr double kCoreReach = 1.1;  ///< The body of the heart lies within that 
 constexpr double kVessels = 0.1;
 constexpr double kBaseBack = 2.0 / 3.0; ///< From the apex to the base, as a part of the whole length.
 constexpr double kBulge = 0.06;         ///< Rounder than this the ventricles show no right side.
-/// From the axis to the right ventricle of a heart in its place (patient's right and front).
+/// Direction from the axis to the right ventricle of a heart in its place (patient's right and front).
 const Vec3 kRightOfPeople(-0.62, -0.78, 0.05);
 
 // Fitting, in the standard size.

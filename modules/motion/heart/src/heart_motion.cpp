@@ -21,10 +21,10 @@ constexpr double kWhereRightBegins = 12;
 // keeps its volume within 6 % (5.7 %), its free wall thickens by 30 to 60 % (57 %).
 /// Beside the right ventricle, against the muscle's volume: without it 12.6 % are lost.
 constexpr double kRightPush = 2.6;
-/// At the free wall, against both: without it 7.5 % of the muscle are lost, with 0.6 in its place 2.2 %, but
-/// the wall thickens by 66 %.
+/// Push at the free wall, against both: without it 7.5 % of the muscle are lost, with 0.6 in its place 2.2 %,
+/// but the wall thickens by 66 %.
 constexpr double kFreePush = 0.2;
-/// On the septum, against the muscle's volume: without it 11.2 % are lost.
+/// Push on the septum, against the muscle's volume: without it 11.2 % are lost.
 constexpr double kSeptumPush = 1.1;
 /// Near the outflow the right ventricle narrows less: by this part of the way, fading over this length (mm).
 constexpr double kOutflowEase = 0.4;
@@ -147,7 +147,7 @@ Vec3 HeartMotion::pushedByAtria(std::size_t row, const AtrialState& atria) const
     const AtriumAnatomy& atrium = rig_.anatomy.atria[i];
     const Vec3 outward = rig_.handles[row].position - atrium.center;
     const double share = atrialShares_[i][row];
-    // As much leaves a sphere around the atrium as has come into it: r'^3 = r^3 + what came, by 4 pi / 3.
+    // What comes into an atrium leaves the sphere around it: r'^3 = r^3 + what came, by 4 pi / 3.
     const double part = atrium.left ? atria.leftPart : atria.rightPart;
     const double shift = atrium.left ? atria.leftShift : atria.rightShift;
     push += (std::cbrt(1 + share * kAtrialCavity * (part - 1)) - 1 + share * shift) * outward;

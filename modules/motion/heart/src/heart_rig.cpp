@@ -214,7 +214,8 @@ struct RoleLook {
   Vec3 color;
 };
 
-/// In the order in which the builder adds them; colours that colour-blind users tell apart (Okabe and Ito).
+/// Roles in the order in which the builder adds them; colours that colour-blind users tell apart (Okabe and
+/// Ito).
 const std::vector<RoleLook>& roleLooks() {
   static const std::vector<RoleLook> looks{{HeartRole::leftEndocardium, "LV endocardium", {0.84, 0.37, 0.00}},
                                            {HeartRole::epicardium, "Epicardium", {0.90, 0.62, 0.00}},

@@ -16,13 +16,13 @@ namespace viscera::heart {
 namespace {
 
 constexpr double kMm2PerCm2 = 100;
-/// Of healthy adults, cm2, in the order of `HeartValve`.
+/// Areas of healthy adults, cm2, in the order of `HeartValve`.
 constexpr std::array<double, kHeartValves> kNormalCm2 = {5, 4, 6, 4};
 /// How long leaflets are on their way.
 constexpr double kMovingSeconds = 0.04;
 /// Leaflets that have hardly begun to move leave at least what this speed needs.
 constexpr double kFastestMmPerS = 1200;
-/// Over which the textbook's volumes are differentiated.
+/// The step over which the textbook's volumes are differentiated.
 constexpr double kStepSeconds = 1e-3;
 
 /// Vertices within so many radii of a ring carry it, but at least so many.

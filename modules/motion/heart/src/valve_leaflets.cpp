@@ -10,7 +10,7 @@ namespace {
 
 using Vec2 = Eigen::Vector2d;
 
-// In radii of the ring:
+// Lengths in radii of the ring:
 constexpr double kCrown = 0.9;        ///< How high the commissures of pockets are above their nadirs.
 constexpr double kPocketMeets = 0.5;  ///< How high shut pockets meet in the middle.
 constexpr double kSailMeets = 0.3;    ///< The same of sails.
@@ -55,7 +55,7 @@ Edges edgesOf(const ValveForm& form) {
 /// The part of the open edges in (1 - part) shut + part open that leaves `fraction` of the full area: the
 /// area is a quadratic form of the two, and nothing for the shut ones.
 double mixFor(const Edges& edges, double fraction) {
-  // With the free edge (1 - p) shut + p open its area is p^2 F + p (1 - p) M, F the full and M the mixed one.
+  // The free edge (1 - p) shut + p open has the area p^2 F + p (1 - p) M, F the full and M the mixed one.
   // Over F this is (1 - l) p^2 + l p = fraction with l = M / F, and
   // p = 2 fraction / (l + sqrt(l^2 + 4 (1 - l) fraction)) does not cancel.
   const double linear = edges.mixed / edges.fullArea;
@@ -79,7 +79,7 @@ public:
     const double middle = 1 - std::abs(1 - 2 * u); // 0 at the commissures.
     const double low = form_.semilunar ? kCrown * (1 - 2 * u) * (1 - 2 * u) : 0;
     const double meets = form_.semilunar ? kCrown + (kPocketMeets - kCrown) * middle : kSailMeets * middle;
-    // From ring to edge a leaflet keeps its length, length^2 = |ring - shut|^2 + (meets - low)^2: what it no
+    // A leaflet keeps its length from ring to edge, length^2 = |ring - shut|^2 + (meets - low)^2: what it no
     // longer reaches inwards it rises.
     const double length = std::hypot((ring - shut).norm(), meets - low);
     const double reach = (ring - edge).norm();

@@ -11,12 +11,12 @@
 namespace viscera::sequences {
 namespace {
 
-// It begins to form before it sets out and fades at the pylorus, s.
+// A wave begins to form before it sets out and fades at the pylorus, s.
 constexpr double kFormsBefore = 2;
 constexpr double kForming = 8;
 constexpr double kWaveFading = 4;
 
-// Its depth as a part of the radius, and its width (one standard deviation, mm), over the way.
+// The depth of a wave as a part of the radius, and its width (one standard deviation, mm), over the way.
 constexpr double kFirstDepth = 0.14;
 constexpr double kDepthGain = 0.48;
 constexpr double kDepthPower = 1.3;

@@ -139,7 +139,7 @@ KeyframedSequence::Place KeyframedSequence::placeAt(double seconds) const {
 
 void KeyframedSequence::poseAt(double seconds, double ratePerMinute, Points& pose) const {
   const double rate = std::clamp(ratePerMinute, lowestRatePerMinute(), highestRatePerMinute());
-  // In the time of the recording; at the standard rate exactly that which was asked for.
+  // Take the time of the recording; at the standard rate exactly that which was asked for.
   double inside = rate == standardRatePerMinute() ? seconds : seconds * rate / standardRatePerMinute();
   inside -= track_.periodSeconds * std::floor(inside / track_.periodSeconds);
   if (!curves_.empty()) {

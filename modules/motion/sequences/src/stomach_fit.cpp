@@ -10,7 +10,7 @@
 namespace viscera::sequences {
 namespace {
 
-// As parts of the length of the line.
+// Parts of the length of the line.
 constexpr double kShortestDuodenum = 0.06; ///< Less than this behind a narrow place is no duodenum.
 constexpr double kEnd = 0.03;              ///< Without a duodenum the pylorus lies that far before the end.
 /// Behind the pylorus the slices grow to that multiple of the narrowest one at least.
@@ -18,7 +18,7 @@ constexpr double kWidensAgain = 1.5;
 /// The narrowest slice is at most this part of the widest one.
 constexpr double kNarrow = 0.35;
 
-// In the standard size, mm.
+// Lengths in the standard size, mm.
 constexpr double kUnreached = 24;     ///< Farther from all handles than this a vertex gets one of its own.
 constexpr double kOffTheStomach = 8;  ///< How far off the surface that stands.
 constexpr double kBeyondLineEnd = 14; ///< How far before and behind the line its ends are held.

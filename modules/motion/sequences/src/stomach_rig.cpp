@@ -17,7 +17,7 @@ using std::numbers::pi;
 constexpr double kFirstRing = 10;       ///< From the top of the fundus, mm.
 constexpr double kPastPylorus = 6;      ///< How far beyond the pylorus there are rings, mm.
 constexpr double kStomachRayStep = 0.5; ///< mm
-/// Of the wall from the centreline; a ray along the line goes on for long, mm.
+/// Distance of the wall from the centreline; a ray along the line goes on for long, mm.
 constexpr double kFarthestFromLine = 65;
 constexpr double kWider = 1.12; ///< A ring's radius as a multiple of the wall's,
 constexpr double kOffset = 3;   ///< and what is added to it, mm.

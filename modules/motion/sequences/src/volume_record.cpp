@@ -42,7 +42,7 @@ std::vector<double> VolumeRecord::column(std::size_t column, double sinceSeconds
 
 void writeVolumeTable(const std::filesystem::path& file, const VolumeRecord& volumes,
                       const std::vector<std::pair<std::string, std::size_t>>& wantedKeys) {
-  // With one surface the table is a volume curve, which has two columns.
+  // The table of one surface is a volume curve, which has two columns.
   const auto keys =
       volumes.names().size() > 1 ? wantedKeys : std::vector<std::pair<std::string, std::size_t>>();
   writeAtomically(file, [&](std::ostream& stream) {

@@ -18,7 +18,7 @@ LocalAxes localAxes(const Vec3& radial, const Vec3& towardsBase) {
   LocalAxes axes;
   axes.radial = radial.normalized();
   Vec3 along = towardsBase - towardsBase.dot(axes.radial) * axes.radial;
-  // At the tip of the apex the wall looks along the axis: any direction in it is as good.
+  // The wall at the tip of the apex looks along the axis: any direction in it is as good.
   if (!(along.norm() > 1e-9 * towardsBase.norm()))
     along = axes.radial.unitOrthogonal();
   axes.longitudinal = along.normalized();

@@ -28,7 +28,7 @@ constexpr double kSmallestCap = 0.007;
 constexpr double kCapCosine = 0.766;
 /// A flat cap lies within this part of the cavity's extent from its end.
 constexpr double kCapDepth = 0.3;
-/// At both ends, where the flatter one is looked for.
+/// Part of the length at both ends, where the flatter one is looked for.
 constexpr double kEndDepth = 0.2;
 
 struct Facets {

@@ -29,7 +29,7 @@ constexpr double kBehindAnnulus = -0.15;
 constexpr double kAnnulusLayer = 0.03;
 /// The tip: beyond this height and within this part of the long axis' length from it.
 constexpr double kTipHeight = 0.95, kTipRadius = 0.06;
-/// Of a wall that is open at the apex, as a part of its extent.
+/// The end of a wall that is open at the apex, as a part of its extent.
 constexpr double kEndLayer = 0.03;
 /// Deeper points lie in the right ventricle's free wall, where both sides have depth 1.
 constexpr double kDeepest = 0.985;

@@ -13,7 +13,7 @@
 namespace viscera::strain {
 namespace {
 
-/// At the annulus the nearest place is beside the wall, not behind it.
+/// The height from which thickness counts: at the annulus the nearest place is beside the wall.
 constexpr double kThicknessFrom = 0.08;
 /// The rings of the twist, as parts of the long axis.
 constexpr double kBaseRing[2] = {0.05, 0.2}, kApexRing[2] = {0.75, 0.92};

@@ -12,7 +12,7 @@ namespace viscera::tracking {
 /// What the images say of one phase between two labelled ones, and the pose that fits it.
 class CinePose {
 public:
-  /// For the phase at place `at` of a segment. Keeps all references.
+  /// Fits the phase at place `at` of a segment. Keeps all references.
   CinePose(const MotionRig& rig, const CineSegment& segment, std::size_t at, const LabelledPose& from,
            const LabelledPose& to, const std::vector<bool>& isLong, const std::vector<CinePlane>& planes,
            const std::vector<std::vector<Eigen::Index>>& caps);

@@ -131,7 +131,7 @@ public:
     }
   }
 
-  /// With the matrix of the last step.
+  /// Solves with the matrix of the last step.
   Points solve(const Points& gradient) const {
     const Eigen::VectorXd stacked = gradient.reshaped();
     const Eigen::VectorXd found = solver_.solve(stacked);
@@ -139,7 +139,7 @@ public:
   }
 
 private:
-  /// Of each vertex; far ones less where the fit is robust.
+  /// The weight of each vertex; less of far ones where the fit is robust.
   Values weightsOf(const Offsets& offsets) const {
     if (!(options_.robustMm > 0))
       return rig_.shares();

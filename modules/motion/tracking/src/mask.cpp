@@ -13,7 +13,7 @@ namespace {
 constexpr double kThick = 2;
 /// A slice without a voxel inside is taken as this far from one, mm.
 constexpr double kFarMm = 1e3;
-/// Of a voxel: rays do not run exactly through corners, which masks and surfaces made of them share.
+/// Part of a voxel: rays do not run exactly through corners, which masks and surfaces made of them share.
 constexpr double kAside = 3.1e-7;
 
 /// Within the slices across `axis`, negative inside, mm.
@@ -147,7 +147,7 @@ Mask voxelised(const geometry::TriangleMesh& surface, const Mask& grid) {
   Points points(surface.points.rows(), 3);
   for (Eigen::Index v = 0; v < points.rows(); ++v)
     points.row(v) = (toIndex * surface.points.row(v).transpose()).transpose();
-  // Of a row of voxels, where the surface is crossed.
+  // The places where the surface is crossed, by row of voxels.
   std::vector<std::vector<double>> rows(std::size_t(grid.size[1]) * std::size_t(grid.size[2]));
   for (Eigen::Index t = 0; t < surface.triangles.rows(); ++t) {
     const Vec3 a = points.row(surface.triangles(t, 0)), b = points.row(surface.triangles(t, 1)),

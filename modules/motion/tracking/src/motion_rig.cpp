@@ -23,7 +23,7 @@ constexpr int kFewestOfASurface = 4;
 constexpr int kHandlesOfOne = 60, kHandlesOfSeveral = 120;
 constexpr double kOuterShare = 0.4;
 constexpr double kOffsetOfDiagonal = 0.025;
-/// Of the offset: no two handles are nearer to each other.
+/// Part of the offset: no two handles are nearer to each other.
 constexpr double kClearance = 0.25;
 
 /// How many handles each surface gets.

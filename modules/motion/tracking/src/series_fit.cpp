@@ -11,7 +11,7 @@ namespace {
 /// Keeps factorisations positive where weights are degenerate.
 constexpr double kFactorFloor = 1e-9;
 
-/// Of all surfaces in one phase below each other, `m x 3`.
+/// The points of all surfaces in one phase below each other, `m x 3`.
 Points phaseOf(const MotionRig& rig, const std::vector<SurfaceSeries>& series, std::size_t phase) {
   Points all(rig.weights().rows(), 3);
   for (std::size_t surface = 0; surface < series.size(); ++surface)

@@ -34,7 +34,7 @@ void requireAlike(const SurfaceSeries& series) {
   }
 }
 
-/// For each point the first one at its place, in the first phase.
+/// The first point at the place of each, in the first phase.
 std::vector<std::int32_t> firstAtPlace(const Points& points) {
   std::map<std::array<std::int64_t, 3>, std::int32_t> places;
   std::vector<std::int32_t> first;

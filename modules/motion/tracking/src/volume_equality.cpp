@@ -12,7 +12,7 @@ namespace {
 constexpr int kMostSteps = 12;
 constexpr double kMetMl = 1e-6, kMetOfVolume = 1e-9;
 
-/// Of the volume of one surface with respect to every handle, ml / mm, at these vertices of it.
+/// The gradient of one surface's volume by every handle, ml / mm, at these vertices of it.
 Points gradientOf(const MotionRig& rig, std::size_t surface, const Points& vertices,
                   const geometry::VertexTriangles& around) {
   Points byVertex;

@@ -31,7 +31,7 @@ public:
 
   /// Returns the vessels that were added.
   std::vector<SurfaceVessel> take() { return std::move(vessels_); }
-  /// Those of them that have a name in anatomy, as lines.
+  /// The vessels that have a name in anatomy, as lines.
   const std::vector<geometry::NamedVessel>& vessels() const { return anatomy_; }
 
 private:

@@ -23,7 +23,7 @@ public:
     const Vec3 scaled = (toAxes_ * (point - center_)).cwiseQuotient(radii_);
     const double level = scaled.norm();
     const double slope = scaled.cwiseQuotient(radii_).norm();
-    // At the centre the quotient below is 0 / 0; its limit along the shortest axis is the honest answer.
+    // The quotient below is 0 / 0 at the centre; its limit along the shortest axis is the honest answer.
     if (level < 1e-9)
       return -radii_.minCoeff();
     return level * (level - 1) / slope;

@@ -189,7 +189,7 @@ private:
     const double length2 = away.squaredNorm();
     if (length2 <= 0)
       return distance * factor;
-    // With F = I + (f - 1) n n^T the stretched field is d(F^-1 p), whose gradient F^-T a is
+    // Let F = I + (f - 1) n n^T: the stretched field is d(F^-1 p), whose gradient F^-T a is
     // sqrt(1 - (a.n)^2 + (a.n)^2 / f^2) long for the unit vector a away from the axis: d / |grad d| to first
     // order.
     const double along2 = std::pow(away.dot(shape_.flattenDirection), 2) / length2;

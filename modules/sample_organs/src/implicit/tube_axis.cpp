@@ -118,7 +118,7 @@ SegmentTree::SegmentTree(const std::vector<AxisSample>& samples) {
     cone.direction = (to.position - from.position) / cone.length;
     cone.radius = from.radius;
     cone.rise = to.radius - from.radius;
-    // With k = rise / length, sqrt(away^2 + (along - x)^2) - (r + k x) is least at
+    // Let k = rise / length: sqrt(away^2 + (along - x)^2) - (r + k x) is least at
     // x = along + away k / sqrt(1 - k^2): the foot is shifted towards the wide end.
     const double slope = std::clamp(cone.rise / cone.length, -kSteepest, kSteepest);
     cone.shift = slope / std::sqrt(1 - slope * slope);

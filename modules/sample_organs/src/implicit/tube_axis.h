@@ -42,7 +42,7 @@ struct NearestOnAxis {
 /// A bounding-volume tree over the round cones between the samples of an axis. Immutable; thread-safe.
 class SegmentTree {
 public:
-  /// At least two samples.
+  /// Takes two samples or more.
   explicit SegmentTree(const std::vector<AxisSample>& samples);
 
   /// The round cone whose surface is nearest (deepest, when inside): O(log n) for points near the tube.

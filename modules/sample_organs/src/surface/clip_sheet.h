@@ -27,7 +27,7 @@ private:
 /// The points of an edge of a surface, in the direction in which its triangles run along it.
 using Rim = std::vector<SheetParts::Index>;
 
-/// Which way the triangles of a part look: as those of the sheet, or the other way.
+/// The way that the triangles of a part look: as those of the sheet, or the other way.
 enum class Facing { outward, inward };
 
 /// Adds what of a closed sheet with colours has positive `values` (one a point), and returns its rims, which

@@ -55,10 +55,10 @@ public:
   /// none are held but for a portion's time. The output's points are new. Throws what binding throws.
   void pose(KeptWeights& kept, bool keep, const Told& told);
 
-  /// At rest, from `kept` where no rank's part has changed. Collective. Throws on all ranks for cells that
-  /// have no volume.
+  /// The volume at rest, from `kept` where no rank's part has changed. Collective. Throws on all ranks for
+  /// cells that have no volume.
   RestVolume restVolume(KeptWeights& kept) const;
-  /// As it is posed. Collective. Throws likewise.
+  /// The volume in the pose. Collective. Throws likewise.
   GlobalVolume volume() const;
 
   /// Points outside the hull of the handles, which do not move. Collective.

@@ -26,7 +26,7 @@ public:
   /// where the system has none.
   virtual bool solve(const Vec3& point, Values& weights) const = 0;
 
-  /// As `solve`, and fills `gradients` (`handles x 3`, zero before, 1/mm) with the coordinates' derivatives;
+  /// Solves as `solve`, and fills `gradients` (`handles x 3`, zero before, 1/mm) with the derivatives;
   /// false where the coordinates have none, such as at a corner of the cage. Only called if the system's
   /// traits promise a closed form.
   virtual bool solveGradients(const Vec3& point, Values& weights, Points& gradients) const;
@@ -40,7 +40,7 @@ public:
   /// usable (`requireUsableHandles`). Throws `DataError` for handles or a cage that this system cannot use.
   using Prepare = std::function<std::unique_ptr<const PointSolver>(const HandleSet& handles,
                                                                    const ParameterValues& parameters)>;
-  /// For systems whose coordinates of one point depend on the other points that are bound with it, and for
+  /// Serves systems whose coordinates of one point depend on the other points that are bound with it, and
   /// those that take long or need tetrahedra. Throws as `Prepare`, and `Cancelled`.
   using PrepareFor = std::function<std::shared_ptr<const PointSolver>(
       const HandleSet& handles, const Points& points, const BindOptions& options, Progress& progress)>;

@@ -25,7 +25,7 @@ public:
   /// All zero. O(points x handles) memory, whose pages are allocated at the first write, which a parallel
   /// solver does in parallel. Throws `std::bad_alloc`.
   TiledWeights(Eigen::Index points, Eigen::Index handles);
-  /// In single precision where doubles would take more than `mostBytes`.
+  /// Keeps single precision where doubles would take more than `mostBytes`.
   TiledWeights(Eigen::Index points, Eigen::Index handles, std::size_t mostBytes);
   TiledWeights(const TiledWeights& other);
   TiledWeights(TiledWeights&& other) noexcept = default;
@@ -75,7 +75,7 @@ public:
     const float* own = singleTile(point / kTile);
     return static_cast<double>(own[index]) * factorOf(own, point);
   }
-  /// In single precision the point's sum then has a rounding error; `setRow` corrects it.
+  /// Leaves, in single precision, a rounding error in the point's sum; `setRow` corrects it.
   void set(Eigen::Index point, Eigen::Index handle, double value) {
     const Eigen::Index index = handle * kTile + point % kTile;
     if (!single_)

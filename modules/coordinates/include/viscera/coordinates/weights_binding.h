@@ -15,7 +15,7 @@ public:
   /// report.
   WeightsBinding(TiledWeights weights, const Points& restHandles, const Points& restPoints,
                  std::vector<int> failures, double seconds, Threads threads, std::vector<Text> notes = {});
-  /// For systems that measured their weights while they made them, and save a pass over all of them.
+  /// Takes the report of a system that measured its weights while it made them, and saves a pass over them.
   WeightsBinding(TiledWeights&& weights, const Points& restPoints, BindingReport measured);
 
   Eigen::Index handleCount() const override { return weights_.handles(); }

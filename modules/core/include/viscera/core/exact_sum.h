@@ -11,7 +11,7 @@ namespace viscera {
 /// Kulisch (Neal 2015, arXiv 1505.05571). About 5 ns an addition. For one thread at a time.
 class ExactSum {
 public:
-  /// For 2^-1074 to 2^1024, with room for the carries of 2^60 summands; one more counts summands that are not
+  /// Holds 2^-1074 to 2^1024 and the carries of 2^60 summands; one more counts summands that are not
   /// finite.
   static constexpr int kLimbs = 69;
   using Limbs = std::array<std::int64_t, kLimbs>;

@@ -89,7 +89,7 @@ private:
 /// Prints the English text.
 std::ostream& operator<<(std::ostream& out, const Text& text);
 
-/// In JSON, a text is English: nlohmann's library finds this function.
+/// A text is English in JSON: nlohmann's library finds this function.
 template <class Json>
 void to_json(Json& json, const Text& text) {
   json = text.english();

@@ -29,7 +29,7 @@ Points rotated(const Points& pose, const std::vector<int>& selection, const Vec3
 /// The selection scaled about `center` by `factors` along x, y and z. Throws nothing; a factor of 0 flattens.
 Points scaled(const Points& pose, const std::vector<int>& selection, const Vec3& center, const Vec3& factors);
 
-/// For each handle of the selection the handle nearest to its mirror image at rest, or -1 when none is nearer
+/// Finds for each selected handle the one nearest to its mirror image at rest, or -1 when none is nearer
 /// than `tolerance` (mm) or it is the handle itself. O(selection x n).
 std::vector<int> mirrorPartners(const Points& rest, const std::vector<int>& selection,
                                 const MirrorPlane& plane, double tolerance);

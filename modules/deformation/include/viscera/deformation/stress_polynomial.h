@@ -15,7 +15,7 @@ public:
   explicit StressPolynomial(double lowest);
 
   double degrees(double s1, double s3) const;
-  /// Over the samples that it was fitted to, degrees.
+  /// Largest error over the samples that it was fitted to, degrees.
   double largestError() const { return largestError_; }
 
 private:

@@ -36,8 +36,8 @@ StressStatistics statisticsOf(const StressMap& map, Eigen::Index count);
 /// whole map is one pass: `M = sum_i v'_i (grad a_i)^T` (thesis 5.2). Thread-safe once it is filled.
 class WitnessGradients {
 public:
-  /// For `witnesses` points that `put` fills in portions; until then their derivatives are zero. `lift` as in
-  /// the gradients passed to `put`.
+  /// Makes room for `witnesses` points that `put` fills in portions; their derivatives are zero until then.
+  /// `lift` is that of the gradients passed to `put`.
   WitnessGradients(Eigen::Index witnesses, Eigen::Index handles,
                    std::shared_ptr<const coordinates::PoseLift> lift = {});
 
@@ -53,7 +53,7 @@ public:
   /// The deformation gradient of one witness at `pose` (`handles x 3`, mm). O(handles).
   Eigen::Matrix3d deformationGradient(Eigen::Index witness, const Points& pose) const;
 
-  /// Those of all witnesses, into `gradients` (resized); the identity where a witness has failed. O(witnesses
+  /// Writes all of them into `gradients` (resized); the identity where a witness has failed. O(witnesses
   /// x handles); bitwise independent of the number of threads. Throws `DataError` for a pose of another size.
   void deformationGradients(const Points& pose, std::vector<Eigen::Matrix3d>& gradients,
                             Threads threads = {}) const;

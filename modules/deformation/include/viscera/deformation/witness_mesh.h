@@ -50,7 +50,7 @@ WitnessMesh withoutCavities(const WitnessMesh& mesh,
                             const std::vector<std::shared_ptr<const geometry::TriangleMesh>>& cavities,
                             Threads threads = {});
 
-/// At most `most` of the first `count` rows of `points`, spread evenly: one in each cell of a cubic grid, the
+/// Takes at most `most` of the first `count` points, spread evenly: one in each cell of a cubic grid, the
 /// one nearest to the cell's middle. Ascending. The same points give the same answer. O(count).
 std::vector<int> thinnedPoints(const Points& points, Eigen::Index count, int most);
 

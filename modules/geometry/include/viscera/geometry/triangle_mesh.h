@@ -29,7 +29,7 @@ inline std::array<Vec3, 3> cornersOf(const Points& points, const Triangles& tria
           points.row(triangles(t, 2)).transpose()};
 }
 
-/// For every vertex the triangles around it, as a compressed list: those of vertex v are
+/// The triangles around every vertex, as a compressed list: those of vertex v are
 /// `items[first[v]] ... items[first[v + 1] - 1]`, ascending.
 struct VertexTriangles {
   std::vector<std::int32_t> first; ///< `n + 1` offsets.

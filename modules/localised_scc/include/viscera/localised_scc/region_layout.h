@@ -51,9 +51,9 @@ struct SwappingZone {
 ///       sum += share.weight;
 class RegionLayout {
 public:
-  /// Without groups all handles form one region. `offset` (mm, > 0) is reduced to a region's bound where it
-  /// exceeds it, with a note. Throws `DataError` that names the group when one has fewer than four handles or
-  /// is flat.
+  /// All handles form one region where there are no groups. `offset` (mm, > 0) is reduced to a region's bound
+  /// where it exceeds it, with a note. Throws `DataError` that names the group when one has fewer than four
+  /// handles or is flat.
   RegionLayout(const coordinates::HandleSet& handles, double offset);
 
   const std::vector<Region>& regions() const { return regions_; }

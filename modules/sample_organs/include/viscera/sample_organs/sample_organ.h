@@ -28,7 +28,7 @@ struct SampleSurface {
   std::shared_ptr<const geometry::TriangleMesh> mesh;
   Vec3 color = {0.8, 0.45, 0.4};            ///< The surface's own colour, red green blue, 0 to 1.
   std::vector<geometry::NamedPlace> places; ///< Its parts that have names.
-  /// Of an organ of its own, its name: "Liver". Empty for the one surface of an organ, and for cavities in
+  /// The name of an organ of its own: "Liver". Empty for the one surface of an organ, and for cavities in
   /// it.
   std::string organ = {};
   std::vector<geometry::NamedWay> ways = {}; ///< Along which an excitation runs: the conduction system.

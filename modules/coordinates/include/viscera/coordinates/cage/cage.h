@@ -19,7 +19,7 @@ Triangles cageOf(const HandleSet& handles);
 /// open, or not manifold (with the number of edges). `where` names the cage in the message. O(m log m).
 void requireCage(const geometry::TriangleMesh& cage, const Text& where = "the cage");
 
-/// For every vertex of a cage (mm) the handle (`n x 3`, mm) that lies at it, to 1e-6 of the cage's size; -1
+/// Gives for every vertex of a cage (mm) the handle (`n x 3`, mm) at it, to 1e-6 of the cage's size; -1
 /// where there is none. O(n v).
 std::vector<int> handlesAtVertices(const Points& handles, const geometry::TriangleMesh& cage);
 

@@ -39,7 +39,7 @@ struct SystemProperties {
   std::string name;
   std::vector<SceneProperties> scenes;
 
-  /// Over the scenes that were not refused. Jump, kinks and maxima are empty when no line was measured.
+  /// The worst of scenes that were not refused. Jump, kinks and maxima are empty when no line was measured.
   SceneProperties worst() const;
   Eigen::Index refusals() const;
 };

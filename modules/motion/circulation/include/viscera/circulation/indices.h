@@ -15,7 +15,7 @@ struct ChamberIndices {
   double esvMl = 0; ///< The smallest.
   double svMl = 0;  ///< Their difference: of a leaking ventricle forward and backward together.
   double ef = 0;    ///< svMl / edvMl
-  /// Of a ventricle: pressure when it begins to contract. Of an atrium: when it is fullest.
+  /// Pressure of a ventricle when it begins to contract, of an atrium when it is fullest.
   double edpMmHg = 0;
   double meanMmHg = 0;
   double highestMmHg = 0;
@@ -42,8 +42,8 @@ struct Indices {
   double aorticMeanGradient = 0;        ///< mmHg, while blood flows forward through the open valve.
   double aorticPeakGradient = 0;
   double mitralMeanGradient = 0;
-  /// From the shutting of the mitral to the opening of the aortic valve, and from the shutting of the aortic
-  /// to the opening of the mitral valve; 0 where the other valve opens first.
+  /// Time from the shutting of the mitral to the opening of the aortic valve, and from the shutting of the
+  /// aortic to the opening of the mitral valve; 0 where the other valve opens first.
   double isovolumicContractionSeconds = 0;
   double isovolumicRelaxationSeconds = 0;
   double ejectionSeconds = 0; ///< How long the aortic valve is open.

@@ -12,7 +12,7 @@ struct NormalValues {
   double low = -std::numeric_limits<double>::infinity(); ///< Minus infinity: no lower bound.
   double high = std::numeric_limits<double>::infinity();
   std::string source; ///< The source of the range.
-  /// For a row of the table of `anatomy`: the definition of the range, and the people that were measured. Two
+  /// The definition of a range of the table of `anatomy`, and the people that were measured. Two
   /// texts, so that each can be translated.
   Text meaning = {};
   std::string people = {};

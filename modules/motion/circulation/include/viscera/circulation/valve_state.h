@@ -34,8 +34,8 @@ double openSeconds(const ValveTimes& times, double period);
 /// shuts. Times are interpolated linearly between samples. O(samples).
 std::vector<ValveTimes> openTimes(const Beat& beat, Valve valve);
 
-/// From the instant at which the first shuts to that at which the second opens, s; over the end of the beat
-/// where that is nearer, and 0 where the second opens before the first shuts.
+/// Time from the instant at which the first shuts to that at which the second opens, s; over the end of the
+/// beat where that is nearer, and 0 where the second opens before the first shuts.
 double bothShutSeconds(const ValveTimes& first, const ValveTimes& second, double period);
 
 } // namespace viscera::circulation

@@ -98,7 +98,7 @@ public:
   /// The beat at a rate, clamped to the rates above. O(1), about a microsecond.
   CardiacBeat beat(double rateBpm) const;
 
-  /// As `beat(rateBpm).at(seconds)`.
+  /// The same as `beat(rateBpm).at(seconds)`.
   CardiacInstant at(double seconds, double rateBpm) const { return beat(rateBpm).at(seconds); }
 
   /// The parts of a beat by name (`phasesOf`); two thirds of the stroke leave in the rapid ejection.

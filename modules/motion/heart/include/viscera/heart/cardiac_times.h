@@ -24,7 +24,7 @@ struct CardiacTimes {
   double isovolumicRelaxation = 0;
   double earlyFilling = 0; ///< The E wave; in fast hearts it ends while the atria contract.
 
-  /// From the closing of the mitral valve to that of the aortic valve.
+  /// Time from the closing of the mitral valve to that of the aortic valve.
   double systole() const { return isovolumicContraction + ejection; }
   double diastole() const { return cycle - systole(); }
   /// How long the mitral valve is open.

@@ -43,8 +43,8 @@ public:
   /// The largest difference of the cavities' volumes from the wanted ones, ml.
   static constexpr double kToleranceMl = 1e-5;
 
-  /// Without `measureAtria` the atria move by the state, and their volumes are not controlled. Throws
-  /// `DataError` when the compensation is for another number of handles.
+  /// The atria move by the state where there is no `measureAtria`, and their volumes are not controlled.
+  /// Throws `DataError` when the compensation is for another number of handles.
   CavityFit(HeartMotion motion, sequences::PoseCompensation compensation, MeasureCavities measure,
             MeasureCavities measureAtria = {});
 

@@ -17,8 +17,9 @@ struct Chord {
   Vec3 muscle = Vec3::Zero();            ///< About where it begins, on the muscle's tip at rest, mm.
 };
 
-/// Those of the sample heart: 16 from the two left papillary muscles to the mitral valve's halves, 18 from
-/// the three right ones to the tricuspid valve's. Each muscle holds the sails on both sides of a commissure.
+/// The chords of the sample heart: 16 from the two left papillary muscles to the mitral valve's halves, 18
+/// from the three right ones to the tricuspid valve's. Each muscle holds the sails on both sides of a
+/// commissure.
 std::vector<Chord> sampleHeartChords();
 
 /// The chords of a heart whose walls are known as a surface, the papillary muscles among them. A chord begins

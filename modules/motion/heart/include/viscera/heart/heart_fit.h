@@ -13,7 +13,7 @@ struct HeartLandmarks {
   Vec3 right = Vec3::Zero(); ///< Any point on the side of the right ventricle, off the line apex to base.
 };
 
-/// From base to apex of the standard heart, mm: hearts are scaled to this size before they are fitted.
+/// Length from base to apex of the standard heart, mm: hearts are scaled to this size before they are fitted.
 inline constexpr double kStandardHeartLength = 97;
 
 /// Guesses the landmarks of a heart from its shape. Thin parts (vessels) are told from the body by opening:

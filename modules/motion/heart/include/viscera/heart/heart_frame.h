@@ -40,7 +40,7 @@ private:
   Eigen::Matrix3d axes_ = Eigen::Matrix3d::Identity(); ///< Columns a, b, c.
 };
 
-/// That of the sample heart, in which its definition places the ventricles.
+/// The frame of the sample heart, in which its definition places the ventricles.
 HeartFrame sampleHeartFrame();
 
 } // namespace viscera::heart

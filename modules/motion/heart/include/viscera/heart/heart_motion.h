@@ -86,13 +86,13 @@ private:
   Vec3 movedAtrial(std::size_t row, const HeartState& state) const;
   /// How far the atria push a handle that rests outside the ventricles, mm.
   Vec3 pushedByAtria(std::size_t row, const AtrialState& atria) const;
-  /// By how much the left ventricle's wall is thicker at `c` than at rest, mm; not negative.
+  /// What the left ventricle's wall is thicker at `c` than at rest, mm; not negative.
   double thickening(const HeartState& state, double c) const;
   double ventricularRho(const HeartHandle& handle, const HeartState& state) const;
 
   HeartRig rig_;
   HeartExcursions excursions_;
-  /// By atrium and handle: the volume of the atrium's body by that of the sphere through the handle around
+  /// The volume of an atrium's body, by atrium and handle, by that of the sphere through the handle around
   /// it, 1 inside the atrium.
   std::vector<std::vector<double>> atrialShares_;
   bool wallsHandled_; ///< The cavities' walls have handles of their own.

@@ -36,7 +36,7 @@ struct ValveRing {
   Vec3 downstream = Vec3::UnitZ(); ///< Unit, orthogonal to both: the normal direction of the flow.
 
   double areaMm2() const;
-  /// Of the circle with the same area, mm.
+  /// Radius of the circle with the same area, mm.
   double radius() const;
 };
 using ValveRings = std::array<ValveRing, kHeartValves>;

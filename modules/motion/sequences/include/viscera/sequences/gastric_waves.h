@@ -57,7 +57,7 @@ public:
   /// Where the waves are that narrow the stomach by more than 5 %, the oldest first.
   std::vector<double> positions(double seconds, double ratePerMinute) const;
 
-  /// From the top of the fundus to the pylorus, as parts of that way: fundus, body, antrum, pylorus.
+  /// Places from the top of the fundus to the pylorus, as parts of that way: fundus, body, antrum, pylorus.
   std::vector<NamedPlace> places() const;
   /// The waves of `positions` as parts of that way, with the part of the radius by which each narrows the
   /// stomach.
@@ -72,9 +72,9 @@ public:
 private:
   /// The ages of the present waves, the oldest first.
   std::vector<double> ages(double seconds, double ratePerMinute) const;
-  /// As `depth`, at any rate.
+  /// The same at any rate.
   double depth(double age, double ratePerMinute) const;
-  /// By which part of its radius a wave of that age makes the pylorus close.
+  /// The part of its radius by which a wave of that age makes the pylorus close.
   double pylorusClosureAt(double age) const;
   /// The part of the way from the middle of the body to the pylorus, 0 to 1.
   double progress(double age) const;

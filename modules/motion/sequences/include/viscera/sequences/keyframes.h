@@ -79,7 +79,7 @@ public:
   double lowestRatePerMinute() const override { return 0.1 * standardRatePerMinute(); }
   double highestRatePerMinute() const override { return 10 * standardRatePerMinute(); }
 
-  /// At a key's time it is that key's pose exactly, whatever the rate. O(n).
+  /// Gives at a key's time that key's pose exactly, whatever the rate. O(n).
   void poseAt(double seconds, double ratePerMinute, Points& pose) const override;
   /// "key 1", "key 2", ...: from each key to the next; "start" before the first.
   std::vector<Phase> phases(double ratePerMinute) const override;

@@ -8,7 +8,7 @@
 /// Estimates the anatomy of a patient's stomach from its surface and centreline.
 namespace viscera::sequences {
 
-/// From the top of the fundus to the pylorus of the standard stomach along its centreline, mm: stomachs are
+/// Length of the standard stomach's centreline from the fundus to the pylorus, mm: stomachs are
 /// scaled to this size before they are fitted.
 inline constexpr double kStandardStomachLength = 272;
 /// Where waves arise, as a part of that way.

@@ -21,7 +21,7 @@ struct HeartSurface {
   std::string name;
   Triangles triangles; ///< `m x 3`, outward, closed.
   Points rest;         ///< `n x 3` mm.
-  /// For each triangle whether it closes a valve; empty: `valveCaps` finds it.
+  /// Whether each triangle closes a valve; empty: `valveCaps` finds it.
   std::vector<bool> caps = {};
 };
 

@@ -23,9 +23,9 @@ struct MaterialContour {
   /// A contour through vertices in that order.
   static MaterialContour through(const std::vector<std::int32_t>& vertices, bool closed);
 
-  /// Its places at `points` (those of the surface in a phase), `k x 3`. O(k).
+  /// The contour's places at `points` (those of the surface in a phase), `k x 3`. O(k).
   Points at(const Points& points) const;
-  /// Its length there, mm. O(k).
+  /// The contour's length there, mm. O(k).
   double lengthAt(const Points& points) const;
 };
 

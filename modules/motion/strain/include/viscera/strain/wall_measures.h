@@ -48,7 +48,7 @@ public:
     double apexDegrees = 0;
     double degrees() const { return apexDegrees - baseDegrees; }
   };
-  /// From `reference` to `now`: the turns about the long axis that fit the rings best, each about its own
+  /// The turns from `reference` to `now` about the long axis that fit the rings best, each about its own
   /// middle. O(n).
   Twist between(const Points& reference, const Points& now) const;
   /// Between the middles of both rings, mm.
@@ -63,7 +63,7 @@ private:
   std::vector<std::int32_t> base_, apex_;
 };
 
-/// For each vertex whether it belongs to a triangle that `leftOut` does not mark. O(m).
+/// Tells for each vertex whether it belongs to a triangle that `leftOut` does not mark. O(m).
 std::vector<bool> verticesOf(Eigen::Index vertices, const Triangles& triangles,
                              const std::vector<bool>& leftOut);
 

@@ -48,7 +48,7 @@ struct CinePlane {
 /// numbers that are not finite. O(pixels).
 void requireValid(const std::vector<CinePlane>& planes);
 
-/// Which planes are long-axis ones: all but the largest number of planes that are parallel to within 10
+/// Tells which planes are long-axis ones: all but the largest number of planes that are parallel to within 10
 /// degrees. All of them where no two are parallel. O(planes^2).
 std::vector<bool> longAxisPlanes(const std::vector<CinePlane>& planes);
 

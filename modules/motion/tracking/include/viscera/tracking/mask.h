@@ -13,7 +13,7 @@ namespace viscera::tracking {
 /// be oblique or left-handed.
 struct Mask {
   std::array<int, 3> size = {}; ///< Voxels along i, j and k.
-  /// From (i, j, k) to mm LPS; the centre of the first voxel is (0, 0, 0).
+  /// Maps (i, j, k) to mm LPS; the centre of the first voxel is (0, 0, 0).
   Eigen::Affine3d indexToLps = Eigen::Affine3d::Identity();
   std::vector<std::uint8_t> inside; ///< i fastest; 0 or 1.
 
@@ -23,7 +23,7 @@ struct Mask {
   /// Distance of neighbouring voxels along i, j and k, mm.
   Vec3 spacing() const { return indexToLps.linear().colwise().norm(); }
   std::int64_t count() const;
-  /// Of the voxels that are inside, ml.
+  /// Volume of the voxels that are inside, ml.
   double volumeMl() const;
 };
 

@@ -51,7 +51,7 @@ public:
   double locality() const { return locality_; }
   double softnessMm() const { return softnessMm_; }
 
-  /// Of all surfaces below each other, `m x n`.
+  /// The weights of all surfaces below each other, `m x n`.
   const Eigen::MatrixXd& weights() const { return weights_; }
   /// The rows of one surface in it.
   Eigen::Index firstRow(std::size_t surface) const { return first_[surface]; }

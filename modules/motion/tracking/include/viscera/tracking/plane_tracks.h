@@ -13,8 +13,8 @@ namespace viscera::tracking {
 /// phase where the chain began. What leaves the plane cannot be followed.
 class PlaneTracker {
 public:
-  /// For the images of `plane` that are nearest to `phaseFractions`, in a window around `around` (mm) with a
-  /// margin. Images smaller or larger than 1.4 mm a pixel by a quarter are resampled. O(phases x pixels).
+  /// Takes the images of `plane` that are nearest to `phaseFractions`, in a window around `around` (mm) with
+  /// a margin. Images smaller or larger than 1.4 mm a pixel by a quarter are resampled. O(phases x pixels).
   PlaneTracker(const CinePlane& plane, const std::vector<double>& phaseFractions, const Points& around);
   ~PlaneTracker();
   PlaneTracker(PlaneTracker&&) noexcept;

@@ -15,7 +15,7 @@ struct SurfaceSeries {
   std::string name;
   Triangles triangles;        ///< `m x 3`.
   std::vector<Points> phases; ///< `n x 3` mm LPS, one for each phase.
-  /// For each point that the surface had before `tidySeries` its row now, -1 where no triangle had it; empty
+  /// The row now of each point that the surface had before `tidySeries`, -1 where no triangle had it; empty
   /// before.
   std::vector<std::int32_t> rowOfGiven = {};
 
