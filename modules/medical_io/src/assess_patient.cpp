@@ -65,7 +65,7 @@ std::vector<KnownOrgan> weighed(const std::vector<PlacedOrgan>& organs,
   return result;
 }
 
-/// Those that are nearly as good as the best.
+/// The ways that are nearly as good as the best.
 std::vector<BodyWay> plausible(std::vector<BodyWay> ways) {
   const double most = ways.front().cost + kClearMargin;
   std::erase_if(ways, [most](const BodyWay& way) { return way.cost > most; });

@@ -20,7 +20,7 @@ constexpr double kEvenDistance = 0.05;
 constexpr double kUsualAxis = 40 * kDegree, kOutOfPlane = 30 * kDegree, kSurePlane = 20 * kDegree;
 constexpr double kLeastGapMm = 0.05;
 
-/// From the base to the apex of a left ventricle, LPS: to the left, the front and the feet.
+/// Direction from the base to the apex of a left ventricle, LPS: to the left, the front and the feet.
 Vec3 usualAxis() {
   return Vec3(0.6, -0.6, -0.53).normalized();
 }
@@ -138,7 +138,8 @@ bool putShortAxisFirst(CineStudy& study) {
   return !study.stacks.empty() && isShort(study.stacks.front());
 }
 
-/// By the direction in which the plane cuts the short axis: from the front wall, up, to the septum.
+/// Tells them by the direction in which the plane cuts the short axis: from the front wall, up, to the
+/// septum.
 CinePlane longAxisPlane(const CineSlice& slice, Vec3 axis) {
   if (axis.dot(usualAxis()) < 0)
     axis = -axis;

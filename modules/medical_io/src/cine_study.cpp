@@ -27,7 +27,7 @@ std::optional<CineStudy> arrangedStudy(std::optional<CineStudy> study) {
 } // namespace
 
 std::string nameOf(CinePlane plane) {
-  // In the order of the enumeration.
+  // Names in the order of the enumeration.
   constexpr std::array<const char*, 6> kNames = {"short axis", "2-chamber", "3-chamber",
                                                  "4-chamber",  "long axis", "other plane"};
   return kNames[static_cast<std::size_t>(plane)];

@@ -34,7 +34,7 @@ struct FileBytes {
 /// it is empty or does not fit into memory.
 FileBytes readWholeFile(const std::filesystem::path& file);
 
-/// At most the first `most` bytes of a regular file. Throws as `readWholeFile`.
+/// Reads at most the first `most` bytes of a regular file. Throws as `readWholeFile`.
 FileBytes readBeginOfFile(const std::filesystem::path& file, std::size_t most);
 
 /// The whole file whose beginning is in memory: reads only what is missing. Throws as `readWholeFile`.

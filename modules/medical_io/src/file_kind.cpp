@@ -63,7 +63,7 @@ std::string usualEnding(const std::filesystem::path& file) {
 }
 
 std::string_view nameOf(FileKind kind) {
-  // In the order of the enumeration.
+  // Names in the order of the enumeration.
   static constexpr std::array<std::string_view, 7> kNames = {"unknown", "surface",   "handles", "sequence",
                                                              "session", "label map", "scan"};
   return kNames[static_cast<std::size_t>(kind)];

@@ -207,7 +207,7 @@ Signature binarySignature(const FileBytes& file, std::string_view begin) {
   return freeSurfer ? Signature::freeSurfer : Signature::unknown;
 }
 
-/// By the names that stand near the beginning: good enough to choose a reader, which then checks.
+/// Looks for names near the beginning: good enough to choose a reader, which then checks.
 Signature jsonSignature(std::string_view whole) {
   const auto has = [&](std::string_view key) { return whole.find(key) != whole.npos; };
   if (has("\"viscera-session\""))

@@ -240,7 +240,7 @@ std::string colorText(const Vec3& color) {
   return exactNumber(color.x()) + " " + exactNumber(color.y()) + " " + exactNumber(color.z());
 }
 
-/// As 3D Slicer writes them.
+/// The keys as 3D Slicer writes them.
 std::string segmentKeys(const LabelMap& map) {
   std::string keys;
   for (std::size_t s = 0; s < map.segments.size(); ++s) {

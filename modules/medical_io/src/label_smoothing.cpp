@@ -19,18 +19,18 @@ using geometry::TriangleMesh;
 /// How much smoother one unit makes the surface.
 constexpr int kFewestIterations = 20, kIterationsPerUnit = 20;
 constexpr double kPassBandPerUnit = 0.01;
-/// With a narrower one thin vessels cross themselves.
+/// The narrowest pass band: thin vessels cross themselves with a narrower one.
 constexpr double kNarrowestPassBand = 0.01;
-/// As far as that a filter leaves vessels of few voxels as thick as they are.
+/// Passes so far, a filter leaves vessels of few voxels as thick as they are.
 constexpr double kGentle = 0.5;
 /// The last filter.
 constexpr int kLastIterations = 20;
 constexpr double kLastPassBand = 0.1;
-/// By how much of a voxel's extent along the normal 1 may move a place that a gentle filter has smoothed.
+/// Part of a voxel's extent along the normal by which 1 may move a place that a gentle filter has smoothed.
 constexpr double kMostShift = 0.25;
 /// A filter passes all of its pass band but for this.
 constexpr double kPassError = 1e-3;
-/// Its edge is looked for in steps of that part of a half wave of its last polynomial.
+/// The filter's edge is looked for in steps of that part of a half wave of its last polynomial.
 constexpr double kEdgeStep = 0.02;
 
 /// What is added up of each Chebyshev polynomial of the surface's Laplacian.
@@ -42,7 +42,7 @@ struct VertexRings {
   std::vector<std::int32_t> vertices;
 };
 
-/// In a closed oriented surface each vertex around another one follows it in exactly one triangle.
+/// Each vertex around another one of a closed oriented surface follows it in exactly one triangle.
 VertexRings ringsOf(const TriangleMesh& mesh) {
   VertexRings rings;
   rings.begin.assign(static_cast<std::size_t>(mesh.points.rows()) + 1, 0);
@@ -151,7 +151,7 @@ std::vector<Field<Columns>> filtered(const Field<Columns>& field, const VertexRi
   return results;
 }
 
-/// On one thread: labels are what is done in parallel.
+/// Computes on one thread: labels are what is done in parallel.
 Points normalsOf(const TriangleMesh& mesh) {
   geometry::Normals normals;
   geometry::vertexNormals(mesh.points, mesh.triangles,

@@ -28,7 +28,7 @@ constexpr std::array<double, 4> kTries = {1, 0.5, 0.25, 0};
 /// The volume is corrected until it is this close, relative to the voxels'.
 constexpr double kCorrectedWithin = 1e-4;
 constexpr int kMostCorrections = 20;
-/// By steps of at most this part of a voxel, and by no more than a voxel's diagonal in all: what smoothing
+/// Steps are at most this part of a voxel, and no more than a voxel's diagonal in all: what smoothing
 /// has shrunk to almost nothing would else be blown up to shards that reach across the image.
 constexpr double kMostStep = 0.25;
 

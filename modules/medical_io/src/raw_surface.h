@@ -70,13 +70,13 @@ struct RawSurface {
 /// coordinates.
 RawSurface readRawSurface(const std::filesystem::path& file);
 
-/// For every point whether a polygon uses it: 0, or `kUnusedPoint`. Throws `DataError`, which names `file`,
-/// for a surface without polygons or of a size that is no organ's, a corner that is no point, and a used
-/// point that is not finite or more than 1000 km away.
+/// Tells for every point whether a polygon uses it: 0, or `kUnusedPoint`. Throws `DataError`, which names
+/// `file`, for a surface without polygons or of a size that is no organ's, a corner that is no point, and a
+/// used point that is not finite or more than 1000 km away.
 std::vector<std::int32_t> usedPoints(const RawSurface& raw, const std::string& file);
 inline constexpr std::int32_t kUnusedPoint = -1;
 
-/// For every used point the number of its place, the same for points with equal coordinates; others keep
+/// Numbers the places of used points, the same for points with equal coordinates; others keep
 /// `kUnusedPoint`. `firstAt` gets for every place its first point. O(n).
 void numberPlaces(const RawSurface& raw, std::vector<std::int32_t>& places,
                   std::vector<std::size_t>& firstAt);

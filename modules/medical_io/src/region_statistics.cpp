@@ -9,7 +9,7 @@
 namespace viscera::medical_io {
 namespace {
 
-/// In voxels, and of a side: what rounding may move a place that lies on a border.
+/// Voxels, and a part of a side: what rounding may move a place that lies on a border.
 constexpr double kRounding = 1e-6;
 /// How many voxels beyond its crossing with the plane a voxel may lie that the plane's part belongs to: the
 /// foot of its perpendicular is at most one and a half off, along the axis that is nearest to the normal.

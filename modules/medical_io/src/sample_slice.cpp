@@ -57,8 +57,8 @@ public:
     return hasPadding_ && sample == padding_ ? kNothing : static_cast<float>(slope_ * sample + intercept_);
   }
 
-  /// Of the voxels `first` to `last` of a row along `axis`, at `place` in the other two: the samples between
-  /// the four rows around it; NaN where one of them is padding.
+  /// Fills the voxels `first` to `last` of a row along `axis`, at `place` in the other two: the samples
+  /// between the four rows around it; NaN where one of them is padding.
   void betweenRows(const Vec3& place, int axis, int first, int last, std::vector<float>& row) const {
     std::size_t start = static_cast<std::size_t>(first) * step_[std::size_t(axis)];
     std::array<std::size_t, 2> next{};
@@ -89,7 +89,7 @@ public:
         row[i] = kNothing;
   }
 
-  /// Of a sample, or of one between them.
+  /// The value of a sample, or of one between them.
   float valueOf(float sample) const { return static_cast<float>(slope_ * double(sample) + intercept_); }
 
 private:

@@ -29,7 +29,7 @@ std::size_t beginOf(const RawSurface& raw, std::size_t polygon) {
   return polygon == 0 ? 0 : raw.ends[polygon - 1];
 }
 
-/// For a sentence that fits on a line or two.
+/// Shortens for a sentence that fits on a line or two.
 std::string shortened(const std::string& name) {
   const std::string printable = printableName(name);
   if (printable.size() <= kLongestListed)
@@ -230,7 +230,7 @@ public:
   }
 
 private:
-  /// In the file's order.
+  /// Copies in the file's order.
   void copyPoints(const std::vector<std::size_t>& taken, RawSurface& part) {
     points_.clear();
     for (const std::size_t polygon : taken)

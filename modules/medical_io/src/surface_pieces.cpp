@@ -15,7 +15,7 @@ namespace {
 
 using Measure = FragmentLimit::Measure;
 
-/// In the order of the enumeration.
+/// Names in the order of the enumeration.
 constexpr std::array<std::string_view, 3> kMeasures = {"%", "mm", "ml"};
 
 double measured(const PieceSize& piece, Measure measure) {

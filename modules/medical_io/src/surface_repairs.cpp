@@ -39,8 +39,8 @@ using geometry::TriangleMesh;
 constexpr double kClusterScale = 0.5;
 constexpr int kSmoothingRounds = 2;
 constexpr double kSmallestPiece = 0.01; ///< Of the whole volume.
-/// Of the contour, whose triangles are the grid's, and then of the thinned surface: as often as the first
-/// says, or as often as the others when triangles cross.
+/// Smoothing of the contour, whose triangles are the grid's, then of the thinned surface: as often as the
+/// first says, or as often as the others when triangles cross.
 constexpr std::array kFirstIterations = {20, 30, 10}, kSecondIterations = {10, 2, 0};
 constexpr double kFirstPassBand = 0.05, kSecondPassBand = 0.1;
 /// A piece with fewer cells along its longest side may have no zero level on the smoothed grid.
@@ -50,7 +50,7 @@ constexpr int kFewestTriangles = 500, kMostTriangles = 20'000;
 constexpr int kUsualCells = 100, kMostCells = 300, kMostFineTriangles = 200'000;
 /// Triangles of the area of one cell's side.
 constexpr double kTrianglesPerCell = 0.5;
-/// Of the diagonal: a surface that lies farther away has lost a detail.
+/// Part of the diagonal: a surface that lies farther away has lost a detail.
 constexpr double kLostDetail = 0.02;
 constexpr double kLeastFactor = 1e-6, kLargestFactor = 1e6, kMostMm = 1e4;
 
@@ -65,8 +65,8 @@ SurfaceRepair quick(std::string id, Text does, Function function) {
           false};
 }
 
-/// Of a model that stands on its y axis and looks along z, as programs for films and prints write it: x goes
-/// to the patient's left there too. A quarter turn about x.
+/// Turns a model that stands on its y axis and looks along z, as programs for films and prints write it: x
+/// goes to the patient's left there too. A quarter turn about x.
 TriangleMesh stoodUp(TriangleMesh mesh) {
   const Values up = mesh.points.col(1);
   mesh.points.col(1) = -mesh.points.col(2);
@@ -74,7 +74,7 @@ TriangleMesh stoodUp(TriangleMesh mesh) {
   return mesh;
 }
 
-/// Of a model in RAS that stands on its y axis.
+/// Turns a model in RAS that stands on its y axis.
 TriangleMesh stoodUpFromRas(TriangleMesh mesh) {
   return geometry::turnedHalf(stoodUp(std::move(mesh)));
 }

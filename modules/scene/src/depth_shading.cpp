@@ -29,7 +29,7 @@ namespace {
 constexpr double kShadingReach = 0.05;
 constexpr double kBias = 0.001;
 constexpr int kSamplesAround = 64;
-/// Of the exponential curve: mid grey stays about what it was, and highlights are not burnt out.
+/// Exposure of the exponential curve: mid grey stays about what it was, and highlights are not burnt out.
 constexpr double kExposure = 1.5;
 
 void setPasses(vtkSequencePass* sequence, std::initializer_list<vtkRenderPass*> parts) {
@@ -101,7 +101,7 @@ void DepthShading::Parts::prepare() {
   const double size = view.bounds().diagonal();
   occlusion->SetRadius(kShadingReach * size);
   occlusion->SetBias(kBias * size);
-  // On a light background the curve of tones would only make everything grey.
+  // The curve of tones would only make everything grey on a light background.
   vtkRenderPass* under = view.theme().dark ? static_cast<vtkRenderPass*>(tones) : space;
   if (edges->GetDelegatePass() != under) {
     stop(); // The curve of tones is released with the others only while it is one of them.

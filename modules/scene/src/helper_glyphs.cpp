@@ -174,7 +174,7 @@ void MirrorPlaneGlyph::setTheme(const Theme& theme) {
 }
 
 void MirrorPlaneGlyph::show(const Vec3& center, const Vec3& normal, double halfSize) {
-  // Its sides run along the patient's axes where the normal is one of them.
+  // The sides run along the patient's axes where the normal is one of them.
   Eigen::Index smallest = 0;
   normal.cwiseAbs().minCoeff(&smallest);
   const Vec3 side = normal.cross(Vec3::Unit(smallest)).normalized(), third = normal.cross(side);

@@ -12,7 +12,7 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// How finely another height is looked for, pixels.
 constexpr double kHeightStep = 4;
-/// By how many heights of a label the way to what it names has to become shorter, before the label is broken,
+/// The heights of a label by which the way to what it names becomes shorter, before the label is broken,
 /// changes sides, or stands above or below everything.
 constexpr double kForBreaking = 2, kForOtherSide = 5, kForAbove = 10;
 /// How often labels are moved because of lines: moving one may open a way for another.
@@ -142,7 +142,7 @@ private:
     }
   }
 
-  /// Of two labels that cannot both be there the later one is left out, and has a place where leaving out
+  /// The later one of two labels that cannot both be there is left out, and has a place where leaving out
   /// others made room.
   void leaveOut() {
     for (std::size_t i = 0; i < labels_.size(); ++i)
@@ -280,7 +280,7 @@ std::optional<std::vector<double>> spreadApart(const std::vector<double>& center
   std::iota(order.begin(), order.end(), 0);
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t a, std::size_t b) { return centers[a] < centers[b]; });
-  // Without the lengths that lie before it, each interval is a number, and the numbers have to ascend.
+  // Each interval is a number without the lengths that lie before it, and the numbers have to ascend.
   std::vector<double> before(count);
   std::vector<double> numbers(count);
   double length = 0;

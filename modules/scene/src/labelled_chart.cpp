@@ -127,7 +127,7 @@ bool LabelledChart::Paint(vtkContext2D* painter) {
   return painted;
 }
 
-/// From the top down each label as near to its curve's end as those above it leave room for, and then up
+/// Puts, from the top down, each label as near to its curve's end as those above leave room for, then up
 /// again from the bottom.
 void LabelledChart::spread(std::vector<Label>& labels, double height) const {
   std::stable_sort(labels.begin(), labels.end(),

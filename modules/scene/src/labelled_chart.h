@@ -54,7 +54,7 @@ protected:
   int GetLegendBorder(vtkContext2D* painter, int axisPosition) override;
 
 private:
-  /// In pixels of the window.
+  /// A box in pixels of the window.
   struct Box {
     double left = 0, bottom = 0, right = 0, top = 0;
     bool overlaps(const Box& other) const;

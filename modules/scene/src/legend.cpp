@@ -32,7 +32,7 @@ constexpr double kLegendGap = 6;
 constexpr double kTitleGap = 14;
 constexpr double kTitleRight = 18;
 constexpr double kMarkGap = 26; ///< From the bar down to the mark's swatch.
-/// In a narrow view: from the upper edge of the view down to the foot of each.
+/// Distances in a narrow view from its upper edge down to the foot of each.
 constexpr double kLevelTitle = 24, kLevelBar = 36, kLevelMark = 76;
 constexpr double kLevelBarHeight = 8;
 constexpr double kLevelSide = 24; ///< On either side of the bar: half a number.
@@ -51,7 +51,7 @@ constexpr double kGroundOpacity = 0.7;
 constexpr double kLargestPlain = 1e5;
 constexpr double kSmallestPlain = 1e-4;
 
-/// On a ground of its own, so that it can be read over organs and rings.
+/// Writes on a ground of its own, so that it can be read over organs and rings.
 void setLook(vtkTextActor* actor, double size, const Theme& theme) {
   auto* letters = actor->GetTextProperty();
   letters->SetColor(theme.text.x(), theme.text.y(), theme.text.z());

@@ -44,7 +44,7 @@ constexpr double kVerticesInCell = 6;
 /// An opaque organ of which less than that is in front is hidden: some of its vertices always lie between
 /// those of what covers it.
 constexpr double kSeenPart = 0.1;
-/// Of more organs, those that are seen most are named first.
+/// The organs that are seen most are named first where there are more.
 constexpr std::size_t kFewNames = 12;
 /// A vertex covers that part of the distance to its neighbours.
 constexpr double kSpacingPart = 0.6;
@@ -76,7 +76,7 @@ struct Sighting {
   std::size_t cells = 0; ///< Of the front that its vertices lie in ...
   std::size_t front = 0; ///< ... and those of them in which it is in front; all where it is translucent.
   bool seen = false;
-  /// Of a translucent organ that has a label: its own cells, whatever is before them.
+  /// The cells of a translucent organ that has a label, whatever is before them.
   std::shared_ptr<FrontGrid> own = nullptr;
   bool atPlace = false; ///< The line ends at (x, y), also of an organ that is labelled at its edge.
 };
@@ -418,7 +418,7 @@ void OrganLabels::Parts::measure(std::size_t row, LabelRequest& wanted) {
   wanted.height = size[1];
 }
 
-/// Those that are seen, in the order in which they look for a place: as they were given, among many organs
+/// The labels that are seen, in the order in which they look for a place: as given, among many organs
 /// those first of which most is seen, and parts behind organs.
 std::vector<std::size_t>
 OrganLabels::Parts::rowsByImportance(const std::vector<std::optional<Sighting>>& sightings) const {

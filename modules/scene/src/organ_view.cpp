@@ -279,14 +279,14 @@ void OrganView::Parts::orderProps() {
     handles->AddOccluder(organ->actor());
 }
 
-/// Without an interactor the widget cannot be enabled, but its handles are to be seen.
+/// The widget cannot be enabled without an interactor, but its handles are to be seen.
 void OrganView::Parts::putHandlesIntoRenderer() {
   handles->SetRenderer(renderer);
   renderer->AddViewProp(handles);
   orderProps();
 }
 
-// Its text actors ask the guarded renderer from the beginning.
+// The text actors ask the guarded renderer from the beginning.
 OrganView::OrganView() : parts_((guardText(), std::make_unique<Parts>())) {
   auto& p = *parts_;
   addLights(p.renderer);

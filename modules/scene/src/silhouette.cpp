@@ -90,7 +90,7 @@ void DepthGrid::draw(const DisplayPoint& a, const DisplayPoint& b, const Display
       const double wa = area(b, c, x, y) / whole, wb = area(c, a, x, y) / whole, wc = 1 - wa - wb;
       if (wa < 0 || wb < 0 || wc < 0)
         continue;
-      // With perspective the inverse of depth is linear on the display.
+      // The inverse of depth is linear on the display with perspective.
       const double depth = view_.parallel ? wa * a.depth + wb * b.depth + wc * c.depth
                                           : 1 / (wa / a.depth + wb / b.depth + wc / c.depth);
       at(column, row) = std::min(at(column, row), depth);

@@ -212,7 +212,7 @@ struct SliceView::Parts {
   void showWords(const SlicePicture& picture);
 };
 
-// Its text actors ask the guarded text renderer from the beginning.
+// The text actors ask the guarded text renderer from the beginning.
 SliceView::Parts::Parts() {
   ground->SetBackground(0, 0, 0);
   ground->AddViewProp(levels.actor());

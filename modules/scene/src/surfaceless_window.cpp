@@ -101,8 +101,8 @@ public:
   bool IsCurrent() override { return eglGetCurrentContext() == context_; }
   void Frame() override {}
 
-  /// As the base class, but GLEW complains about a missing GLX display here, after it has loaded every
-  /// function.
+  /// Begins as the base class does, but GLEW complains about a missing GLX display here, after it has loaded
+  /// every function.
   void OpenGLInitContext() override {
     constexpr GLenum kNoGlxDisplay = 4; // GLEW_ERROR_NO_GLX_DISPLAY; old headers have no name for it.
     ContextCreationTime.Modified();

@@ -136,7 +136,7 @@ double TissueActor::Parts::meanValue(Eigen::Index t) const {
   return sum / 4;
 }
 
-/// Which tetrahedra are drawn.
+/// Chooses the tetrahedra that are drawn.
 void TissueActor::Parts::choose() {
   const Eigen::Index count = tetrahedra->rows();
   if (keptOld) {

@@ -25,7 +25,7 @@ constexpr double kScaleBarBottom = 20;
 constexpr double kScaleBarTick = 5;
 constexpr double kCornerGap = 4;
 constexpr double kTextGap = 6;
-/// In a small view: of the line and of the number, and what the number takes to the right of the line.
+/// Heights of line and number in a small view, and what the number takes to the right of the line.
 constexpr double kLowBottom = 6, kLowTextBottom = 3, kNumberRoom = 64;
 constexpr double kScaleBarWidth = 1.5;
 constexpr int kScaleBarFontSize = 13;
@@ -95,7 +95,7 @@ void ScaleBar::follow() {
   const double pixel = view.worldPerPixel(renderer->GetActiveCamera()->GetDistance());
   if (!(pixel > 0) || !std::isfinite(pixel))
     return;
-  // In the middle, but not over the orientation cube of a narrow view.
+  // The bar stands in the middle, but not over the orientation cube of a narrow view.
   const double width = renderer->GetSize()[0];
   const double corner = orientationCorner(renderer, typeScale_) + ratio * kCornerGap;
   const double shortest = 0.25 * width;

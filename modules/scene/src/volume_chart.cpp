@@ -168,9 +168,9 @@ struct VolumeChart::Parts {
   void makePlots();
   void forgetBefore(double seconds);
   ValueRange timeRange() const;
-  /// Of the curves at the left axis, or at the right one.
+  /// Range of the curves at the left axis, or at the right one.
   ValueRange valueRange(bool right) const;
-  /// Of the curves with as much of their bands as does not flatten them.
+  /// Range of the curves with as much of their bands as does not flatten them.
   ValueRange withBands(ValueRange curves, bool right) const;
   void fillCurve(Curve& curve, ValueRange range);
   void fillCursor(ValueRange values);
@@ -185,7 +185,7 @@ bool VolumeChart::Parts::isLow() const {
   return window && window->GetSize()[1] < kLowChart * pixelRatioOf(window);
 }
 
-/// In a low chart the last number at the bottom has the unit, which the title has otherwise.
+/// The last number at the bottom of a low chart has the unit, which the title has otherwise.
 void VolumeChart::Parts::fillAxis(int which, ValueRange range) {
   const bool low = isLow(), bottom = which == vtkAxis::BOTTOM;
   auto* axis = chart->GetAxis(which);

@@ -208,7 +208,7 @@ void vtkVisceraCutPlaneRepresentation::StartWidgetInteraction(double at[2]) {
   const Vec3 middle = p.middle();
   const Ray ray = view.ray(at[0], at[1]);
   if (p.state == OnRim) {
-    // Of the rim's two places near the cursor the nearer one is grabbed.
+    // The nearer one of the rim's two places near the cursor is grabbed.
     double nearest = std::numeric_limits<double>::infinity();
     for (int i = 0; i < kCutRimSides; ++i) {
       const Vec3 place = GetRimPoint(2 * M_PI * i / kCutRimSides);

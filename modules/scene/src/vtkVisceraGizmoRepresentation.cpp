@@ -156,7 +156,7 @@ void vtkVisceraGizmoRepresentation::Parts::startRing(const ViewGeometry& view, i
   for (int i = 0; i < kRingSamples; ++i) {
     const double at = 2 * std::numbers::pi * i / kRingSamples;
     const auto seen = view.project(ringPoint(axis, at, radius));
-    // Of two places under the cursor the one nearer to the eye.
+    // The place nearer to the eye counts of two under the cursor.
     const double distance = std::hypot(seen.x - grab[0], seen.y - grab[1]) + 1e-3 * seen.depth;
     if (distance < best) {
       best = distance;

@@ -40,7 +40,7 @@ constexpr double kThinner = 0.8;
 /// Where handles differ in depth by less than this part of their distance, none is far.
 constexpr double kLeastDepth = 0.05;
 const Vec3 kDefaultColor(0.95, 0.75, 0.25);
-/// From here on an actor lets the handles behind it be seen.
+/// An actor below this opacity lets the handles behind it be seen.
 constexpr double kOpaque = 0.999;
 
 /// How far near and far handles are from the eye, mm.
@@ -140,7 +140,7 @@ struct vtkVisceraHandleSetRepresentation::Parts {
   HandleGlyph glyph(const ViewGeometry& view, const Depths& depths, int i) const;
 };
 
-/// Of the handles that are shown, without the few that are farthest out: those of a box around the organ
+/// Depths of the handles that are shown, but for the few farthest out: those of a box around the organ
 /// would make all others alike. O(n).
 Depths vtkVisceraHandleSetRepresentation::Parts::depths(const ViewGeometry& view) const {
   std::vector<double> all;

@@ -164,7 +164,7 @@ private:
       }
   }
 
-  /// By the number that a hospital gives, where all files have one, else by name.
+  /// Compares the number that a hospital gives, where all files have one, else the name.
   void refuseSeveralPatients() const {
     std::vector<const DicomHeader*> images;
     for (const DicomHeader& file : list_.files)

@@ -56,7 +56,7 @@ public:
   Placing(const FrameList& list, const std::vector<std::size_t>& frames,
           const std::vector<DicomFrame>& damaged)
       : list_(list), frames_(frames), damaged_(damaged) {
-    // Of most frames, so that one damaged header does not decide.
+    // Take what most frames say, so that one damaged header does not decide.
     std::vector<double> intervals, counts;
     for (const std::size_t f : frames) {
       counts.push_back(list.files[list.frames[f].file].cardiacImages);

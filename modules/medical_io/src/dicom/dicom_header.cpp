@@ -135,7 +135,7 @@ public:
   }
 
 private:
-  /// Whose image it is, of which study and series.
+  /// Reads whose image it is, of which study and series.
   void readOrigin(DcmDataset& dataset) {
     header_.classUid = codeAt(dataset, DCM_SOPClassUID);
     header_.instanceUid = codeAt(dataset, DCM_SOPInstanceUID);

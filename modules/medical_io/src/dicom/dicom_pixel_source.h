@@ -16,7 +16,7 @@ namespace viscera::medical_io {
 class DicomPixelSource {
 public:
   virtual ~DicomPixelSource() = default;
-  /// As `DicomPixelReader::read`.
+  /// Reads as `DicomPixelReader::read`.
   virtual DicomPixels read(int frame) = 0;
 };
 

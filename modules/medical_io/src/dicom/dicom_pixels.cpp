@@ -119,7 +119,7 @@ int jpegPrecision(std::string_view stream) {
   return 0;
 }
 
-/// As many pixels, with zeros above their bytes.
+/// The same pixels, with zeros above their bytes.
 std::string widened(const std::string& bytes, std::size_t pixels, std::size_t from, std::size_t to) {
   std::string wide(pixels * to, '\0');
   for (std::size_t p = 0; p < pixels; ++p)
@@ -165,7 +165,8 @@ public:
   }
 
 private:
-  /// Of a pixel: DCMTK makes bytes of JPEG streams of 8 bits and words of others, whatever the header says.
+  /// Bytes of a pixel: DCMTK makes bytes of JPEG streams of 8 bits and words of others, whatever the header
+  /// says.
   std::size_t unpackedBytes(int frame, Uint32 part) {
     const auto allocated = static_cast<std::size_t>(header_.format.allocated / 8);
     DcmDataset& dataset = *format_->getDataset();

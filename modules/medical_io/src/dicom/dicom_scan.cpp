@@ -237,7 +237,7 @@ void append(std::vector<ScanFinding>& list, const std::vector<ScanFinding>& more
   list.insert(list.end(), more.begin(), more.end());
 }
 
-/// That slices are missing in what is read comes before any other doubt.
+/// Missing slices in what is read come before any other doubt.
 void sayPartFirst(std::vector<ScanFinding>& findings) {
   std::stable_partition(findings.begin(), findings.end(), [](const ScanFinding& finding) {
     return finding.kind == ScanFinding::Kind::partRead || finding.kind == ScanFinding::Kind::resampled;

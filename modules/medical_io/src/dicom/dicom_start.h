@@ -13,7 +13,7 @@ struct DicomStart {
   bool marked = false;  ///< The file has a preamble and the mark "DICM".
 };
 
-/// As many bytes from the beginning of a file as `dicomStart` looks at.
+/// `dicomStart` looks at so many bytes from the beginning of a file.
 inline constexpr std::size_t kDicomStartBytes = 4096;
 
 /// Recognises a DICOM file by its first bytes: by the mark behind the preamble; or, for a file without it, by

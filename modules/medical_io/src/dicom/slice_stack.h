@@ -15,7 +15,7 @@ struct SliceGroup {
   std::vector<ScanFinding> findings; ///< Of slices in the series that are in no group with it.
 };
 
-/// Which of a phase's slices, in the order of their places, a scan has.
+/// The slices of a phase, in the order of their places, that a scan has.
 struct SlicePart {
   std::size_t first = 0, last = 0; ///< Both included.
   bool resampled = false;          ///< All of them, on an even grid that is made from them.

@@ -20,7 +20,7 @@ struct Orientation {
   std::array<int, 3> row; ///< The row of LPS along which i, j and k lead ...
   std::array<int, 3> sign;
 };
-/// By the number in `orient`: transverse, coronal, sagittal; then the same with j the other way.
+/// Orientations by the number in `orient`: transverse, coronal, sagittal; then the same with j the other way.
 constexpr std::array<Orientation, 6> kOrientations = {{{"LAS", {0, 1, 2}, {1, -1, 1}},
                                                        {"LSA", {0, 2, 1}, {1, 1, -1}},
                                                        {"ASL", {1, 2, 0}, {-1, 1, 1}},

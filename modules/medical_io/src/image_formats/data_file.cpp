@@ -14,7 +14,7 @@
 namespace viscera::medical_io {
 namespace {
 
-/// Of a number in words with its white space, at most.
+/// The most of a number in words with its white space.
 constexpr std::uint64_t kMostBytesOfWord = 32;
 
 /// The bytes with the voxels, which may be those of another file, from where they begin.

@@ -50,7 +50,7 @@ ImageHeader headerBehindGzip(FileBytes& file, ImageHeader (*read)(const FileByte
 /// Whether the file has room for all values of `raw` as wide as `scalar`. Reads a packed file to its end.
 bool holdsValuesOf(const FileBytes& file, const StoredValues& stored, const RawImage& raw, Scalar scalar);
 
-/// Which of a file's values to visit.
+/// The values of a file to visit.
 struct ValueRange {
   std::uint64_t first = 0;
   std::uint64_t count = 0;

@@ -26,7 +26,7 @@ struct NamePattern {
   }
 };
 
-/// Of "%d", "%3d", "%03d", "%.3d", also with i and u; "%%" is a per cent sign.
+/// Reads "%d", "%3d", "%03d", "%.3d", also with i and u; "%%" is a per cent sign.
 std::optional<NamePattern> patternOf(std::string_view text) {
   NamePattern pattern;
   bool found = false;

@@ -24,7 +24,7 @@ struct NearLabel {
 ///     another cannot both be so near.
 class LabelRounding {
 public:
-  /// By the type, slope and intercept of `image`.
+  /// Rounds by the type, slope and intercept of `image`.
   explicit LabelRounding(const RawImage& image);
 
   double valueOf(double stored) const { return slope_ * stored + intercept_; }

@@ -52,7 +52,7 @@ private:
     file_.fail(diagnostic("the file is cut off: its header has no ElementDataFile"));
   }
 
-  /// Of the first of the keys that the header has; they are old and new names of one thing.
+  /// The value of the first of the keys that the header has; they are old and new names of one thing.
   std::optional<std::string_view> value(std::initializer_list<const char*> keys) const {
     for (const char* key : keys)
       if (const auto found = values_.find(key); found != values_.end())

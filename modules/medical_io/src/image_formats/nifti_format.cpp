@@ -25,7 +25,7 @@ struct Layout {
 constexpr Layout kNifti1 = {348, 344, 40, 76, 70, 108, 112, 116, 123, 252, 254, 256, 268, 280, "ni1"};
 constexpr Layout kNifti2 = {540, 4, 16, 104, 12, 168, 176, 184, 500, 344, 348, 352, 376, 400, "ni2"};
 constexpr int kMostNiftiDimensions = 7;
-/// Of a packed header with its extensions: tables of names take some ten kilobytes.
+/// The most of a packed header with its extensions: tables of names take some ten kilobytes.
 constexpr std::uint64_t kMostNiftiHeaderBytes = std::uint64_t{1} << 22U;
 /// Two statements of where the image is that differ by more than this part of a voxel are reported.
 constexpr double kAgreement = 0.5;
@@ -199,7 +199,7 @@ double differenceInVoxels(const Eigen::Affine3d& a, const Eigen::Affine3d& b,
   return largest;
 }
 
-/// In RAS, in the file's unit.
+/// The grid in RAS, in the file's unit.
 Eigen::Affine3d gridInRas(const FileBytes& file, const Header& h, RawImage& raw) {
   const Eigen::Affine3d sform = sformOf(h), qform = qformOf(h);
   const bool hasQform = h.qformCode > 0 && usable(qform);
@@ -292,7 +292,7 @@ bool isPacked(std::string_view bytes) {
   return bytes.starts_with("\x1f\x8b");
 }
 
-/// At most `most` bytes of a file, unpacked.
+/// Unpacks at most `most` bytes of a file.
 std::string beginOf(const FileBytes& file, std::uint64_t most) {
   return isPacked(file.view()) ? unpacked(file, file.view(), Packing::zlib, most)
                                : file.bytes.substr(0, static_cast<std::size_t>(most));
@@ -344,7 +344,7 @@ StoredValues inOtherHalf(const FileBytes& file) {
   return stored;
 }
 
-/// Of the volumes, by the fourth axis.
+/// Times of the volumes, by the fourth axis.
 RawTimes timesOf(const Header& h) {
   RawTimes times;
   times.step = std::isfinite(h.pixdim[4]) ? h.pixdim[4] : 0;

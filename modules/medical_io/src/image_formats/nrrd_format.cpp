@@ -33,7 +33,7 @@ struct Fields {
   std::optional<std::string_view> key(const std::string& name) const { return in(keys, name); }
 };
 
-/// In values of keys a line end is written as \n and a backslash twice.
+/// Values of keys have a line end written as \n and a backslash twice.
 std::string unescaped(std::string_view text) {
   std::string result;
   for (std::size_t i = 0; i < text.size(); ++i) {
@@ -161,7 +161,7 @@ Vec3 turnToLps(std::string_view space, RawImage& raw) {
   return say("LPS", {1, 1, 1});
 }
 
-/// Of `"mm" "mm" "mm"`; one that is not known is taken as mm.
+/// The unit of `"mm" "mm" "mm"`; one that is not known is taken as mm.
 double unitInMm(std::string_view units) {
   std::string unit = lowered(takeWord(units));
   std::erase(unit, '"');
@@ -195,7 +195,7 @@ public:
     readGrid();
     readMitkLabels(header_.keys, raw_);
     readSegments();
-    // Without a word about segments, several volumes are phases, as they are for a scan.
+    // Several volumes without a word about segments are phases, as they are for a scan.
     raw_.overTime = raw_.layers > 1 && (saysTime() || (raw_.stated.empty() && !isOfOneVoxel(raw_.listKind)));
     StoredValues stored = storedValues();
     return {std::move(raw_), std::move(stored)};
@@ -262,7 +262,7 @@ private:
     return list;
   }
 
-  /// Of a file without directions: spacings, and where the axes begin.
+  /// Reads the grid of a file without directions: spacings, and where the axes begin.
   void readPlainGrid(const Axes& axes) {
     const std::vector<double> spacings = numbers("spacings"), begins = numbers("axis mins");
     std::string_view centers = header_.field("centers").value_or(header_.field("centerings").value_or(""));
@@ -324,7 +324,7 @@ private:
                       ',') == 3;
   }
 
-  /// Of 3D Slicer's sequences and multi-volumes: what the axis without a direction counts.
+  /// Reads, of 3D Slicer's sequences and multi-volumes, what the axis without a direction counts.
   void readTimes(std::size_t axis) {
     const std::string prefix = "axis " + std::to_string(axis) + " index ";
     raw_.times = RawTimes{};

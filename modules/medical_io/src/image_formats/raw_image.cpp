@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::int64_t kLongestAxis = 65535;
 constexpr double kFarthestVoxelMm = 1e9;
-/// Of the volume of a box with the same edges: less is no volume any more.
+/// Part of the volume of a box with the same edges: less is no volume any more.
 constexpr double kFlattest = 1e-6;
 
 } // namespace

@@ -30,7 +30,7 @@ struct RawTimes {
   std::string unit;           ///< "s", "ms", "us" or another; empty: not stated.
 };
 
-/// Of a unit of time as files write it: "s", "ms", "msec"; 0 for another.
+/// Seconds of a unit of time as files write it: "s", "ms", "msec"; 0 for another.
 double secondsAUnit(std::string_view unit);
 
 /// An image as read by a format's reader, before it is converted to a label map or a scan; the values are not
@@ -69,8 +69,8 @@ void requireUsableGrid(const RawImage& raw, const FileBytes& file);
 /// Parses with DCMTK.
 RawImage readDicomSegmentation(FileBytes& file);
 
-/// As `readLabelMap`, for one file, but with only the names and colours that the file itself has, and without
-/// segments when no voxel has a label.
+/// Reads as `readLabelMap`, of one file, but with only the names and colours that the file itself has, and
+/// without segments when no voxel has a label.
 LabelMap readLabelFile(const std::filesystem::path& file, Progress& progress);
 
 /// Makes a label map from a raw image: checks grid and values, numbers labels, counts their voxels.

@@ -27,7 +27,7 @@ constexpr CellKind gmshThin(std::size_t points) {
   return {CellKind::Use::ignore, SolidShape::tetrahedron, points, 0};
 }
 
-/// By gmsh's numbers of its types. The corners come first.
+/// Kinds by gmsh's numbers of its types. The corners come first.
 constexpr std::array<std::pair<std::int64_t, CellKind>, 43> kGmshKinds = {{
     {1, gmshThin(2)},
     {2, gmshFlat(3, 3)},

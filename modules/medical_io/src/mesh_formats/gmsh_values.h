@@ -15,7 +15,7 @@ class GmshValues {
 public:
   explicit GmshValues(const FileBytes& file) : file_(file), scanner_(file, file.view()) {}
 
-  /// From now on `integer`, `whole` and `number` read binary values in that order of bytes.
+  /// Makes `integer`, `whole` and `number` read binary values in that order of bytes.
   void makeBinary(std::endian order) {
     binary_ = true;
     order_ = order;

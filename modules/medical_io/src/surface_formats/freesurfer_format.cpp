@@ -52,8 +52,8 @@ std::optional<Vec3> vectorAfter(std::string_view text, std::string_view key) {
   return vector;
 }
 
-/// From the lines at the end ("valid = 1", "xras = ...", "cras = ..."); none when there are none, or when
-/// they say that they are not valid.
+/// Read from the lines at the end ("valid = 1", "xras = ...", "cras = ..."); none when there are none, or
+/// when they say that they are not valid.
 std::optional<ScanPlace> placeIn(std::string_view footer) {
   const std::size_t valid = footer.find("valid = ");
   if (valid == footer.npos || !footer.substr(valid + 8).starts_with('1'))

@@ -167,7 +167,7 @@ private:
     return list;
   }
 
-  /// At most `most` bytes of what is packed, and one more that tells of a wrong size.
+  /// Unpacks at most `most` bytes of what is packed, and one more that tells of a wrong size.
   std::string decoded(const XmlElement& array, std::string_view encoding, std::uint64_t most) const {
     if (encoding == "ExternalFileBinary" || encoding == "GIFTI_ENCODING_EXTBIN")
       file_.fail(phrase("Its values are in another file, %1, which Viscera does not read",

@@ -124,7 +124,7 @@ private:
     return found != document_.json().end() && found->is_array() ? found->size() : 0;
   }
 
-  /// Of a file without nodes, or with the mark: a mesh, a node and a material for each organ.
+  /// Reads, of a file without nodes, or with the mark, a mesh, a node and a material for each organ.
   void readAllMeshes() {
     raw_.partsAreOrgans = marked_;
     for (std::size_t mesh = 0; mesh < sizeOf("meshes"); ++mesh)
@@ -387,7 +387,7 @@ private:
   std::uint64_t skipped_ = 0;
 };
 
-/// From patient millimetres to metres with y to the head and z to the front, column by column.
+/// Maps patient millimetres to metres with y to the head and z to the front, column by column.
 Json uprightMatrix(Space space) {
   const double side = space == Space::lps ? 0.001 : -0.001;
   return {side, 0, 0, 0, 0, 0, -side, 0, 0, 0.001, 0, 0, 0, 0, 0, 1};
@@ -546,7 +546,7 @@ Json plainMaterial() {
           {"doubleSided", true}};
 }
 
-/// With a colour of its own, which vertex colours would be multiplied by.
+/// The material has a colour of its own, which vertex colours would be multiplied by.
 Json materialOf(const NamedSurface& surface) {
   Json material = plainMaterial();
   const bool painted = surface.mesh->colors.rows() > 0;

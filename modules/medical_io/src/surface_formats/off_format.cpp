@@ -76,7 +76,7 @@ private:
 
   double takeCoordinate(std::string_view word) { return scanner_.coordinateFrom(word, "a number"); }
 
-  /// Of a colour; with a decimal comma where the coordinates have it.
+  /// A channel of a colour; with a decimal comma where the coordinates have it.
   double takeChannel(std::string_view word) const {
     std::string english(word);
     std::replace(english.begin(), english.end(), ',', '.');

@@ -57,7 +57,7 @@ public:
   }
 
 private:
-  /// Without a list, every object that is no part of another.
+  /// Every object that is no part of another, where there is no list.
   std::vector<ThreeMfUse> printed() {
     std::set<std::string> used;
     for (const auto& [key, object] : model_.objects)
@@ -194,7 +194,7 @@ private:
     raw.colors = std::move(kept.colors);
   }
 
-  /// Those without a name are numbered; several of one name, as two copies of an object are, too.
+  /// Parts without a name are numbered; several of one name, as two copies of an object are, too.
   void nameParts() {
     if (parts_.size() < 2)
       return;

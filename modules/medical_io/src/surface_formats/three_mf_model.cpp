@@ -21,7 +21,7 @@ constexpr auto kUsualModel = "3D/3dmodel.model";
 constexpr std::string_view kModelRelation = "3dmodel"; ///< The relation's type ends so.
 constexpr std::string_view kModelEnding = ".model";
 constexpr std::uint64_t kMostModelBytes = std::uint64_t{8} << 30U;
-/// Of PrusaSlicer, and of Bambu Studio and OrcaSlicer.
+/// Settings of PrusaSlicer, and of Bambu Studio and OrcaSlicer.
 constexpr std::array<const char*, 2> kSettings = {"Metadata/Slic3r_PE_model.config",
                                                   "Metadata/model_settings.config"};
 constexpr std::uint64_t kMostSettingBytes = std::uint64_t{1} << 24U;

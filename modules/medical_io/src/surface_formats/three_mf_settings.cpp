@@ -19,7 +19,7 @@ std::string setting(const XmlElement& element, std::string_view key) {
   return {};
 }
 
-/// Of a volume of PrusaSlicer or a part of Bambu Studio.
+/// Tells of a volume of PrusaSlicer or a part of Bambu Studio.
 bool isShape(const XmlElement& volume) {
   const std::string type = setting(volume, "volume_type");
   const std::string_view subtype = volume.attribute("subtype");

@@ -337,7 +337,7 @@ private:
     } else if (keyword == "color_scalars") {
       scanner_.word();
       const std::uint64_t components = scanner_.count("the number of colour channels", 0);
-      // In text colours go from 0 to 1.
+      // Colours in text go from 0 to 1.
       readColors(elements_, components, binary_ ? Scalar::uint8 : Scalar::float32, binary_ ? 1.0 : 255.0);
     } else if (keyword == "lookup_table") {
       scanner_.word();
@@ -466,7 +466,7 @@ private:
   bool ofPoints_ = false;
   bool bits_ = false; ///< The type last read is one of single bits, eight in a byte.
   std::uint64_t elements_ = 0;
-  // Of an unstructured grid.
+  // The cells of an unstructured grid.
   bool isGrid_ = false;
   std::vector<std::int64_t> cellPoints_;
   std::vector<std::size_t> cellEnds_;

@@ -24,7 +24,7 @@ public:
   const VtpStorage& storage() const { return storage_; }
   /// The dataset that the file says to hold, such as "PolyData"; empty for XML of another kind.
   std::string_view type() const;
-  /// Its element; null when there is none.
+  /// The document's element; null when there is none.
   const XmlElement* data() const { return tree_.root.child(type()); }
 
   /// Takes axes and name from the fields.

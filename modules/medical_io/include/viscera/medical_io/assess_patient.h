@@ -53,8 +53,8 @@ struct PatientAssessment {
 
   /// Whether the sides of the body were checked and are those of LPS.
   bool sidesChecked() const { return directions[0] == Direction::kept; }
-  /// For JSON: "LPS" where all three directions are kept; "RAS", "mirrored", "RAS or mirrored", "head and
-  /// feet exchanged" or "other" where LPS is excluded; else "undecided".
+  /// Names them for JSON: "LPS" where all three directions are kept; "RAS", "mirrored", "RAS or mirrored",
+  /// "head and feet exchanged" or "other" where LPS is excluded; else "undecided".
   std::string axes() const;
 };
 

@@ -32,7 +32,7 @@ struct Segment {
 /// A label map read from a file. Only labels of at least one voxel are segments.
 struct LabelMap {
   std::array<int, 3> size = {}; ///< Voxels along i, j and k.
-  /// From (i, j, k) to mm LPS; the centre of the first voxel is (0, 0, 0). May be oblique, left-handed and
+  /// Maps (i, j, k) to mm LPS; the centre of the first voxel is (0, 0, 0). May be oblique, left-handed and
   /// sheared; never singular.
   Eigen::Affine3d indexToLps = Eigen::Affine3d::Identity();
   /// Voxels hold 0 for no segment and s + 1 for `segments[s]`. Segments that overlap take several layers.

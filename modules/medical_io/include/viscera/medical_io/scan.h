@@ -47,13 +47,13 @@ struct ScanFinding {
 ///     const Scan scan = readScan("ct.nii.gz", {}, progress);
 ///     const std::optional<double> hu = scan.at(Vec3(12, -40, 310));
 struct Scan {
-  /// Of voxel (i, j, k), i fastest, as the file stores them.
+  /// The samples of voxels (i, j, k), i fastest, as the file stores them.
   using Samples = std::variant<std::vector<std::int8_t>, std::vector<std::uint8_t>, std::vector<std::int16_t>,
                                std::vector<std::uint16_t>, std::vector<std::int32_t>,
                                std::vector<std::uint32_t>, std::vector<float>>;
 
   std::array<int, 3> size = {}; ///< Voxels along i, j and k.
-  /// From (i, j, k) to mm LPS; the centre of the first voxel is (0, 0, 0). May be oblique, left-handed and
+  /// Maps (i, j, k) to mm LPS; the centre of the first voxel is (0, 0, 0). May be oblique, left-handed and
   /// sheared (a tilted gantry); never singular.
   Eigen::Affine3d indexToLps = Eigen::Affine3d::Identity();
   Samples samples;
@@ -94,7 +94,7 @@ struct Scan {
   ValueWindow firstWindow() const;
 };
 
-/// Which slices of a series are read, counted from 1 on in the order of their places.
+/// The slices of a series that are read, counted from 1 on in the order of their places.
 struct SliceRange {
   int first = 1;          ///< The first that is read.
   int last = 1;           ///< The last one.

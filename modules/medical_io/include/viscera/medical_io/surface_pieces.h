@@ -41,7 +41,7 @@ public:
   const std::vector<PieceSize>& sizes() const { return sizes_; }
   /// Whether a piece is below the limit. The piece with the largest area never is. O(1).
   bool isFragment(std::size_t piece, const FragmentLimit& limit) const;
-  /// As many as that are. O(pieces).
+  /// Counts the fragments. O(pieces).
   std::size_t fragments(const FragmentLimit& limit) const;
   /// The surface of the fragments alone, or of all others, in their order and with their colours. O(n + m).
   geometry::TriangleMesh part(const FragmentLimit& limit, bool fragments) const;

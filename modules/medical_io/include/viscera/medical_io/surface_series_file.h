@@ -13,7 +13,7 @@ namespace viscera::medical_io {
 struct SurfaceSeriesFile {
   /// `n x 3` mm LPS, one a file; with the points that no triangle uses.
   std::vector<Points> phases;
-  /// Of the first file: polygons are cut there and the same way in all.
+  /// Triangles of the first file: polygons are cut there and the same way in all.
   Triangles triangles;
   /// Whether all files have the same number of points and the same polygons as the first. If not, `phases`
   /// holds the first only.

@@ -12,7 +12,7 @@ class OrganView;
 /// translucent layers are peeled, and shading would change colours of a legend. Text is not shaded.
 class DepthShading {
 public:
-  /// For a view that has its window already. The view may be destroyed first.
+  /// Takes a view that has its window already. The view may be destroyed first.
   explicit DepthShading(OrganView& view);
   ~DepthShading();
   DepthShading(const DepthShading&) = delete;

@@ -29,7 +29,7 @@ public:
     /// The line ends at this vertex of the organ while the reader can see it, and the label is left out while
     /// not; -1: anywhere on the organ.
     Eigen::Index vertex = -1;
-    /// Of a whole organ: the vertices of its parts that have names. Its line ends where the organ is seen and
+    /// The vertices of a whole organ's parts that have names. Its line ends where the organ is seen and
     /// away from them; the label is left out where there is no such place.
     std::vector<Eigen::Index> places = {};
     /// When given, `vertex` is one of these points and not of the organ's: of something thin in or on the

@@ -31,7 +31,7 @@ enum class StandardView { anterior, posterior, left, right, superior, inferior }
 StandardView standardViewFromName(const std::string& name);
 std::string nameOf(StandardView view);
 
-/// By what a software renderer draws sooner while something moves (`OrganView::setMoving`). Each is there to
+/// What lets a software renderer draw sooner while something moves (`OrganView::setMoving`). Each is there to
 /// be switched off by a benchmark, which tells then within one run what it saves.
 struct Shortcuts {
   bool fewerTriangles = true; ///< Of organs that have more than 30,000 vertices together.
@@ -118,7 +118,7 @@ public:
   /// calls it with true, renders, calls it with false, and renders once more when no other event follows.
   /// Labels are still laid out anew.
   void setFastDrawing(bool quick);
-  /// Which shortcuts are taken then; all of them to begin with. From the next frame on.
+  /// Sets the shortcuts that are taken then; all of them to begin with. Counts from the next frame on.
   void setShortcuts(const Shortcuts& shortcuts);
   /// Whether a whole, smooth frame takes so long that a quick one is drawn first: a software renderer draws
   /// more than 30,000 vertices, or peels translucent organs. Never before the first frame. O(organs).

@@ -40,7 +40,7 @@ struct SliceText {
   Eigen::Vector2d place; ///< In pixels of the picture.
   std::string words;     ///< UTF-8; may have several lines.
   Vec3 color = Vec3::Ones();
-  /// In pixels of the picture: the measured area, which the text does not cover if there is room beside it.
+  /// The measured area in pixels of the picture, which the text does not cover if there is room beside it.
   /// Empty: only `place` is kept free.
   Eigen::AlignedBox2d around = {};
 };

@@ -44,7 +44,7 @@ public:
   /// The number of valves that are drawn.
   int valves() const;
   int arrows() const;
-  /// Of the valves' chords.
+  /// Counts the valves' chords.
   int chords() const;
 
 private:

@@ -21,7 +21,7 @@ public:
   void CancelDrag();
 
 protected:
-  /// With `escape` the widget handles the keyboard during a drag, and Escape cancels the drag.
+  /// The widget handles the keyboard during a drag with `escape`, and Escape cancels the drag.
   explicit vtkVisceraDragWidget(bool escape);
 
   /// Marks what is at a display position as under the cursor.
