@@ -57,7 +57,7 @@ bool unpackLzma(std::string_view packed, char* out, std::size_t size) {
          written == size;
 }
 
-/// By the classes of VTK that pack them.
+/// The three methods, under the names of the VTK classes that pack.
 constexpr std::array<std::pair<std::string_view, Unpack>, 3> kCompressors = {
     {{"vtkZLibDataCompressor", unpackZlib},
      {"vtkLZ4DataCompressor", unpackLz4},
