@@ -2,7 +2,11 @@
 
 #include <Eigen/Core>
 #include <QtGlobal>
+#include <expat.h>
+#include <lz4.h>
+#include <lzma.h>
 #include <nlohmann/json.hpp>
+#include <openssl/opensslv.h>
 #include <vtkVersion.h>
 
 #include <CLI/CLI.hpp>
@@ -30,6 +34,10 @@ std::string versionText() {
   add("Boost", VISCERA_BOOST_VERSION " (headers only)");
   add("zlib", VISCERA_ZLIB_VERSION);
   add("bzip2", VISCERA_BZIP2_VERSION);
+  add("LZ4", LZ4_VERSION_STRING);
+  add("XZ", LZMA_VERSION_STRING);
+  add("Expat", dotted(XML_MAJOR_VERSION, XML_MINOR_VERSION, XML_MICRO_VERSION));
+  add("OpenSSL", OPENSSL_VERSION_STR);
   add("Fontconfig", VISCERA_FONTCONFIG_VERSION);
   add("GLEW", VISCERA_GLEW_VERSION);
   add("nlohmann JSON",

@@ -5,7 +5,8 @@
 
 packages_to_build() {
   printf '%s\n' cmake ninja-build g++ ccache \
-    libeigen3-dev libboost-dev libqhull-dev libtet1.5-dev nlohmann-json3-dev libcli11-dev zlib1g-dev libbz2-dev libdcmtk-dev libopenjp2-7-dev \
+    libeigen3-dev libboost-dev libqhull-dev libtet1.5-dev nlohmann-json3-dev libcli11-dev zlib1g-dev libbz2-dev liblz4-dev liblzma-dev libexpat1-dev \
+    libssl-dev libdcmtk-dev libopenjp2-7-dev \
     libvtk9-dev libvtk9-qt-dev qtbase5-dev libqt5svg5-dev qttools5-dev-tools \
     libegl-dev libgl-dev libegl1 libgl1-mesa-dri libfontconfig-dev fonts-dejavu-core \
     pybind11-dev python3-dev python3-numpy

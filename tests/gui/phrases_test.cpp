@@ -146,7 +146,9 @@ std::set<QString> textsIn(const QString& source) {
       R"(|^change of the length of a material contour |^engineering strain )"
       R"(|^(moderate|severe) (stenosis|regurgitation)$|pulmonary hypertension$|^heart failure with reduced ejection)"
       // What names a place in a file.
-      R"(|^NIfTI data type $|^system parameter $|^, handle "$)"));
+      R"(|^NIfTI data type $|^system parameter $|^, handle "$)"
+      // Elements of VTK's XML formats.
+      R"(|^(VTKFile|DataArray|Array) type=|^Piece NumberOf|^PointData Scalars=|AppendedData encoding=|^<\?xml )"));
   // And DICOM's terms for its kinds of objects.
   static const QRegularExpression forDevelopers(QStringLiteral(
       R"((static_assert|logic_error|assert|invalid_argument)\([^;]*$|DicomKind::[a-z]+,\s*$)"));

@@ -249,7 +249,7 @@ class Parts(unittest.TestCase):
             "try:\n  viscera.read_surface('a.stl')\nexcept viscera.MissingPart as error:\n  print(error)"
         )
         done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
-        self.assertIn("VISCERA_WITH_VTK", done.stdout)
+        self.assertIn("VISCERA_WITH_CONTENT", done.stdout)
 
 
 if __name__ == "__main__":

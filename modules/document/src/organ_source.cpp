@@ -1,13 +1,12 @@
 #include "organ_source.h"
 
 #include <algorithm>
+#include <fstream>
 #include <set>
 #include <system_error>
 #include <vector>
 
-#include <QCryptographicHash>
-#include <QFile>
-
+#include "sha256.h"
 #include "viscera/core/error.h"
 #include "viscera/core/file_facts.h"
 #include "viscera/core/phrase.h"
@@ -20,6 +19,7 @@ namespace fs = std::filesystem;
 
 /// More files in a folder than this are not looked through.
 constexpr int kMostFiles = 10000;
+constexpr std::size_t kFileBytesAtOnce = std::size_t{1} << 18U; ///< Bytes.
 
 bool isThere(const fs::path& file) {
   std::error_code error;
@@ -58,11 +58,19 @@ fs::path absoluteOf(const fs::path& file) {
 } // namespace
 
 std::string sha256OfFile(const std::filesystem::path& file) {
-  QFile source(QFile::decodeName(file.c_str()));
-  QCryptographicHash hash(QCryptographicHash::Sha256);
-  if (!source.open(QIODevice::ReadOnly) || !hash.addData(&source))
+  std::error_code error;
+  if (!fs::is_regular_file(file, error))
     return {};
-  return hash.result().toHex().toStdString();
+  std::ifstream source(file, std::ios::binary);
+  if (!source)
+    return {};
+  Sha256 hash;
+  std::vector<char> block(kFileBytesAtOnce);
+  do {
+    source.read(block.data(), static_cast<std::streamsize>(block.size()));
+    hash.add({block.data(), static_cast<std::size_t>(source.gcount())});
+  } while (source);
+  return source.eof() ? hash.hex() : std::string();
 }
 
 std::optional<FoundFile> findFile(const FileSource& source, const fs::path& folder,

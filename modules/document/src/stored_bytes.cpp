@@ -3,10 +3,11 @@
 #include <bit>
 #include <limits>
 #include <new>
+#include <optional>
 
-#include <QByteArray>
 #include <zlib.h>
 
+#include "viscera/core/base64.h"
 #include "viscera/core/error.h"
 #include "viscera/core/phrase.h"
 
@@ -28,12 +29,12 @@ std::string packed(std::string_view bytes, const char* what) {
     throw CannotCreateError(phrase("%1 of more than 1 GB cannot be kept in a session file", what), {},
                             "save it as a file of its own first");
   uLongf size = compressBound(bytes.size());
-  QByteArray compressed(static_cast<int>(size), Qt::Uninitialized);
+  std::string compressed(size, '\0');
   if (compress2(reinterpret_cast<Bytef*>(compressed.data()), &size,
                 reinterpret_cast<const Bytef*>(bytes.data()), bytes.size(), kEffort) != Z_OK)
     throw std::bad_alloc();
-  compressed.resize(static_cast<int>(size));
-  return compressed.toBase64().toStdString();
+  compressed.resize(size);
+  return base64Of(compressed);
 }
 
 void unpack(const JsonReader& reader, const nlohmann::ordered_json& stored, const char* key,
@@ -46,18 +47,15 @@ void unpack(const JsonReader& reader, const nlohmann::ordered_json& stored, cons
   const auto& text = value.get_ref<const std::string&>(); // Not copied: it may be a gigabyte.
   if (static_cast<std::int64_t>(text.size()) > std::numeric_limits<int>::max())
     reader.fail(diagnostic("It is too long"), where);
-  const auto decoded =
-      QByteArray::fromBase64Encoding(QByteArray::fromRawData(text.data(), static_cast<int>(text.size())),
-                                     QByteArray::Base64Encoding | QByteArray::AbortOnBase64DecodingErrors);
-  if (!decoded)
+  const std::optional<std::string> compressed = bytesOfBase64(text);
+  if (!compressed)
     reader.fail(diagnostic("It is not base64"), where);
-  const QByteArray& compressed = decoded.decoded;
-  if (bytes / kMostCompression > compressed.size())
+  if (bytes / kMostCompression > static_cast<std::int64_t>(compressed->size()))
     reader.fail(diagnostic("It holds less than %1", holds), where);
   auto size = static_cast<uLongf>(bytes);
-  const int outcome = uncompress(static_cast<Bytef*>(reserve()), &size,
-                                 reinterpret_cast<const Bytef*>(compressed.constData()),
-                                 static_cast<uLong>(compressed.size()));
+  const int outcome =
+      uncompress(static_cast<Bytef*>(reserve()), &size, reinterpret_cast<const Bytef*>(compressed->data()),
+                 static_cast<uLong>(compressed->size()));
   if (outcome == Z_MEM_ERROR)
     throw std::bad_alloc();
   if (outcome != Z_OK || size != static_cast<uLongf>(bytes))

@@ -1,22 +1,16 @@
 #include "stored_surface.h"
 
-#include <algorithm>
 #include <cstdint>
-#include <limits>
 #include <string_view>
 
-#include <QCryptographicHash>
-
+#include "sha256.h"
 #include "stored_bytes.h"
-
 #include "viscera/core/phrase.h"
 
 namespace viscera::document {
 namespace {
 
 using nlohmann::ordered_json;
-
-constexpr std::size_t kMostAtOnce = std::numeric_limits<int>::max() / 2; ///< To hash: Qt counts in int.
 
 template <class Array>
 std::string_view rawBytes(const Array& array) {
@@ -42,11 +36,11 @@ void unpackRows(const JsonReader& reader, const ordered_json& stored, const char
 } // namespace
 
 std::string surfaceHash(const geometry::TriangleMesh& mesh) {
-  QCryptographicHash hash(QCryptographicHash::Sha256);
-  for (std::string_view bytes : {rawBytes(mesh.points), rawBytes(mesh.triangles), rawBytes(mesh.colors)})
-    for (; !bytes.empty(); bytes.remove_prefix(std::min(kMostAtOnce, bytes.size())))
-      hash.addData(bytes.data(), static_cast<int>(std::min(kMostAtOnce, bytes.size())));
-  return hash.result().toHex().toStdString();
+  Sha256 hash;
+  for (const std::string_view bytes :
+       {rawBytes(mesh.points), rawBytes(mesh.triangles), rawBytes(mesh.colors)})
+    hash.add(bytes);
+  return hash.hex();
 }
 
 ordered_json storedSurface(const geometry::TriangleMesh& mesh) {

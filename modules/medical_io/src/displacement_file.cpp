@@ -4,18 +4,12 @@
 #include <ostream>
 #include <string>
 
-#include <vtkDoubleArray.h>
-#include <vtkNew.h>
-#include <vtkPointData.h>
-#include <vtkPolyData.h>
-
 #include "file_bytes.h"
 #include "surface_formats.h"
 #include "text_scanner.h"
 #include "viscera/core/atomic_file.h"
 #include "viscera/core/error.h"
 #include "viscera/core/phrase.h"
-#include "vtk_poly_data.h"
 
 namespace viscera::medical_io {
 namespace {
@@ -57,14 +51,8 @@ void writeDisplacements(const std::filesystem::path& file, const geometry::Trian
     throw DataError(misuse("It has %1 moved points for %2 vertices", moved.rows(), rest.points.rows()),
                     file.string());
   geometry::requireValid(rest, file.string());
-  const auto data = polyDataOf(rest);
-  vtkNew<vtkDoubleArray> vectors;
-  vectors->SetName("displacement");
-  vectors->SetNumberOfComponents(3);
-  vectors->SetNumberOfTuples(moved.rows());
-  Eigen::Map<Points>(vectors->GetPointer(0), moved.rows(), 3) = moved - rest.points;
-  data->GetPointData()->SetVectors(vectors);
-  writeAtomically(file, [&](std::ostream& out) { writeVtp(out, *data, {.name = name}); });
+  const PointVectors vectors{"displacement", moved - rest.points};
+  writeAtomically(file, [&](std::ostream& out) { writeVtp(out, rest, {.name = name}, &vectors); });
 }
 
 void writeTransform(const std::filesystem::path& file, const deformation::DisplacementGrid& grid) {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "viscera/geometry/normals.h"
-#include "vtk_poly_data.h"
+#include "windowed_sinc.h"
 
 namespace viscera::medical_io {
 namespace {

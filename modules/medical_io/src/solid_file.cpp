@@ -1,20 +1,12 @@
 #include "viscera/medical_io/solid_file.h"
 
-#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <ostream>
 #include <utility>
+#include <vector>
 
-#include <vtkCellArray.h>
-#include <vtkCellType.h>
-#include <vtkDoubleArray.h>
-#include <vtkNew.h>
-#include <vtkPointData.h>
-#include <vtkPoints.h>
-#include <vtkSmartPointer.h>
-#include <vtkUnsignedCharArray.h>
-#include <vtkUnstructuredGrid.h>
-#include <vtkXMLUnstructuredGridWriter.h>
-
-#include "quiet_vtk.h"
+#include "surface_formats/vtk_xml_writer.h"
 #include "text_scanner.h"
 #include "viscera/core/atomic_file.h"
 #include "viscera/core/error.h"
@@ -23,65 +15,72 @@
 namespace viscera::medical_io {
 namespace {
 
-vtkSmartPointer<vtkDoubleArray> doubles(const double* from, Eigen::Index rows, int columns) {
-  auto array = vtkSmartPointer<vtkDoubleArray>::New();
-  array->SetNumberOfComponents(columns);
-  array->SetNumberOfTuples(rows);
-  std::copy(from, from + rows * columns, array->GetPointer(0));
-  return array;
-}
+constexpr std::uint8_t kVertexCell = 1, kTetrahedronCell = 10; ///< VTK's numbers of cells.
 
-struct ToVtk {
-  vtkSmartPointer<vtkDataArray> operator()(const Values& values) const {
-    return doubles(values.data(), values.size(), 1);
-  }
-  vtkSmartPointer<vtkDataArray> operator()(const Points& vectors) const {
-    return doubles(vectors.data(), vectors.rows(), 3);
-  }
-  vtkSmartPointer<vtkDataArray> operator()(const std::vector<std::uint8_t>& flags) const {
-    auto array = vtkSmartPointer<vtkUnsignedCharArray>::New();
-    array->SetNumberOfTuples(static_cast<vtkIdType>(flags.size()));
-    std::copy(flags.begin(), flags.end(), array->GetPointer(0));
-    return array;
+struct RowsOfArray {
+  Eigen::Index operator()(const Values& values) const { return values.size(); }
+  Eigen::Index operator()(const Points& vectors) const { return vectors.rows(); }
+  Eigen::Index operator()(const std::vector<std::uint8_t>& flags) const {
+    return static_cast<Eigen::Index>(flags.size());
   }
 };
 
-void addCells(vtkUnstructuredGrid& grid, const deformation::Tetrahedra& tetrahedra, Eigen::Index points) {
-  std::vector<bool> used(static_cast<std::size_t>(points), false);
-  grid.Allocate(tetrahedra.rows());
-  for (Eigen::Index t = 0; t < tetrahedra.rows(); ++t) {
-    vtkIdType corners[4];
-    for (int k = 0; k < 4; ++k) {
-      corners[k] = tetrahedra(t, k);
-      used[static_cast<std::size_t>(tetrahedra(t, k))] = true;
-    }
-    grid.InsertNextCell(VTK_TETRA, 4, corners);
-  }
-  for (vtkIdType i = 0; i < points; ++i)
-    if (!used[static_cast<std::size_t>(i)])
-      grid.InsertNextCell(VTK_VERTEX, 1, &i);
+void addArray(VtkXmlWriter& writer, const SolidArray& array) {
+  if (const auto* values = std::get_if<Values>(&array.values))
+    writer.array(array.name, values->data(), static_cast<std::size_t>(values->size()), 1);
+  else if (const auto* vectors = std::get_if<Points>(&array.values))
+    writer.array(array.name, vectors->data(), static_cast<std::size_t>(vectors->size()), 3);
+  else if (const auto* flags = std::get_if<std::vector<std::uint8_t>>(&array.values))
+    writer.array(array.name, flags->data(), flags->size(), 1);
 }
 
-vtkSmartPointer<vtkUnstructuredGrid> gridOf(const Points& points, const deformation::Tetrahedra& tetrahedra,
-                                            const std::vector<SolidArray>& arrays,
-                                            const std::filesystem::path& file) {
-  auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
-  vtkNew<vtkPoints> places;
-  places->SetData(doubles(points.data(), points.rows(), 3));
-  grid->SetPoints(places);
-  addCells(*grid, tetrahedra, points.rows());
-  for (const SolidArray& array : arrays) {
-    const auto values = std::visit(ToVtk(), array.values);
-    if (values->GetNumberOfTuples() != points.rows())
-      throw DataError(misuse("the array %1 has %2 values for %3 points", array.name,
-                             values->GetNumberOfTuples(), points.rows()),
-                      file.string());
-    values->SetName(array.name.c_str());
-    grid->GetPointData()->AddArray(values);
+/// The cells of VTK's unstructured grid.
+struct SolidCells {
+  std::vector<std::int64_t> connectivity, offsets;
+  std::vector<std::uint8_t> types;
+
+  void endCell(std::uint8_t type) {
+    offsets.push_back(static_cast<std::int64_t>(connectivity.size()));
+    types.push_back(type);
   }
-  if (!arrays.empty())
-    grid->GetPointData()->SetActiveScalars(arrays.front().name.c_str());
-  return grid;
+};
+
+SolidCells cellsOf(const deformation::Tetrahedra& tetrahedra, Eigen::Index points) {
+  std::vector<bool> used(static_cast<std::size_t>(points), false);
+  SolidCells cells;
+  for (Eigen::Index t = 0; t < tetrahedra.rows(); ++t) {
+    for (int k = 0; k < 4; ++k) {
+      cells.connectivity.push_back(tetrahedra(t, k));
+      used[static_cast<std::size_t>(tetrahedra(t, k))] = true;
+    }
+    cells.endCell(kTetrahedronCell);
+  }
+  for (Eigen::Index i = 0; i < points; ++i)
+    if (!used[static_cast<std::size_t>(i)]) {
+      cells.connectivity.push_back(i);
+      cells.endCell(kVertexCell);
+    }
+  return cells;
+}
+
+VtkXmlWriter gridOf(const Points& points, const deformation::Tetrahedra& tetrahedra,
+                    const std::vector<SolidArray>& arrays) {
+  const SolidCells cells = cellsOf(tetrahedra, points.rows());
+  VtkXmlWriter writer("UnstructuredGrid", VtkAppended::raw);
+  writer.open("Piece NumberOfPoints=\"" + std::to_string(points.rows()) + "\" NumberOfCells=\"" +
+              std::to_string(cells.types.size()) + "\"");
+  writer.open(arrays.empty() ? "PointData" : "PointData Scalars=\"" + xmlEscaped(arrays.front().name) + "\"");
+  for (const SolidArray& array : arrays)
+    addArray(writer, array);
+  writer.close();
+  writer.open("Points");
+  writer.array("Points", points.data(), static_cast<std::size_t>(points.size()), 3);
+  writer.close();
+  writer.open("Cells");
+  writer.array("connectivity", cells.connectivity.data(), cells.connectivity.size(), 1);
+  writer.array("offsets", cells.offsets.data(), cells.offsets.size(), 1);
+  writer.array("types", cells.types.data(), cells.types.size(), 1);
+  return writer;
 }
 
 } // namespace
@@ -91,19 +90,12 @@ void writeSolid(const std::filesystem::path& file, const Points& points,
   if (file.extension() != ".vtu")
     throw CannotCreateError(phrase("this cannot be written as %1", inQuotes(file.extension().string())),
                             file.string(), phrase("let its name end in %1", ".vtu"));
-  const auto grid = gridOf(points, tetrahedra, arrays, file);
-  AtomicFile atomic(file);
-  vtkNew<vtkXMLUnstructuredGridWriter> writer;
-  const QuietVtk quiet(writer);
-  writer->SetFileName(atomic.temporary().c_str());
-  writer->SetInputData(grid);
-  writer->SetDataModeToAppended();
-  writer->EncodeAppendedDataOff();
-  if (writer->Write() != 1 || quiet.failed())
-    throw CannotCreateError(quiet.failed() ? phrase("the solid could not be written: %1", quiet.error())
-                                           : "the solid could not be written",
-                            file.string(), "check the space left on the disk");
-  atomic.commit();
+  for (const SolidArray& array : arrays)
+    if (const Eigen::Index rows = std::visit(RowsOfArray(), array.values); rows != points.rows())
+      throw DataError(misuse("the array %1 has %2 values for %3 points", array.name, rows, points.rows()),
+                      file.string());
+  VtkXmlWriter grid = gridOf(points, tetrahedra, arrays);
+  writeAtomically(file, [&](std::ostream& out) { grid.write(out); });
 }
 
 } // namespace viscera::medical_io

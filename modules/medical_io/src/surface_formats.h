@@ -8,8 +8,6 @@
 #include "raw_surface.h"
 #include "viscera/medical_io/surface_file.h"
 
-class vtkPolyData;
-
 /// The readers and writers of surface formats, one source for each format in surface_formats/. Readers check
 /// every size against the bytes that are there and throw `DataError`; none prints, and none returns a part of
 /// a damaged file. Writers get a valid mesh whose coordinates are already in `options.space`.
@@ -42,8 +40,14 @@ void writePly(std::ostream& out, const geometry::TriangleMesh& mesh, const Write
 void writeOff(std::ostream& out, const geometry::TriangleMesh& mesh, const WriteSurface& options);
 void writeLegacyVtk(std::ostream& out, const geometry::TriangleMesh& mesh, const WriteSurface& options);
 void writeVtp(std::ostream& out, const geometry::TriangleMesh& mesh, const WriteSurface& options);
-/// The same for VTK's data, with the arrays at its points. Throws `CannotCreateError`.
-void writeVtp(std::ostream& out, vtkPolyData& data, const WriteSurface& options);
+/// A vector at each point, under a name.
+struct PointVectors {
+  std::string name;
+  Points values;
+};
+/// The same with vectors, unless null.
+void writeVtp(std::ostream& out, const geometry::TriangleMesh& mesh, const WriteSurface& options,
+              const PointVectors* vectors);
 void writeGlb(std::ostream& out, const geometry::TriangleMesh& mesh, const WriteSurface& options);
 void writeThreeMf(std::ostream& out, const geometry::TriangleMesh& mesh, const WriteSurface& options);
 /// Several valid surfaces in `space`; none is within one that comes behind it.

@@ -8,10 +8,6 @@
 #include <limits>
 #include <utility>
 
-#include <vtkNew.h>
-#include <vtkPolyData.h>
-#include <vtkQuadricDecimation.h>
-
 #include "viscera/core/error.h"
 #include "viscera/core/parallel.h"
 #include "viscera/core/phrase.h"
@@ -23,12 +19,13 @@
 #include "viscera/geometry/self_intersections.h"
 #include "viscera/geometry/signed_distance.h"
 #include "viscera/geometry/signed_distance_grid.h"
+#include "viscera/geometry/surface_check.h"
 #include "viscera/geometry/triangle_mesh.h"
 #include "viscera/geometry/volume.h"
 #include "viscera/medical_io/contour.h"
 #include "viscera/medical_io/plausible_size.h"
 #include "viscera/medical_io/surface_pieces.h"
-#include "vtk_poly_data.h"
+#include "windowed_sinc.h"
 
 namespace viscera::medical_io {
 namespace {
@@ -286,12 +283,10 @@ TriangleMesh repairSurface(const TriangleMesh& mesh, const RepairOptions& option
 TriangleMesh thinSurface(const TriangleMesh& mesh, int triangles) {
   if (mesh.triangles.rows() <= triangles)
     return mesh;
-  vtkNew<vtkQuadricDecimation> decimation;
-  decimation->SetInputData(polyDataOf({mesh.points, mesh.triangles, {}}));
-  decimation->SetTargetReduction(1 - static_cast<double>(triangles) / double(mesh.triangles.rows()));
-  decimation->VolumePreservationOn();
-  decimation->Update();
-  return geometry::cleanSurface(meshOf(*decimation->GetOutput())).mesh;
+  const geometry::SurfaceReport report = geometry::checkSurface(mesh);
+  if (!report.closed() || !report.manifold())
+    return mesh;
+  return geometry::cleanSurface(geometry::decimateClosedSurface(mesh, triangles)).mesh;
 }
 
 TriangleMesh remeshed(const TriangleMesh& mesh, int triangles, Progress& progress, Threads threads) {

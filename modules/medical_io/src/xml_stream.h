@@ -32,7 +32,7 @@ public:
   virtual bool hasEnough() const = 0;
 };
 
-/// Parses a document as it comes, without keeping it, with VTK's expat. `read` fills a buffer with the next
+/// Parses a document as it comes, without keeping it, with expat. `read` fills a buffer with the next
 /// bytes and says how many; what it throws passes through. Empty: there was nothing wrong. Prints nothing.
 Text streamXml(const std::function<std::size_t(char*, std::size_t)>& read, XmlListener& listener);
 

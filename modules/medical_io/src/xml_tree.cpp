@@ -2,11 +2,7 @@
 
 #include <algorithm>
 
-#include <vtkNew.h>
-#include <vtkObjectFactory.h>
-#include <vtkXMLParser.h>
-
-#include "quiet_vtk.h"
+#include "expat_parser.h"
 
 namespace viscera::medical_io {
 namespace {
@@ -15,21 +11,13 @@ constexpr std::size_t kDeepestElement = 64;
 /// expat takes sizes as `int`.
 constexpr std::size_t kChunk = std::size_t{1} << 20U;
 
-/// Builds the tree while VTK's parser walks through the document.
-class vtkVisceraXmlTree : public vtkXMLParser {
+/// Builds the tree while the parser walks through the document.
+class TreeBuilder {
 public:
-  static vtkVisceraXmlTree* New();
-  vtkVisceraXmlTree(const vtkVisceraXmlTree&) = delete;
-  void operator=(const vtkVisceraXmlTree&) = delete;
-
   XmlElement top;
   bool tooDeep = false;
 
-protected:
-  vtkVisceraXmlTree() = default;
-  ~vtkVisceraXmlTree() override = default;
-
-  void StartElement(const char* name, const char** attributes) override {
+  void start(const char* name, const char** attributes) {
     ++depth_;
     if (depth_ > kDeepestElement) {
       tooDeep = true;
@@ -42,7 +30,7 @@ protected:
     path_.push_back(std::move(element));
   }
 
-  void EndElement(const char*) override {
+  void end(const char*) {
     if (depth_-- > kDeepestElement)
       return;
     XmlElement finished = std::move(path_.back());
@@ -51,16 +39,15 @@ protected:
     parent.children.push_back(std::move(finished));
   }
 
-  void CharacterDataHandler(const char* data, int length) override {
+  void characters(std::string_view text) {
     if (!path_.empty() && depth_ <= kDeepestElement)
-      path_.back().text.append(data, static_cast<std::size_t>(length));
+      path_.back().text += text;
   }
 
 private:
   std::vector<XmlElement> path_; ///< The open elements, outermost first.
   std::size_t depth_ = 0;
 };
-vtkStandardNewMacro(vtkVisceraXmlTree)
 
 } // namespace
 
@@ -77,22 +64,20 @@ const XmlElement* XmlElement::child(std::string_view childName) const {
 }
 
 XmlTree parseXml(std::string_view document) {
-  vtkNew<vtkVisceraXmlTree> parser;
-  const QuietVtk quiet(parser);
-  bool good = parser->InitializeParser() != 0;
-  for (std::size_t at = 0; at < document.size() && good; at += kChunk) {
-    const std::string_view chunk = document.substr(at, kChunk);
-    good = parser->ParseChunk(chunk.data(), static_cast<unsigned int>(chunk.size())) != 0;
-  }
-  good = parser->CleanupParser() != 0 && good;
+  TreeBuilder builder;
+  ExpatParser parser(builder);
+  bool good = true;
+  for (std::size_t at = 0; at < document.size() && good; at += kChunk)
+    good = parser.parse(document.substr(at, kChunk));
+  good = parser.finish() && good;
 
   XmlTree tree;
-  if (parser->tooDeep)
+  if (builder.tooDeep)
     tree.error = diagnostic("its XML is nested too deeply");
-  else if (quiet.failed() || !good || parser->top.children.empty())
-    tree.error = quiet.failed() ? Text(quiet.error()) : diagnostic("its XML is not complete");
+  else if (!good || builder.top.children.empty())
+    tree.error = !good ? parser.error() : diagnostic("its XML is not complete");
   else
-    tree.root = std::move(parser->top.children.front());
+    tree.root = std::move(builder.top.children.front());
   return tree;
 }
 

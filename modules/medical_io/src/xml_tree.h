@@ -28,7 +28,7 @@ struct XmlTree {
   Text error; ///< Empty: none.
 };
 
-/// Parses a document with VTK's expat. Deeper than 64 levels is an error. Prints nothing.
+/// Parses a document with expat. Deeper than 64 levels is an error. Prints nothing.
 XmlTree parseXml(std::string_view document);
 
 } // namespace viscera::medical_io

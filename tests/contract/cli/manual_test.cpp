@@ -51,6 +51,10 @@ std::string nameOfLibrary(const std::string& file) {
       {"libqhull.*", "Qhull"},
       {R"(libz\..*)", "zlib"},
       {"libbz2.*", "bzip2"},
+      {"liblz4.*", "LZ4"},
+      {"liblzma.*", "XZ"},
+      {"libexpat.*", "Expat"},
+      {"libcrypto.*", "OpenSSL"},
       {"libfontconfig.*", "Fontconfig"},
       {"libGLEW.*", "GLEW"},
       {"lib[gi]?omp.*", "OpenMP"}};

@@ -18,6 +18,9 @@ namespace {
 /// added.
 const std::set<std::pair<std::string, std::string>> kKnownExceptions = {};
 
+/// Modules below faces that are there to be loaded by Qt.
+const std::set<std::string> kOfQt = {"plugin", "localised_scc_plugin"};
+
 /// What `line` of `file` includes although command line and window do not know each other; else empty. Only
 /// `app/main.cpp` knows both.
 std::string strangerIn(const std::string& line, const std::string& file) {
@@ -64,7 +67,7 @@ bool declaresOneClass(const std::vector<std::string>& lines, std::size_t at) {
 /// empty for what needs no module.
 std::string targetOf(const std::string& line) {
   static const std::regex ours(R"(^\s*#\s*include\s*[<"]viscera/(\w+)/)");
-  static const std::regex vtk(R"(^\s*#\s*include\s*[<"]vtk)");
+  static const std::regex vtk(R"(^\s*#\s*include\s*[<"]vtk[A-Z])");
   static const std::regex qt(R"(^\s*#\s*include\s*[<"]Qt?[A-Z])");
   std::smatch match;
   if (line.find("include") == std::string::npos)
@@ -74,6 +77,11 @@ std::string targetOf(const std::string& line) {
   if (std::regex_search(line, vtk))
     return "VTK::";
   return std::regex_search(line, qt) ? "Qt5::" : "";
+}
+
+bool leadsToVtkOrQt(const std::string& line) {
+  const std::string target = targetOf(line);
+  return target == "VTK::" || target == "Qt5::";
 }
 
 /// Whether targets hold `wanted`, or one of VTK's or Qt's.
@@ -191,12 +199,30 @@ TEST(IncludeArrows, PointDownwardInEveryModule) {
   EXPECT_EQ(upwardIn(modulesOfThisBuild()), "");
 }
 
-TEST(IncludeArrows, OfNumbersLeadNeitherToVtkNorToQt) {
-  for (const Module& module : modulesOfThisBuild().modules)
-    if (module.stratum == "numbers") {
-      for (const std::set<std::string>& targets : {module.uses, module.privately})
-        EXPECT_FALSE(holds(targets, "VTK::") || holds(targets, "Qt5::")) << module.name;
-    }
+TEST(IncludeArrows, BelowFacesLeadNeitherToVtkNorToQt) {
+  const ModuleList& list = modulesOfThisBuild();
+  int files = 0;
+  for (const Module& module : list.modules) {
+    if (module.stratum == "faces" || kOfQt.contains(module.name))
+      continue;
+    for (const std::set<std::string>& targets : {module.uses, module.privately})
+      EXPECT_FALSE(holds(targets, "VTK::") || holds(targets, "Qt5::")) << module.name;
+    for (const std::filesystem::path& file : sourcesUnder("modules/" + module.folder))
+      if (list.ofFile(shortName(file)) == &module) {
+        ++files;
+        for (const std::string& line : linesOf(file))
+          EXPECT_FALSE(leadsToVtkOrQt(line)) << shortName(file) << ": " << line;
+      }
+  }
+  EXPECT_GT(files, 100);
+}
+
+TEST(IncludeArrows, ToVtkAndQtAreSeen) {
+  EXPECT_TRUE(leadsToVtkOrQt("#include <vtkNew.h>"));
+  EXPECT_TRUE(leadsToVtkOrQt("# include \"QString\""));
+  EXPECT_TRUE(leadsToVtkOrQt("#include <QtCore/QFile>"));
+  EXPECT_FALSE(leadsToVtkOrQt("#include \"surface_formats/vtk_xml_document.h\""));
+  EXPECT_FALSE(leadsToVtkOrQt("#include \"viscera/core/error.h\""));
 }
 
 TEST(IncludeArrows, KnowEveryModule) {

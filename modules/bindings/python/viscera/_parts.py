@@ -8,7 +8,7 @@ from types import ModuleType
 from .errors import MissingPart
 
 _NEEDS = {
-    "_files": "VTK (the CMake option VISCERA_WITH_VTK)",
+    "_files": "the modules of files (the CMake option VISCERA_WITH_CONTENT)",
     "_motion": "VTK and Qt's core (the CMake option VISCERA_WITH_APP)",
 }
 

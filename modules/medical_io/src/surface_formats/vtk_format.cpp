@@ -8,20 +8,13 @@
 #include <string_view>
 #include <vector>
 
-#include <vtkNew.h>
-#include <vtkPolyData.h>
-#include <vtkPolyDataWriter.h>
-
 #include "mesh_formats/cell_mesh.h"
 #include "mesh_formats/vtk_cells.h"
-#include "quiet_vtk.h"
 #include "scalar.h"
 #include "space_tag.h"
 #include "surface_formats.h"
 #include "text_scanner.h"
-#include "viscera/core/error.h"
 #include "viscera/core/phrase.h"
-#include "vtk_poly_data.h"
 
 // Own reader: VTK's walks through the cells of a damaged file without looking where they end, which is a
 // crash, and allocates what the header promises.
@@ -474,6 +467,12 @@ private:
   std::vector<std::int64_t> regions_;
 };
 
+template <class Value>
+void appendBigEndian(std::string& bytes, Value value) {
+  appendValue(bytes, value);
+  std::reverse(bytes.end() - sizeof(Value), bytes.end());
+}
+
 } // namespace
 
 RawSurface readLegacyVtk(const FileBytes& file) {
@@ -498,19 +497,28 @@ std::vector<RawOrgan> readLegacyVtkOrgans(const FileBytes& file) {
   return one;
 }
 
+/// Version 4.2: what follows cannot be read by programs of before 2020.
 void writeLegacyVtk(std::ostream& out, const geometry::TriangleMesh& mesh, const WriteSurface& options) {
-  vtkNew<vtkPolyDataWriter> writer;
-  const QuietVtk quiet(writer);
-  const auto data = polyDataOf(mesh);
-  writer->SetInputData(data);
-  writer->SetHeader(writtenComment(options).c_str());
-  writer->SetFileTypeToBinary();
-  // 5.x, the default, cannot be read by programs of before 2020.
-  writer->SetFileVersion(vtkPolyDataWriter::VTK_LEGACY_READER_VERSION_4_2);
-  writer->WriteToOutputStringOn();
-  if (writer->Write() == 0 || quiet.failed())
-    throw CannotCreateError(phrase("VTK could not write the surface: %1", quiet.error()));
-  out.write(writer->GetOutputString(), writer->GetOutputStringLength());
+  const std::string points = std::to_string(mesh.points.rows());
+  std::string bytes = "# vtk DataFile Version 4.2\n" + writtenComment(options) +
+                      "\nBINARY\nDATASET POLYDATA\nPOINTS " + points + " double\n";
+  for (const double coordinate : mesh.points.reshaped<Eigen::RowMajor>())
+    appendBigEndian(bytes, coordinate);
+  bytes += "\nPOLYGONS " + std::to_string(mesh.triangles.rows()) + ' ' +
+           std::to_string(4 * mesh.triangles.rows()) + '\n';
+  for (Eigen::Index t = 0; t < mesh.triangles.rows(); ++t) {
+    appendBigEndian(bytes, std::int32_t{3});
+    for (int k = 0; k < 3; ++k)
+      appendBigEndian(bytes, mesh.triangles(t, k));
+  }
+  bytes += '\n';
+  if (mesh.colors.rows() > 0) {
+    bytes += "POINT_DATA " + points + "\nCOLOR_SCALARS Colors 3\n";
+    bytes.append(reinterpret_cast<const char*>(mesh.colors.data()),
+                 static_cast<std::size_t>(mesh.colors.size()));
+    bytes += '\n';
+  }
+  out << bytes;
 }
 
 } // namespace viscera::medical_io

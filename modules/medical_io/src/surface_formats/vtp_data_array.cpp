@@ -4,13 +4,10 @@
 #include <array>
 #include <optional>
 
-#include <vtkDataCompressor.h>
-#include <vtkLZ4DataCompressor.h>
-#include <vtkLZMADataCompressor.h>
-#include <vtkSmartPointer.h>
-#include <vtkZLibDataCompressor.h>
+#include <lz4.h>
+#include <lzma.h>
+#include <zlib.h>
 
-#include "quiet_vtk.h"
 #include "scalar.h"
 #include "text_scanner.h"
 #include "viscera/core/phrase.h"
@@ -33,6 +30,38 @@ constexpr std::array<std::pair<std::string_view, Scalar>, 11> kVtpTypes = {{{"In
                                                                             {"String", Scalar::int8},
                                                                             {"Float32", Scalar::float32},
                                                                             {"Float64", Scalar::float64}}};
+
+/// Unpacks one block, whose length is known. False when it is damaged or has another length.
+using Unpack = bool (*)(std::string_view packed, char* out, std::size_t size);
+
+bool unpackZlib(std::string_view packed, char* out, std::size_t size) {
+  auto got = static_cast<uLongf>(size);
+  return uncompress(reinterpret_cast<Bytef*>(out), &got, reinterpret_cast<const Bytef*>(packed.data()),
+                    static_cast<uLong>(packed.size())) == Z_OK &&
+         got == size;
+}
+
+bool unpackLz4(std::string_view packed, char* out, std::size_t size) {
+  constexpr std::size_t kMost = LZ4_MAX_INPUT_SIZE;
+  return packed.size() <= kMost && size <= kMost &&
+         LZ4_decompress_safe(packed.data(), out, static_cast<int>(packed.size()), static_cast<int>(size)) ==
+             static_cast<int>(size);
+}
+
+bool unpackLzma(std::string_view packed, char* out, std::size_t size) {
+  std::uint64_t memory = UINT64_MAX;
+  std::size_t read = 0, written = 0;
+  return lzma_stream_buffer_decode(&memory, 0, nullptr, reinterpret_cast<const std::uint8_t*>(packed.data()),
+                                   &read, packed.size(), reinterpret_cast<std::uint8_t*>(out), &written,
+                                   size) == LZMA_OK &&
+         written == size;
+}
+
+/// The three methods, under the names of the VTK classes that pack.
+constexpr std::array<std::pair<std::string_view, Unpack>, 3> kCompressors = {
+    {{"vtkZLibDataCompressor", unpackZlib},
+     {"vtkLZ4DataCompressor", unpackLz4},
+     {"vtkLZMADataCompressor", unpackLzma}}};
 
 class ArrayReader {
 public:
@@ -181,23 +210,14 @@ private:
     return total;
   }
 
-  vtkSmartPointer<vtkDataCompressor> newCompressor() const {
-    if (storage_.compressor == "vtkZLibDataCompressor")
-      return vtkSmartPointer<vtkZLibDataCompressor>::New();
-    if (storage_.compressor == "vtkLZ4DataCompressor")
-      return vtkSmartPointer<vtkLZ4DataCompressor>::New();
-    if (storage_.compressor == "vtkLZMADataCompressor")
-      return vtkSmartPointer<vtkLZMADataCompressor>::New();
-    fail(diagnostic("it is compressed by %1, which Viscera does not know", inQuotes(storage_.compressor)));
-  }
-
   /// `header`: number of blocks, size of a block, size of the last one (0: it is full), compressed sizes.
   std::string inflate(std::string_view header, std::string_view data) const {
     const std::uint64_t blocks = headerWord(header, 0);
     const std::uint64_t fullSize = headerWord(header, 1);
     const std::uint64_t lastSize = headerWord(header, 2);
-    const vtkSmartPointer<vtkDataCompressor> compressor = newCompressor();
-    const QuietVtk quiet(compressor);
+    const auto unpack = lookUp(kCompressors, storage_.compressor);
+    if (!unpack)
+      fail(diagnostic("it is compressed by %1, which Viscera does not know", inQuotes(storage_.compressor)));
     std::string result;
     for (std::uint64_t b = 0; b < blocks; ++b) {
       const std::uint64_t packed = headerWord(header, static_cast<std::size_t>(3 + b));
@@ -206,10 +226,8 @@ private:
         fail(diagnostic("it claims %1 bytes in %2: the file is damaged", size, packed));
       const std::size_t at = result.size();
       result.resize(at + static_cast<std::size_t>(size));
-      const std::size_t got = compressor->Uncompress(
-          reinterpret_cast<const unsigned char*>(data.data()), static_cast<std::size_t>(packed),
-          reinterpret_cast<unsigned char*>(result.data() + at), static_cast<std::size_t>(size));
-      if (got != size || quiet.failed())
+      if (!(*unpack)(data.substr(0, static_cast<std::size_t>(packed)), result.data() + at,
+                     static_cast<std::size_t>(size)))
         fail(diagnostic("it cannot be decompressed: the file is damaged"));
       data.remove_prefix(static_cast<std::size_t>(packed));
     }

@@ -5,21 +5,13 @@
 #include <string>
 #include <string_view>
 
-#include <vtkFieldData.h>
-#include <vtkNew.h>
-#include <vtkPolyData.h>
-#include <vtkStringArray.h>
-#include <vtkXMLPolyDataWriter.h>
-
-#include "quiet_vtk.h"
 #include "space_tag.h"
 #include "surface_formats.h"
 #include "surface_formats/vtk_xml_document.h"
+#include "surface_formats/vtk_xml_writer.h"
 #include "surface_formats/vtp_data_array.h"
 #include "text_scanner.h"
-#include "viscera/core/error.h"
 #include "viscera/core/phrase.h"
-#include "vtk_poly_data.h"
 #include "xml_tree.h"
 
 namespace viscera::medical_io {
@@ -124,11 +116,36 @@ private:
   bool everyPieceHasColors_ = true;
 };
 
-void addField(vtkPolyData* data, const char* name, const std::string& text) {
-  vtkNew<vtkStringArray> array;
-  array->SetName(name);
-  array->InsertNextValue(text);
-  data->GetFieldData()->AddArray(array);
+void addCells(VtkXmlWriter& writer, const char* kind, const std::vector<std::int64_t>& connectivity,
+              const std::vector<std::int64_t>& offsets) {
+  writer.open(kind);
+  writer.array("connectivity", connectivity.data(), connectivity.size(), 1);
+  writer.array("offsets", offsets.data(), offsets.size(), 1);
+  writer.close();
+}
+
+void addTriangles(VtkXmlWriter& writer, const Triangles& triangles) {
+  std::vector<std::int64_t> offsets(static_cast<std::size_t>(triangles.rows()));
+  for (std::size_t t = 0; t < offsets.size(); ++t)
+    offsets[t] = static_cast<std::int64_t>(3 * (t + 1));
+  addCells(writer, "Polys", {triangles.data(), triangles.data() + triangles.size()}, offsets);
+}
+
+std::string pieceOf(const geometry::TriangleMesh& mesh) {
+  return "Piece NumberOfPoints=\"" + std::to_string(mesh.points.rows()) +
+         "\" NumberOfVerts=\"0\" NumberOfLines=\"0\" NumberOfStrips=\"0\" NumberOfPolys=\"" +
+         std::to_string(mesh.triangles.rows()) + "\"";
+}
+
+void addPointData(VtkXmlWriter& writer, const geometry::TriangleMesh& mesh, const PointVectors* vectors) {
+  const bool colored = mesh.colors.rows() > 0;
+  writer.open(std::string("PointData") + (colored ? " Scalars=\"Colors\"" : "") +
+              (vectors != nullptr ? " Vectors=\"" + xmlEscaped(vectors->name) + "\"" : ""));
+  if (colored)
+    writer.array("Colors", mesh.colors.data(), static_cast<std::size_t>(mesh.colors.size()), 3);
+  if (vectors != nullptr)
+    writer.array(vectors->name, vectors->values.data(), static_cast<std::size_t>(vectors->values.size()), 3);
+  writer.close();
 }
 
 } // namespace
@@ -138,21 +155,26 @@ RawSurface readVtp(const FileBytes& file) {
 }
 
 void writeVtp(std::ostream& out, const geometry::TriangleMesh& mesh, const WriteSurface& options) {
-  writeVtp(out, *polyDataOf(mesh), options);
+  writeVtp(out, mesh, options, nullptr);
 }
 
-void writeVtp(std::ostream& out, vtkPolyData& data, const WriteSurface& options) {
-  vtkNew<vtkXMLPolyDataWriter> writer;
-  const QuietVtk quiet(writer);
-  addField(&data, "SPACE", std::string(spaceName(options.space)));
+void writeVtp(std::ostream& out, const geometry::TriangleMesh& mesh, const WriteSurface& options,
+              const PointVectors* vectors) {
+  VtkXmlWriter writer("PolyData", VtkAppended::base64);
+  writer.open("FieldData");
+  writer.text("SPACE", std::string(spaceName(options.space)));
   if (!options.name.empty())
-    addField(&data, "Name", options.name);
-  writer->SetInputData(&data);
-  writer->SetDataModeToAppended();
-  writer->WriteToOutputStringOn();
-  if (writer->Write() == 0 || quiet.failed())
-    throw CannotCreateError(phrase("VTK could not write the surface: %1", quiet.error()));
-  out << writer->GetOutputString();
+    writer.text("Name", options.name);
+  writer.close();
+  writer.open(pieceOf(mesh));
+  addPointData(writer, mesh, vectors);
+  writer.open("Points");
+  writer.array("Points", mesh.points.data(), static_cast<std::size_t>(mesh.points.size()), 3);
+  writer.close();
+  for (const char* kind : {"Verts", "Lines", "Strips"}) // VTK's reader asks for them.
+    addCells(writer, kind, {}, {});
+  addTriangles(writer, mesh.triangles);
+  writer.write(out);
 }
 
 } // namespace viscera::medical_io

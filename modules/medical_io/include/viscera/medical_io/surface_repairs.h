@@ -79,8 +79,9 @@ Text inWords(const SurfaceChange& change);
 /// diagonal.
 std::optional<Text> doubtAbout(const SurfaceChange& change);
 
-/// The surface with about `triangles` triangles, by quadric decimation (Hoppe 1999); a coarser one is
-/// returned as it is. A closed surface stays closed, but may come to intersect itself.
+/// The surface with about `triangles` triangles, by quadric decimation
+/// (`geometry::decimateClosedSurface`); a coarser one, one with holes and one that is not manifold are
+/// returned as they are. It stays closed, but may come to intersect itself. Without colours.
 geometry::TriangleMesh thinSurface(const geometry::TriangleMesh& mesh, int triangles);
 
 /// Makes a surface anew (`repairSurface`) with about `triangles` triangles, 0: as many as it has, 20,000 at
