@@ -20,10 +20,10 @@
 #include "viscera/live/player.h"
 #include "viscera/live/sequence_file.h"
 #include "viscera/live/sequence_setup.h"
+#include "viscera/live/session_motion.h"
 #include "viscera/live/textbook_motion.h"
 #include "viscera/live/unsuited_motion.h"
 #include "viscera/medical_io/handle_file.h"
-#include "viscera/presentation/unsuited_motion.h"
 #include "viscera/presentation/view_state.h"
 
 namespace viscera::app::cli {
@@ -148,18 +148,19 @@ void bindAll(PlayedSequence& played, Surfaces surfaces, const document::SystemCh
 }
 
 /// The circulation of the scenario that is asked for; empty: none is.
-std::optional<DrivingCirculation> scenarioOf(const PlayRequest& request) {
+std::optional<live::DrivingCirculation> scenarioOf(const PlayRequest& request) {
   if (request.scenario.empty())
     return std::nullopt;
-  DrivingCirculation driving{named(circulation::scenario(request.scenario).name),
-                             circulation::scenarioParameters(request.scenario)};
+  live::DrivingCirculation driving{named(circulation::scenario(request.scenario).name),
+                                   circulation::scenarioParameters(request.scenario)};
   if (request.ratePerMinute > 0)
     circulation::setParameter(driving.parameters, "rate", request.ratePerMinute);
   return driving;
 }
 
 /// The sequence itself, or the heart that follows a circulation.
-live::SequenceSetup setUpFor(const PlayRequest& request, const std::optional<DrivingCirculation>& driving,
+live::SequenceSetup setUpFor(const PlayRequest& request,
+                             const std::optional<live::DrivingCirculation>& driving,
                              sample_organs::Resolution resolution, CommandContext& context) {
   if (!driving)
     return live::setUpSequence(context.samples, request.sequence, resolution, context.progress,
@@ -331,14 +332,13 @@ PlayedSequence fromSession(const PlayRequest& request, CommandContext& context) 
   played.sequence = sequenceOf(state, view, context);
   if (!played.sequence || state.organs->empty())
     throw UsageError("It moves no organ", request.sequence, "choose a motion in the window and save it");
-  if (Text unsuited = presentation::unsuitedMotion(state, view, *played.sequence); !unsuited.empty())
+  const live::SessionMotion motion = presentation::motionOf(view);
+  if (Text unsuited = live::unsuitedMotion(state, motion, *played.sequence); !unsuited.empty())
     played.warnings.insert(played.warnings.begin(), std::move(unsuited));
   document::requireFits(*state.rig, *played.sequence);
-  if (view.playing && view.playing->ratePerMinute > 0)
-    played.ratePerMinute = std::clamp(view.playing->ratePerMinute, played.sequence->lowestRatePerMinute(),
-                                      played.sequence->highestRatePerMinute());
-  played.prescribed = prescribedOf(state, view);
-  played.driving = drivingOf(state, view);
+  played.ratePerMinute = live::rateOf(motion, *played.sequence);
+  played.prescribed = live::prescribedVolume(state, motion);
+  played.driving = live::drivingCirculation(state, motion);
   played.document = std::make_unique<BoundDocument>(state, context);
   const std::vector<std::string> names = columnNames(*state.organs);
   for (std::size_t i = 0; i < names.size(); ++i) {

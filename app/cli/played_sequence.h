@@ -66,7 +66,8 @@ struct PlayedSequence {
   bool ofSession = false;
   double ratePerMinute = 0;                         ///< Rate of the session; 0: the sequence's standard rate.
   std::optional<live::PrescribedVolume> prescribed; ///< The volume that the session prescribes.
-  std::optional<DrivingCirculation> driving; ///< The circulation that moves the heart; empty: none does.
+  std::optional<live::DrivingCirculation>
+      driving; ///< The circulation that moves the heart; empty: none does.
   /// What was computed when the organ is not the sequence's own.
   std::optional<live::RetargetedSequence> retargeted;
 

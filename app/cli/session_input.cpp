@@ -19,10 +19,10 @@
 #include "viscera/live/live_binding.h"
 #include "viscera/live/live_stress.h"
 #include "viscera/live/motion_copy.h"
+#include "viscera/live/session_motion.h"
 #include "viscera/presentation/opened_heart.h"
 #include "viscera/presentation/presenter.h"
 #include "viscera/presentation/space_parts.h"
-#include "viscera/presentation/unsuited_motion.h"
 #include "viscera/sequences/volume_curve.h"
 
 namespace viscera::app::cli {
@@ -91,41 +91,11 @@ void setInstant(presentation::Scene& scene) {
 
 } // namespace
 
-std::optional<live::PrescribedVolume> prescribedOf(const document::DocumentState& state,
-                                                   const presentation::ViewState& view) {
-  if (!view.playing || !view.playing->prescribed || !state.organ(view.playing->prescribed->organ))
-    return std::nullopt;
-  const presentation::Prescribed& prescribed = *view.playing->prescribed;
-  return live::PrescribedVolume{prescribed.organ, sequences::volumeCurve(prescribed.curve), prescribed.file};
-}
-
-std::optional<DrivingCirculation> drivingOf(const document::DocumentState& state,
-                                            const presentation::ViewState& view) {
-  const int motion = presentation::motionOf(view);
-  const auto chosen = static_cast<std::size_t>(motion);
-  if (motion < 0 || chosen >= view.motions.size() || !state.organ(view.motions[chosen].organ))
-    return std::nullopt;
-  const document::CirculationChoice& circulation = *state.circulation;
-  if (!circulation.drives || !live::sampleHeartOf(view.motions[chosen].recipe))
-    return std::nullopt;
-  return DrivingCirculation{document::nameOf(circulation), circulation.parameters};
-}
-
 std::shared_ptr<const sequences::Sequence> sequenceOf(const document::DocumentState& state,
                                                       const presentation::ViewState& view,
                                                       CommandContext& context) {
-  const int motion = presentation::motionOf(view);
-  const auto chosen = static_cast<std::size_t>(motion);
-  if (motion >= 0 && chosen < view.motions.size())
-    if (const auto organ = state.organ(view.motions[chosen].organ)) {
-      const live::MotionRecipe& recipe = view.motions[chosen].recipe;
-      if (const std::optional<DrivingCirculation> driving = drivingOf(state, view))
-        return live::circulatingHeart(context.samples, driving->name, driving->parameters,
-                                      *live::sampleHeartOf(recipe), context.progress, context.threads)
-            .sequence;
-      return live::makeMotion(recipe, *organ, context.samples, context.progress);
-    }
-  return document::sequenceOf(*state.keySequence, *state.rig);
+  return live::makeSequence(state, presentation::motionOf(view), context.samples, context.progress,
+                            context.threads);
 }
 
 PosedSession::PosedSession(const document::DocumentState& state, const presentation::ViewState& view,
@@ -162,7 +132,7 @@ void PosedSession::findStressCycle(const presentation::ViewState& view, CommandC
   runner.setSequence(sequence);
   runner.setRatePerMinute(std::clamp(view.playing->ratePerMinute, sequence->lowestRatePerMinute(),
                                      sequence->highestRatePerMinute()));
-  runner.prescribe(prescribedOf(state(), view));
+  runner.prescribe(live::prescribedVolume(state(), presentation::motionOf(view)));
   if (runner.movable())
     stress_.findCycle(live::posedCycle(runner, live_.copy()), live::CycleParts::curveAndPeak);
   box_.runUntil([&] { return jobs_.idle(); });
@@ -240,7 +210,8 @@ std::optional<ShownBeat> shownBeat(const document::OpenedSession& opened, Comman
   const auto sequence = sequenceOf(state, view, context);
   if (!sequence)
     return std::nullopt;
-  return ShownBeat{toldBeat(*sequence, drivingOf(state, view), view.playing->ratePerMinute),
+  return ShownBeat{toldBeat(*sequence, live::drivingCirculation(state, presentation::motionOf(view)),
+                            view.playing->ratePerMinute),
                    view.playing->fraction};
 }
 

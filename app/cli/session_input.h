@@ -31,20 +31,10 @@ namespace viscera::app::cli {
 /// `document::readSession`.
 Outcome describeSession(const std::string& file, CommandContext& context);
 
-/// The sequence that a session plays, made again by its recipe; else the first that it offers, else the one
-/// that it has recorded; null for none.
+/// The sequence that a session plays, made again (`live::makeSequence`).
 std::shared_ptr<const sequences::Sequence> sequenceOf(const document::DocumentState& state,
                                                       const presentation::ViewState& view,
                                                       CommandContext& context);
-
-/// The circulation with which the sample heart of a session's motion beats; empty: with none.
-std::optional<DrivingCirculation> drivingOf(const document::DocumentState& state,
-                                            const presentation::ViewState& view);
-
-/// The volume that the session prescribes while its sequence moves the organs; none where it does not, and
-/// where the organ is missing. Throws `DataError` for one that is no curve of volumes.
-std::optional<live::PrescribedVolume> prescribedOf(const document::DocumentState& state,
-                                                   const presentation::ViewState& view);
 
 /// An opened session with its organs bound and posed as they were saved, for commands without an event loop.
 class PosedSession {

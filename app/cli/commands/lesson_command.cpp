@@ -27,7 +27,6 @@
 #include "viscera/live/sequence_file.h"
 #include "viscera/live/sequence_setup.h"
 #include "viscera/presentation/opened_heart.h"
-#include "viscera/presentation/unsuited_motion.h"
 #include "viscera/presentation/view_state.h"
 
 namespace viscera::app::cli {
@@ -200,12 +199,13 @@ LessonCommand::Material LessonCommand::ofSession(CommandContext& context) const 
   material.document = std::make_unique<BoundDocument>(opened.contents.state, context);
   material.source.sequence = sequenceOf(opened.contents.state, view, context);
   if (material.source.sequence)
-    if (Text unsuited = presentation::unsuitedMotion(opened.contents.state, view, *material.source.sequence);
+    if (Text unsuited = live::unsuitedMotion(opened.contents.state, presentation::motionOf(view),
+                                             *material.source.sequence);
         !unsuited.empty())
       material.warnings.insert(material.warnings.begin(), std::move(unsuited));
   if (view.playing)
     material.source.ratePerMinute = view.playing->ratePerMinute;
-  material.source.prescribed = prescribedOf(opened.contents.state, view);
+  material.source.prescribed = live::prescribedVolume(opened.contents.state, presentation::motionOf(view));
   material.source.camera = view.camera;
   material.source.slides = view.slides;
   material.source.person = view.person;

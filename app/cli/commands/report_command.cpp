@@ -17,7 +17,6 @@
 #include "viscera/document/axes_commands.h"
 #include "viscera/document/organ_commands.h"
 #include "viscera/presentation/opened_heart.h"
-#include "viscera/presentation/unsuited_motion.h"
 #include "viscera/report/report_file.h"
 
 namespace viscera::app::cli {
@@ -71,12 +70,13 @@ public:
     source.notes = material.notes;
     source.sequence = sequenceOf(posed.state(), material.view, context);
     if (source.sequence)
-      if (Text unsuited = presentation::unsuitedMotion(posed.state(), material.view, *source.sequence);
+      if (Text unsuited =
+              live::unsuitedMotion(posed.state(), presentation::motionOf(material.view), *source.sequence);
           !unsuited.empty())
         outcome.warnings.insert(outcome.warnings.begin(), std::move(unsuited));
     if (material.view.playing)
       source.ratePerMinute = material.view.playing->ratePerMinute;
-    source.prescribed = prescribedOf(posed.state(), material.view);
+    source.prescribed = live::prescribedVolume(posed.state(), presentation::motionOf(material.view));
     live::StressCopy stress;
     if (material.view.shown.stress || stress_) {
       if (const Text missing = posed.makeStress(material.view, context); !missing.empty())
