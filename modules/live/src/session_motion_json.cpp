@@ -1,7 +1,8 @@
-#include <optional>
-#include <type_traits>
+#include <array>
+#include <cstdint>
 #include <utility>
 #include <variant>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 
@@ -112,6 +113,15 @@ Playing playing(const JsonReader& json, const Json& item, const std::string& pla
   if (const auto found = item.find("prescribed"); found != item.end())
     read.prescribed = prescribedFrom(json, *found, JsonReader::inside(place, "prescribed"));
   return read;
+}
+
+Json viewOf(const SessionMotion& motion) {
+  Json view = {{"format", kBeatBeforeAtria}, {"motions", Json::array()}};
+  for (const MotionChoice& offered : motion.motions)
+    view["motions"].push_back(toJson(offered));
+  if (motion.playing)
+    view["playing"] = toJson(*motion.playing);
+  return view;
 }
 
 SessionMotion sessionMotion(const Json& view, const document::CirculationChoice& circulation) {

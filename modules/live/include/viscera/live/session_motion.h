@@ -75,6 +75,9 @@ struct DrivingCirculation {
 SessionMotion sessionMotion(const nlohmann::ordered_json& view,
                             const document::CirculationChoice& circulation = {});
 
+/// A view that says only this, for a session that no window has shown.
+nlohmann::ordered_json viewOf(const SessionMotion& motion);
+
 /// One motion and what is played, as the view writes and reads them. The readers throw `JsonError`, which
 /// names the place; a recipe that is damaged, or that only a newer version knows, is none.
 nlohmann::ordered_json toJson(const MotionChoice& motion);
