@@ -1,7 +1,6 @@
 #include "cli/played_sequence.h"
 
 #include <algorithm>
-#include <limits>
 #include <optional>
 #include <sstream>
 #include <utility>
@@ -133,15 +132,16 @@ live::Landmarks givenLandmarks(const PlayRequest& request, std::vector<Text>& wa
 void bindAll(PlayedSequence& played, Surfaces surfaces, const document::SystemChoice& system,
              CommandContext& context) {
   surfaces.showCavities();
-  played.document = std::make_unique<BoundDocument>(
+  played.bench = benchFor(context);
+  played.bench->perform(
       document::combined("Play", {document::addOrgans(std::move(surfaces.organs)),
-                                  document::replaceRig(played.rig), document::setSystem(system)}),
-      context);
-  const document::OrganList& organs = *played.document->state().organs;
+                                  document::replaceRig(played.rig), document::setSystem(system)}));
+  played.bench->setSequence(played.sequence);
+  const document::OrganList& organs = *played.bench->state().organs;
   for (std::size_t i = 0; i < surfaces.names.size(); ++i)
     played.surfaces.push_back({surfaces.names[i], organs[i]->id});
   for (const auto& organ : organs) {
-    const live::BindingStatus status = played.document->organs().status(organ->id);
+    const live::BindingStatus status = played.bench->organs().status(organ->id);
     if (status.state != live::BindingStatus::State::bound)
       throw DataError(status.message, organ->name);
   }
@@ -339,12 +339,14 @@ PlayedSequence fromSession(const PlayRequest& request, CommandContext& context) 
   played.ratePerMinute = live::rateOf(motion, *played.sequence);
   played.prescribed = live::prescribedVolume(state, motion);
   played.driving = live::drivingCirculation(state, motion);
-  played.document = std::make_unique<BoundDocument>(state, context);
+  played.bench = benchFor(context);
+  played.bench->restore(opened.contents);
+  played.bench->setSequence(played.sequence, played.ratePerMinute);
   const std::vector<std::string> names = columnNames(*state.organs);
   for (std::size_t i = 0; i < names.size(); ++i) {
     const document::OrganId organ = (*state.organs)[i]->id;
     played.surfaces.push_back({names[i], organ});
-    const live::BindingStatus status = played.document->organs().status(organ);
+    const live::BindingStatus status = played.bench->organs().status(organ);
     if (status.state != live::BindingStatus::State::bound)
       played.warnings.push_back(names[i] + " stays at rest: " + status.message.english());
   }
@@ -378,16 +380,6 @@ PlayedSequence namedSequence(const PlayRequest& request, CommandContext& context
 }
 
 } // namespace
-
-BoundDocument::BoundDocument(const document::Command& filling, CommandContext& context)
-    : undo_(document_), jobs_([](const std::function<void()>& work) { work(); }),
-      live_((undo_.perform(filling), document_), context.systems, jobs_,
-            {std::numeric_limits<double>::infinity(), context.threads}) {}
-
-BoundDocument::BoundDocument(const document::DocumentState& state, CommandContext& context)
-    : undo_(document_), jobs_([](const std::function<void()>& work) { work(); }),
-      live_((undo_.reset(state), document_), context.systems, jobs_,
-            {std::numeric_limits<double>::infinity(), context.threads}) {}
 
 int PlayedSequence::find(const std::string& name) const {
   for (std::size_t i = 0; i < surfaces.size(); ++i)

@@ -11,16 +11,11 @@
 #include "cli/heart_signs.h"
 #include "cli/slice_picture.h"
 #include "cli/stage_options.h"
-#include "viscera/core/job_queue.h"
 #include "viscera/core/phrase.h"
 #include "viscera/document/session_file.h"
-#include "viscera/document/undo_stack.h"
-#include "viscera/live/live_binding.h"
-#include "viscera/live/live_stress.h"
-#include "viscera/live/live_warp.h"
-#include "viscera/live/motion_runner.h"
 #include "viscera/presentation/view_state.h"
 #include "viscera/sequences/sequence.h"
+#include "viscera/workbench/workbench.h"
 
 class vtkImageData;
 
@@ -36,36 +31,17 @@ std::shared_ptr<const sequences::Sequence> sequenceOf(const document::DocumentSt
                                                       const presentation::ViewState& view,
                                                       CommandContext& context);
 
-/// An opened session with its organs bound and posed as they were saved, for commands without an event loop.
-class PosedSession {
-public:
-  /// Poses the organs of `state` as the view shows them. Throws what binding throws.
-  PosedSession(const document::DocumentState& state, const presentation::ViewState& view,
-               CommandContext& context);
-  PosedSession(const PosedSession&) = delete;
-  PosedSession& operator=(const PosedSession&) = delete;
+/// A workbench with what a command was given.
+std::unique_ptr<workbench::Workbench> benchFor(CommandContext& context);
 
-  const document::DocumentState& state() const { return document_.state(); }
-  live::LiveBinding& organs() { return live_; }
-  live::LiveStress& stress() { return stress_; }
+/// A workbench with a session, its organs posed as the view shows them. Throws what binding throws.
+std::unique_ptr<workbench::Workbench> posedSession(const document::DocumentState& state,
+                                                   const presentation::ViewState& view,
+                                                   CommandContext& context);
 
-  /// The bound deformation of the scan by the pose; null at rest. Throws `DataError` if it cannot be bound.
-  live::LiveWarp* makeWarp();
-  /// Computes the stress map of the view's current organ, with its course over the sequence that the session
-  /// was playing. Returns why that is not possible; empty on success.
-  Text makeStress(const presentation::ViewState& view, CommandContext& context);
-
-private:
-  void findStressCycle(const presentation::ViewState& view, CommandContext& context);
-
-  document::Document document_;
-  document::UndoStack undo_{document_};
-  ManualEventLoop box_;
-  JobQueue jobs_{box_.post()};
-  live::LiveBinding live_;
-  live::LiveStress stress_;
-  live::LiveWarp warp_;
-};
+/// Computes the stress map of the view's current organ, with its course over the sequence that the session
+/// was playing. Returns why that is not possible; empty on success.
+Text makeStress(workbench::Workbench& bench, const presentation::ViewState& view);
 
 struct SessionPicture {
   vtkSmartPointer<vtkImageData> image;
