@@ -35,7 +35,7 @@ live::LiveStress::Options stressOptions(Threads threads) {
 } // namespace
 
 Workbench::Impl::Impl(Setup with, Progress* told)
-    : setup(std::move(with)), progress(told ? *told : unheard),
+    : setup(std::move(with)), progress(told ? told : &unheard),
       organs(document, setup.systems, jobs, {kAtOnce, setup.threads}),
       stress(document, setup.systems, organs, jobs, stressOptions(setup.threads)),
       warp(document, organs, setup.systems, jobs, {kAtOnce, setup.threads}),
@@ -45,14 +45,14 @@ void Workbench::Impl::settle() {
   const Subscription told = jobs.onChange([this] {
     const std::vector<JobInfo> all = jobs.jobs();
     if (!all.empty() && all.front().running)
-      progress.report(all.front().fraction, all.front().step);
+      progress->report(all.front().fraction, all.front().step);
   });
   loop.runUntil([this] {
-    if (progress.cancelled())
+    if (progress->cancelled())
       jobs.cancelAll();
     return jobs.idle();
   });
-  progress.throwIfCancelled();
+  progress->throwIfCancelled();
 }
 
 void Workbench::Impl::finish() {
@@ -90,7 +90,7 @@ std::shared_ptr<const sequences::Sequence> Workbench::Impl::sequence() {
   if (sequenceKnown)
     return motion.sequence();
   const live::SessionMotion saved = live::sessionMotion(contents.view, document.circulation());
-  auto made = live::makeSequence(document.state(), saved, setup.samples, progress, setup.threads);
+  auto made = live::makeSequence(document.state(), saved, setup.samples, *progress, setup.threads);
   motion.setSequence(made);
   if (made) {
     motion.setRatePerMinute(live::rateOf(saved, *made));
@@ -111,6 +111,10 @@ Workbench::Workbench(Setup setup, Progress* progress)
     : impl_(std::make_unique<Impl>(std::move(setup), progress)) {}
 
 Workbench::~Workbench() = default;
+
+void Workbench::tell(Progress* progress) {
+  impl_->progress = progress ? progress : &impl_->unheard;
+}
 
 const document::DocumentState& Workbench::state() const {
   return impl_->document.state();
@@ -242,9 +246,9 @@ std::vector<PlayedVolumes> Workbench::play(double framesPerSecond, double cycles
   const int frames = frameCount(impl_->motion.ratePerMinute(), framesPerSecond, cycles);
   std::vector<PlayedVolumes> played;
   for (int frame = 0; frame < frames; ++frame) {
-    impl_->progress.throwIfCancelled();
+    impl_->progress->throwIfCancelled();
     played.push_back(impl_->show(frame / framesPerSecond));
-    impl_->progress.report(static_cast<double>(frame + 1) / frames);
+    impl_->progress->report(static_cast<double>(frame + 1) / frames);
   }
   impl_->finish();
   return played;
@@ -253,7 +257,7 @@ std::vector<PlayedVolumes> Workbench::play(double framesPerSecond, double cycles
 live::CycleCurves Workbench::cycle() {
   motion().requireMovable();
   live::MotionCopy copy(impl_->motion, impl_->organs.copy());
-  return live::measureCycle(copy.runner(), impl_->progress);
+  return live::measureCycle(copy.runner(), *impl_->progress);
 }
 
 const live::LiveStress& Workbench::stress(const std::string& organ, int witnesses) {

@@ -30,8 +30,8 @@ Opened Workbench::open(const std::vector<std::filesystem::path>& files) {
   if (files.size() == 1 && document::isSessionFile(files.front()))
     return restore(files.front());
   document::OpenedFiles read = document::accepted(document::draftOf(
-      document::openPatient(files, impl_->progress, {}, document::Sessions::alone, state().scan),
-      impl_->progress));
+      document::openPatient(files, *impl_->progress, {}, document::Sessions::alone, state().scan),
+      *impl_->progress));
   Opened opened{std::move(read.warnings), std::move(read.failures)};
   std::vector<document::Command> commands;
   if (read.scan)
@@ -46,7 +46,7 @@ Opened Workbench::open(const std::vector<std::filesystem::path>& files) {
 
 void Workbench::openSample(const std::string& name, sample_organs::Resolution resolution) {
   LoadedSample sample =
-      loadSample(impl_->setup.samples, name, resolution, impl_->progress, impl_->setup.threads);
+      loadSample(impl_->setup.samples, name, resolution, *impl_->progress, impl_->setup.threads);
   impl_->reset({});
   impl_->perform(document::combined(
       named(name),
@@ -66,7 +66,7 @@ void Workbench::openSample(const std::string& name, sample_organs::Resolution re
 }
 
 Opened Workbench::restore(const std::filesystem::path& session) {
-  document::OpenedSession read = document::readSession(session, impl_->setup.samples, impl_->progress);
+  document::OpenedSession read = document::readSession(session, impl_->setup.samples, *impl_->progress);
   restore(std::move(read.contents));
   return {std::move(read.warnings), {}};
 }
@@ -85,7 +85,7 @@ document::SessionContents Workbench::session() const {
 void Workbench::save(const std::filesystem::path& session, std::optional<bool> embed) {
   if (embed)
     impl_->contents.embedSurfaces = impl_->contents.embedScan = *embed;
-  document::writeSession(session, this->session(), impl_->progress);
+  document::writeSession(session, this->session(), *impl_->progress);
   impl_->undo.markSaved();
   impl_->finish();
 }

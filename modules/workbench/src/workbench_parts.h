@@ -24,7 +24,7 @@ struct Workbench::Impl {
 
   Setup setup;
   Progress unheard;
-  Progress& progress;
+  Progress* progress; ///< Never null.
   document::Document document;
   document::UndoStack undo{document};
   ManualEventLoop loop;

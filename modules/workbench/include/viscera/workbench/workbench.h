@@ -77,6 +77,9 @@ public:
   Workbench(const Workbench&) = delete;
   Workbench& operator=(const Workbench&) = delete;
 
+  /// From now on another one hears of long work, or no one.
+  void tell(Progress* progress);
+
   /// Files.
   ///
   /// Opens surfaces, label maps, handle files and a scan as one undo step, as the window does with files that
