@@ -62,7 +62,7 @@ int frameCount(double ratePerMinute, double framesPerSecond, double cycles);
 ///     bench.restore("ball.viscera");
 ///     bench.lock("ball");
 ///     bench.drag("H-1", Vec3(5, 0, 0));
-///     const double milliliters = bench.volume("ball").nowMl;
+///     std::cout << bench.volume("ball").nowMl << " ml\n";
 ///     for (const workbench::PlayedVolumes& instant : bench.play(25))
 ///       std::cout << instant.seconds << ' ' << instant.milliliters.front() << '\n';
 ///     bench.undo();
