@@ -77,7 +77,7 @@ public:
   Workbench(const Workbench&) = delete;
   Workbench& operator=(const Workbench&) = delete;
 
-  /// From now on another one hears of long work, or no one.
+  /// Lets another one hear of long work from now on; null: no one.
   void tell(Progress* progress);
 
   /// Files.
