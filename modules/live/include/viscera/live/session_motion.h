@@ -9,13 +9,16 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include "viscera/circulation/parameters.h"
-#include "viscera/core/json_reader.h"
 #include "viscera/core/parallel.h"
 #include "viscera/core/phrase.h"
 #include "viscera/core/progress.h"
 #include "viscera/document/document.h"
 #include "viscera/live/motion_recipe.h"
 #include "viscera/live/motion_runner.h"
+
+namespace viscera {
+class JsonReader;
+}
 
 /// The motions of a session: which it offers, and which it plays. They stand in its view as JSON
 /// (docs/session_format.md, "view"), and are read here without the rest of the view.
