@@ -3,6 +3,7 @@
 #include <limits>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -10,6 +11,8 @@
 #include "build_paths.h"
 #include "run_process.h"
 #include "temporary_folder.h"
+#include "viscera/document/key_sequence.h"
+#include "viscera/document/rig_commands.h"
 #include "viscera/document/session_file.h"
 #include "viscera/document/undo_stack.h"
 #include "viscera/live/live_binding.h"

@@ -392,7 +392,7 @@ TEST_F(CliPlaySession, PrintsTheBitsThatAWorkbenchPlays) {
   runJson({"play", session, "--csv", path("command.csv")});
   workbench::Workbench bench;
   bench.restore(session);
-  sequences::VolumeRecord record({bench.state().organs->front()->name});
+  sequences::VolumeRecord record(std::vector<std::string>{bench.state().organs->front()->name});
   for (const workbench::PlayedVolumes& instant : bench.play(25))
     record.add(instant.seconds, instant.milliliters);
   sequences::writeVolumeTable(path("bench.csv"), record, anatomy::chamberKeys(record.names()));

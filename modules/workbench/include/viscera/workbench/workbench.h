@@ -70,14 +70,14 @@ int frameCount(double ratePerMinute, double framesPerSecond, double cycles);
 class Workbench {
 public:
   Workbench();
-  /// `progress` hears of long work and may cancel it, which throws `Cancelled`; it must live longer. Null: no
-  /// one hears. Binding organs to other handles is not cancelled.
+  /// Long work is reported to `progress`, which may cancel it by `Cancelled`, and must live longer; null: it
+  /// is not reported. Binding organs to other handles is not cancelled.
   explicit Workbench(Setup setup, Progress* progress = nullptr);
   ~Workbench();
   Workbench(const Workbench&) = delete;
   Workbench& operator=(const Workbench&) = delete;
 
-  /// Lets another one hear of long work from now on; null: no one.
+  /// Reports long work to another `progress` from now on, or to none.
   void tell(Progress* progress);
 
   /// Files.
