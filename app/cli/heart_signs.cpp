@@ -47,7 +47,7 @@ std::vector<std::string> words() {
 
 } // namespace
 
-ToldBeat toldBeat(const sequences::Sequence& sequence, const std::optional<DrivingCirculation>& driving,
+ToldBeat toldBeat(const sequences::Sequence& sequence, const std::optional<live::DrivingCirculation>& driving,
                   double ratePerMinute) {
   ToldBeat beat;
   if (driving) {

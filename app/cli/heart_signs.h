@@ -8,9 +8,9 @@
 #include <vtkSmartPointer.h>
 
 #include "cli/stage_options.h"
-#include "viscera/circulation/parameters.h"
 #include "viscera/core/phrase.h"
 #include "viscera/heart/cardiac_cycle.h"
+#include "viscera/live/session_motion.h"
 #include "viscera/presentation/circulation_figure.h"
 #include "viscera/presentation/heart_signs.h"
 #include "viscera/sequences/sequence.h"
@@ -24,12 +24,6 @@ class App;
 /// The physiology of a beating heart below the pictures of a command (`--signs`), as in movies of the window.
 namespace viscera::app::cli {
 
-/// A circulation that moves a heart.
-struct DrivingCirculation {
-  Text name; ///< "Aortic stenosis"
-  circulation::Parameters parameters;
-};
-
 /// The beat that the signs tell of: one of the two, or none.
 struct ToldBeat {
   std::optional<presentation::ShownCirculation> circulation;
@@ -38,7 +32,7 @@ struct ToldBeat {
 
 /// The beat of a sequence at that rate: of the circulation that drives it, which is solved (some 20 ms), else
 /// the textbook's; none for a sequence without a heart.
-ToldBeat toldBeat(const sequences::Sequence& sequence, const std::optional<DrivingCirculation>& driving,
+ToldBeat toldBeat(const sequences::Sequence& sequence, const std::optional<live::DrivingCirculation>& driving,
                   double ratePerMinute);
 
 /// The option `--signs`.

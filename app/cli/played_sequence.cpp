@@ -1,7 +1,6 @@
 #include "cli/played_sequence.h"
 
 #include <algorithm>
-#include <limits>
 #include <optional>
 #include <sstream>
 #include <utility>
@@ -20,10 +19,10 @@
 #include "viscera/live/player.h"
 #include "viscera/live/sequence_file.h"
 #include "viscera/live/sequence_setup.h"
+#include "viscera/live/session_motion.h"
 #include "viscera/live/textbook_motion.h"
 #include "viscera/live/unsuited_motion.h"
 #include "viscera/medical_io/handle_file.h"
-#include "viscera/presentation/unsuited_motion.h"
 #include "viscera/presentation/view_state.h"
 
 namespace viscera::app::cli {
@@ -133,33 +132,35 @@ live::Landmarks givenLandmarks(const PlayRequest& request, std::vector<Text>& wa
 void bindAll(PlayedSequence& played, Surfaces surfaces, const document::SystemChoice& system,
              CommandContext& context) {
   surfaces.showCavities();
-  played.document = std::make_unique<BoundDocument>(
+  played.bench = benchFor(context);
+  played.bench->perform(
       document::combined("Play", {document::addOrgans(std::move(surfaces.organs)),
-                                  document::replaceRig(played.rig), document::setSystem(system)}),
-      context);
-  const document::OrganList& organs = *played.document->state().organs;
+                                  document::replaceRig(played.rig), document::setSystem(system)}));
+  played.bench->setSequence(played.sequence);
+  const document::OrganList& organs = *played.bench->state().organs;
   for (std::size_t i = 0; i < surfaces.names.size(); ++i)
     played.surfaces.push_back({surfaces.names[i], organs[i]->id});
   for (const auto& organ : organs) {
-    const live::BindingStatus status = played.document->organs().status(organ->id);
+    const live::BindingStatus status = played.bench->organs().status(organ->id);
     if (status.state != live::BindingStatus::State::bound)
       throw DataError(status.message, organ->name);
   }
 }
 
 /// The circulation of the scenario that is asked for; empty: none is.
-std::optional<DrivingCirculation> scenarioOf(const PlayRequest& request) {
+std::optional<live::DrivingCirculation> scenarioOf(const PlayRequest& request) {
   if (request.scenario.empty())
     return std::nullopt;
-  DrivingCirculation driving{named(circulation::scenario(request.scenario).name),
-                             circulation::scenarioParameters(request.scenario)};
+  live::DrivingCirculation driving{named(circulation::scenario(request.scenario).name),
+                                   circulation::scenarioParameters(request.scenario)};
   if (request.ratePerMinute > 0)
     circulation::setParameter(driving.parameters, "rate", request.ratePerMinute);
   return driving;
 }
 
 /// The sequence itself, or the heart that follows a circulation.
-live::SequenceSetup setUpFor(const PlayRequest& request, const std::optional<DrivingCirculation>& driving,
+live::SequenceSetup setUpFor(const PlayRequest& request,
+                             const std::optional<live::DrivingCirculation>& driving,
                              sample_organs::Resolution resolution, CommandContext& context) {
   if (!driving)
     return live::setUpSequence(context.samples, request.sequence, resolution, context.progress,
@@ -331,20 +332,21 @@ PlayedSequence fromSession(const PlayRequest& request, CommandContext& context) 
   played.sequence = sequenceOf(state, view, context);
   if (!played.sequence || state.organs->empty())
     throw UsageError("It moves no organ", request.sequence, "choose a motion in the window and save it");
-  if (Text unsuited = presentation::unsuitedMotion(state, view, *played.sequence); !unsuited.empty())
+  const live::SessionMotion motion = presentation::motionOf(view);
+  if (Text unsuited = live::unsuitedMotion(state, motion, *played.sequence); !unsuited.empty())
     played.warnings.insert(played.warnings.begin(), std::move(unsuited));
   document::requireFits(*state.rig, *played.sequence);
-  if (view.playing && view.playing->ratePerMinute > 0)
-    played.ratePerMinute = std::clamp(view.playing->ratePerMinute, played.sequence->lowestRatePerMinute(),
-                                      played.sequence->highestRatePerMinute());
-  played.prescribed = prescribedOf(state, view);
-  played.driving = drivingOf(state, view);
-  played.document = std::make_unique<BoundDocument>(state, context);
+  played.ratePerMinute = live::rateOf(motion, *played.sequence);
+  played.prescribed = live::prescribedVolume(state, motion);
+  played.driving = live::drivingCirculation(state, motion);
+  played.bench = benchFor(context);
+  played.bench->restore(opened.contents);
+  played.bench->setSequence(played.sequence, played.ratePerMinute);
   const std::vector<std::string> names = columnNames(*state.organs);
   for (std::size_t i = 0; i < names.size(); ++i) {
     const document::OrganId organ = (*state.organs)[i]->id;
     played.surfaces.push_back({names[i], organ});
-    const live::BindingStatus status = played.document->organs().status(organ);
+    const live::BindingStatus status = played.bench->organs().status(organ);
     if (status.state != live::BindingStatus::State::bound)
       played.warnings.push_back(names[i] + " stays at rest: " + status.message.english());
   }
@@ -378,16 +380,6 @@ PlayedSequence namedSequence(const PlayRequest& request, CommandContext& context
 }
 
 } // namespace
-
-BoundDocument::BoundDocument(const document::Command& filling, CommandContext& context)
-    : undo_(document_), jobs_([](const std::function<void()>& work) { work(); }),
-      live_((undo_.perform(filling), document_), context.systems, jobs_,
-            {std::numeric_limits<double>::infinity(), context.threads}) {}
-
-BoundDocument::BoundDocument(const document::DocumentState& state, CommandContext& context)
-    : undo_(document_), jobs_([](const std::function<void()>& work) { work(); }),
-      live_((undo_.reset(state), document_), context.systems, jobs_,
-            {std::numeric_limits<double>::infinity(), context.threads}) {}
 
 int PlayedSequence::find(const std::string& name) const {
   for (std::size_t i = 0; i < surfaces.size(); ++i)

@@ -8,11 +8,10 @@
 #include "cli/command.h"
 #include "cli/heart_signs.h"
 #include "viscera/core/phrase.h"
-#include "viscera/document/undo_stack.h"
-#include "viscera/live/live_binding.h"
 #include "viscera/live/motion_runner.h"
 #include "viscera/live/retarget.h"
 #include "viscera/sequences/sequence.h"
+#include "viscera/workbench/workbench.h"
 
 namespace viscera::app::cli {
 
@@ -34,30 +33,14 @@ struct PlayedSurface {
   document::OrganId organ;
 };
 
-/// A document for the duration of one command, whose organs are bound immediately instead of by a worker.
-class BoundDocument {
-public:
-  BoundDocument(const document::Command& filling, CommandContext& context);
-  /// Binds the organs of an existing state, such as a session's.
-  BoundDocument(const document::DocumentState& state, CommandContext& context);
-
-  const document::DocumentState& state() const { return document_.state(); }
-  live::LiveBinding& organs() { return live_; }
-
-private:
-  document::Document document_;
-  document::UndoStack undo_;
-  JobQueue jobs_;
-  live::LiveBinding live_;
-};
-
 /// A sequence with the organs that it moves, already bound to their handles.
 struct PlayedSequence {
   std::shared_ptr<const sequences::Sequence> sequence;
-  document::Rig rig;                       ///< The handles with their labels and groups; none of a session.
-  std::unique_ptr<BoundDocument> document; ///< The surfaces as organs with their looks, the rig, the system.
-  std::vector<PlayedSurface> surfaces;     ///< The first organs of the document, the outer surface first.
-  std::vector<Text> warnings;              ///< About the files that were read.
+  document::Rig rig; ///< The handles with their labels and groups; none of a session.
+  /// The surfaces as organs with their looks, the rig, the system, and the motion.
+  std::unique_ptr<workbench::Workbench> bench;
+  std::vector<PlayedSurface> surfaces; ///< The first organs of the document, the outer surface first.
+  std::vector<Text> warnings;          ///< About the files that were read.
   /// Of the sample heart: whether two further organs come last, hidden, only to be measured: its chambers
   /// from outside, without vessels, and the left ventricle from outside.
   bool hasWalls = false;
@@ -66,7 +49,8 @@ struct PlayedSequence {
   bool ofSession = false;
   double ratePerMinute = 0;                         ///< Rate of the session; 0: the sequence's standard rate.
   std::optional<live::PrescribedVolume> prescribed; ///< The volume that the session prescribes.
-  std::optional<DrivingCirculation> driving; ///< The circulation that moves the heart; empty: none does.
+  std::optional<live::DrivingCirculation>
+      driving; ///< The circulation that moves the heart; empty: none does.
   /// What was computed when the organ is not the sequence's own.
   std::optional<live::RetargetedSequence> retargeted;
 
@@ -74,7 +58,7 @@ struct PlayedSequence {
   int find(const std::string& name) const;
   /// Volume of a surface at rest, ml.
   double restMl(std::size_t place) const {
-    return (*document->state().organs)[place]->restVolumeMm3 / kMm3PerMl;
+    return (*bench->state().organs)[place]->restVolumeMm3 / kMm3PerMl;
   }
 };
 

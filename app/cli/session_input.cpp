@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <memory>
 #include <utility>
 
@@ -14,16 +13,11 @@
 #include "viscera/core/error.h"
 #include "viscera/document/axes_commands.h"
 #include "viscera/document/measured_values.h"
-#include "viscera/document/undo_stack.h"
 #include "viscera/live/circulating_heart.h"
-#include "viscera/live/live_binding.h"
-#include "viscera/live/live_stress.h"
-#include "viscera/live/motion_copy.h"
+#include "viscera/live/session_motion.h"
 #include "viscera/presentation/opened_heart.h"
 #include "viscera/presentation/presenter.h"
 #include "viscera/presentation/space_parts.h"
-#include "viscera/presentation/unsuited_motion.h"
-#include "viscera/sequences/volume_curve.h"
 
 namespace viscera::app::cli {
 namespace {
@@ -55,13 +49,6 @@ ordered_json measurementsJson(const document::DocumentState& state) {
   return list;
 }
 
-live::LiveStress::Options stressAtOnce(Threads threads) {
-  live::LiveStress::Options options;
-  options.frameSeconds = std::numeric_limits<double>::infinity();
-  options.threads = options.witnesses.threads = threads;
-  return options;
-}
-
 /// From a side that is asked for, a view that cannot be read is as at first.
 presentation::ViewState viewOf(const document::OpenedSession& opened, bool fromSide) {
   try {
@@ -91,89 +78,39 @@ void setInstant(presentation::Scene& scene) {
 
 } // namespace
 
-std::optional<live::PrescribedVolume> prescribedOf(const document::DocumentState& state,
-                                                   const presentation::ViewState& view) {
-  if (!view.playing || !view.playing->prescribed || !state.organ(view.playing->prescribed->organ))
-    return std::nullopt;
-  const presentation::Prescribed& prescribed = *view.playing->prescribed;
-  return live::PrescribedVolume{prescribed.organ, sequences::volumeCurve(prescribed.curve), prescribed.file};
-}
-
-std::optional<DrivingCirculation> drivingOf(const document::DocumentState& state,
-                                            const presentation::ViewState& view) {
-  const int motion = presentation::motionOf(view);
-  const auto chosen = static_cast<std::size_t>(motion);
-  if (motion < 0 || chosen >= view.motions.size() || !state.organ(view.motions[chosen].organ))
-    return std::nullopt;
-  const document::CirculationChoice& circulation = *state.circulation;
-  if (!circulation.drives || !live::sampleHeartOf(view.motions[chosen].recipe))
-    return std::nullopt;
-  return DrivingCirculation{document::nameOf(circulation), circulation.parameters};
-}
-
 std::shared_ptr<const sequences::Sequence> sequenceOf(const document::DocumentState& state,
                                                       const presentation::ViewState& view,
                                                       CommandContext& context) {
-  const int motion = presentation::motionOf(view);
-  const auto chosen = static_cast<std::size_t>(motion);
-  if (motion >= 0 && chosen < view.motions.size())
-    if (const auto organ = state.organ(view.motions[chosen].organ)) {
-      const live::MotionRecipe& recipe = view.motions[chosen].recipe;
-      if (const std::optional<DrivingCirculation> driving = drivingOf(state, view))
-        return live::circulatingHeart(context.samples, driving->name, driving->parameters,
-                                      *live::sampleHeartOf(recipe), context.progress, context.threads)
-            .sequence;
-      return live::makeMotion(recipe, *organ, context.samples, context.progress);
-    }
-  return document::sequenceOf(*state.keySequence, *state.rig);
+  return live::makeSequence(state, presentation::motionOf(view), context.samples, context.progress,
+                            context.threads);
 }
 
-PosedSession::PosedSession(const document::DocumentState& state, const presentation::ViewState& view,
-                           CommandContext& context)
-    : live_(document_, context.systems, jobs_, {std::numeric_limits<double>::infinity(), context.threads}),
-      stress_(document_, context.systems, live_, jobs_, stressAtOnce(context.threads)),
-      warp_(document_, live_, context.systems, jobs_,
-            {std::numeric_limits<double>::infinity(), context.threads}) {
-  undo_.reset(state);
+std::unique_ptr<workbench::Workbench> benchFor(CommandContext& context) {
+  return std::make_unique<workbench::Workbench>(
+      workbench::Setup{context.systems, context.samples, context.threads}, &context.progress);
+}
+
+std::unique_ptr<workbench::Workbench> posedSession(const document::DocumentState& state,
+                                                   const presentation::ViewState& view,
+                                                   CommandContext& context) {
+  auto bench = benchFor(context);
+  document::SessionContents contents;
+  contents.state = state;
+  contents.view = live::viewOf(presentation::motionOf(view));
+  bench->restore(std::move(contents));
   if (view.shown.rest)
-    live_.showRest();
+    bench->showRest();
   else if (view.shownPose.rows() == state.pose->rows())
-    live_.showPose(view.shownPose);
+    bench->showPose(view.shownPose);
+  return bench;
 }
 
-Text PosedSession::makeStress(const presentation::ViewState& view, CommandContext& context) {
-  stress_.setWanted(view.stress.witnesses);
-  if (const auto organ = presentation::currentOrgan(state(), view.selection.organ))
-    stress_.follow(organ->id);
-  box_.runUntil([&] { return jobs_.idle(); });
-  const live::StressStatus& status = stress_.status();
-  if (status.state != live::StressStatus::State::ready)
-    return status.message.empty() ? Text("there is no organ") : status.message;
-  findStressCycle(view, context);
-  return {};
-}
-
-/// Over the sequence that the session was playing.
-void PosedSession::findStressCycle(const presentation::ViewState& view, CommandContext& context) {
-  const auto sequence = view.playing ? sequenceOf(state(), view, context) : nullptr;
-  if (!sequence)
-    return;
-  live::MotionRunner runner(state(), live_, context.threads);
-  runner.setSequence(sequence);
-  runner.setRatePerMinute(std::clamp(view.playing->ratePerMinute, sequence->lowestRatePerMinute(),
-                                     sequence->highestRatePerMinute()));
-  runner.prescribe(prescribedOf(state(), view));
-  if (runner.movable())
-    stress_.findCycle(live::posedCycle(runner, live_.copy()), live::CycleParts::curveAndPeak);
-  box_.runUntil([&] { return jobs_.idle(); });
-}
-
-live::LiveWarp* PosedSession::makeWarp() {
-  warp_.setWanted(true);
-  box_.runUntil([&] { return jobs_.idle(); });
-  if (!warp_.problem().empty())
-    throw DataError(warp_.problem(), "the scan cannot be warped");
-  return warp_.map() ? &warp_ : nullptr;
+Text makeStress(workbench::Workbench& bench, const presentation::ViewState& view) {
+  const auto organ = presentation::currentOrgan(bench.state(), view.selection.organ);
+  Text missing = bench.tryStress(organ ? organ->id : document::OrganId(), view.stress.witnesses);
+  if (missing.empty() && view.playing)
+    bench.findStressCycle(live::CycleParts::curveAndPeak);
+  return missing;
 }
 
 Outcome describeSession(const std::string& file, CommandContext& context) {
@@ -240,7 +177,8 @@ std::optional<ShownBeat> shownBeat(const document::OpenedSession& opened, Comman
   const auto sequence = sequenceOf(state, view, context);
   if (!sequence)
     return std::nullopt;
-  return ShownBeat{toldBeat(*sequence, drivingOf(state, view), view.playing->ratePerMinute),
+  return ShownBeat{toldBeat(*sequence, live::drivingCirculation(state, presentation::motionOf(view)),
+                            view.playing->ratePerMinute),
                    view.playing->fraction};
 }
 
@@ -251,12 +189,12 @@ SliceOutcome sessionSlice(const document::OpenedSession& opened, const SliceRequ
     view.scan.level = level;
     view.scan.width = width;
   }
-  PosedSession posed(opened.contents.state, view, context);
+  const auto posed = posedSession(opened.contents.state, view, context);
   std::optional<presentation::Warping> warping;
   if (view.scan.warped)
-    if (live::LiveWarp* warp = posed.makeWarp())
+    if (live::LiveWarp* warp = posed->warp())
       warping = presentation::warpingOf(*warp);
-  return slicePicture({posed.state(), posed.organs(), view, warping ? &*warping : nullptr}, slice, options,
+  return slicePicture({posed->state(), posed->organs(), view, warping ? &*warping : nullptr}, slice, options,
                       context.threads);
 }
 
@@ -264,24 +202,24 @@ SessionPicture sessionPicture(const document::OpenedSession& opened, const Stage
                               bool fromSide, CommandContext& context) {
   const document::DocumentState& state = opened.contents.state;
   const presentation::ViewState view = viewOf(opened, fromSide);
-  PosedSession posed(state, view, context);
+  const auto posed = posedSession(state, view, context);
   SessionPicture picture;
   if (view.shown.stress)
-    if (const Text missing = posed.makeStress(view, context); !missing.empty())
+    if (const Text missing = makeStress(*posed, view); !missing.empty())
       picture.leftOut.push_back("the stress map (" + missing.english() + ")");
   if (view.strain.onOrgan && !view.shown.stress && (view.mode == "play" || view.mode == "deform"))
     picture.leftOut.emplace_back("the segments on the organ (--strain draws those of a pose)");
-  const live::StressFrame frame = posed.stress().frame();
+  const live::StressFrame frame = posed->stressMap().frame();
   std::optional<presentation::Warping> warping;
   if (state.scan && view.scan.warped && (view.scan.standing || !state.measurements->empty()))
-    if (live::LiveWarp* warp = posed.makeWarp())
+    if (live::LiveWarp* warp = posed->warp())
       warping = presentation::warpingOf(*warp);
   presentation::Stage stage = stageFor(options, context.threads);
-  presentation::Scene scene{posed.state(), posed.organs(), view, context.systems, &frame};
+  presentation::Scene scene{posed->state(), posed->organs(), view, context.systems, &frame};
   scene.warping = warping ? &*warping : nullptr;
   setInstant(scene);
   scene.heartTissue =
-      presentation::heartTissueFor(posed.state(), view, context.samples, context.progress, context.threads);
+      presentation::heartTissueFor(posed->state(), view, context.samples, context.progress, context.threads);
   stage.presenter().update(scene);
   if (!fromSide && view.camera)
     presentation::lookFrom(*view.camera, stage.view());

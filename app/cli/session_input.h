@@ -11,16 +11,11 @@
 #include "cli/heart_signs.h"
 #include "cli/slice_picture.h"
 #include "cli/stage_options.h"
-#include "viscera/core/job_queue.h"
 #include "viscera/core/phrase.h"
 #include "viscera/document/session_file.h"
-#include "viscera/document/undo_stack.h"
-#include "viscera/live/live_binding.h"
-#include "viscera/live/live_stress.h"
-#include "viscera/live/live_warp.h"
-#include "viscera/live/motion_runner.h"
 #include "viscera/presentation/view_state.h"
 #include "viscera/sequences/sequence.h"
+#include "viscera/workbench/workbench.h"
 
 class vtkImageData;
 
@@ -31,51 +26,22 @@ namespace viscera::app::cli {
 /// `document::readSession`.
 Outcome describeSession(const std::string& file, CommandContext& context);
 
-/// The sequence that a session plays, made again by its recipe; else the first that it offers, else the one
-/// that it has recorded; null for none.
+/// The sequence that a session plays, made again (`live::makeSequence`).
 std::shared_ptr<const sequences::Sequence> sequenceOf(const document::DocumentState& state,
                                                       const presentation::ViewState& view,
                                                       CommandContext& context);
 
-/// The circulation with which the sample heart of a session's motion beats; empty: with none.
-std::optional<DrivingCirculation> drivingOf(const document::DocumentState& state,
-                                            const presentation::ViewState& view);
+/// A workbench with what a command was given.
+std::unique_ptr<workbench::Workbench> benchFor(CommandContext& context);
 
-/// The volume that the session prescribes while its sequence moves the organs; none where it does not, and
-/// where the organ is missing. Throws `DataError` for one that is no curve of volumes.
-std::optional<live::PrescribedVolume> prescribedOf(const document::DocumentState& state,
-                                                   const presentation::ViewState& view);
+/// A workbench with a session, its organs posed as the view shows them. Throws what binding throws.
+std::unique_ptr<workbench::Workbench> posedSession(const document::DocumentState& state,
+                                                   const presentation::ViewState& view,
+                                                   CommandContext& context);
 
-/// An opened session with its organs bound and posed as they were saved, for commands without an event loop.
-class PosedSession {
-public:
-  /// Poses the organs of `state` as the view shows them. Throws what binding throws.
-  PosedSession(const document::DocumentState& state, const presentation::ViewState& view,
-               CommandContext& context);
-  PosedSession(const PosedSession&) = delete;
-  PosedSession& operator=(const PosedSession&) = delete;
-
-  const document::DocumentState& state() const { return document_.state(); }
-  live::LiveBinding& organs() { return live_; }
-  live::LiveStress& stress() { return stress_; }
-
-  /// The bound deformation of the scan by the pose; null at rest. Throws `DataError` if it cannot be bound.
-  live::LiveWarp* makeWarp();
-  /// Computes the stress map of the view's current organ, with its course over the sequence that the session
-  /// was playing. Returns why that is not possible; empty on success.
-  Text makeStress(const presentation::ViewState& view, CommandContext& context);
-
-private:
-  void findStressCycle(const presentation::ViewState& view, CommandContext& context);
-
-  document::Document document_;
-  document::UndoStack undo_{document_};
-  ManualEventLoop box_;
-  JobQueue jobs_{box_.post()};
-  live::LiveBinding live_;
-  live::LiveStress stress_;
-  live::LiveWarp warp_;
-};
+/// Computes the stress map of the view's current organ, with its course over the sequence that the session
+/// was playing. Returns why that is not possible; empty on success.
+Text makeStress(workbench::Workbench& bench, const presentation::ViewState& view);
 
 struct SessionPicture {
   vtkSmartPointer<vtkImageData> image;

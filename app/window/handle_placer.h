@@ -42,7 +42,6 @@ private:
   document::OrganList chosen() const;
   /// Around `chosen`; the box encloses all `organs`, so that every one of them can be bound.
   document::Command command(const document::OrganList& chosen, const document::OrganList& organs) const;
-  Points around(const document::OrganList& chosen, const document::OrganList& organs) const;
 
   deformation::Placement placement_;
   Workspace& workspace_;

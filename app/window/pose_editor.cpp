@@ -131,10 +131,7 @@ bool PoseEditor::moveExactly(const std::vector<document::HandleId>& handles, con
     motion.translate(by);
     if (motion.selection().empty())
       return;
-    if (!motion.obstacle().empty())
-      throw DataError(
-          phrase("the handles cannot move by exactly %1 mm: %2", inFixed(by.norm(), 2), motion.obstacle()),
-          {}, "move less far, or let more handles compensate");
+    live::requireExact(motion, by);
     workspace_.undo().perform(moveCommand(motion, handles));
   });
 }

@@ -6,11 +6,7 @@
 #include <map>
 #include <vector>
 
-#include "viscera/anatomy/part.h"
-#include "viscera/document/open_files.h"
 #include "viscera/document/system_commands.h"
-#include "viscera/live/sequence_setup.h"
-#include "window/heart_look.h"
 
 namespace viscera::app {
 SampleLoader::SampleLoader(Workspace& workspace, HandlePlacer& placer, Playback& playback, QObject* parent)
@@ -48,12 +44,12 @@ QStringList SampleLoader::names() const {
 
 void SampleLoader::load(const QString& name, bool play) {
   Q_EMIT began(name);
-  workspace_.jobs().submit<Sample>(
+  workspace_.jobs().submit<workbench::LoadedSample>(
       tr("Sample %1").arg(nameInWords(name)).toStdString(), kSlot,
       [library = library_, id = name.toStdString()](Progress& progress) {
-        return make(library, id, progress);
+        return workbench::loadSample(library, id, sample_organs::Resolution::medium, progress);
       },
-      [this, name, play](JobResult<Sample> result) {
+      [this, name, play](JobResult<workbench::LoadedSample> result) {
         if (result.error)
           workspace_.report(*result.error);
         if (result.value) {
@@ -70,44 +66,7 @@ bool SampleLoader::loading() const {
   return std::any_of(jobs.begin(), jobs.end(), [](const JobInfo& job) { return job.slot == kSlot; });
 }
 
-SampleLoader::Sample SampleLoader::make(const sample_organs::SampleLibrary& library, const std::string& name,
-                                        Progress& progress) {
-  constexpr auto resolution = sample_organs::Resolution::medium;
-  Sample sample;
-  for (const live::SampleSequence& motion : live::sampleSequences()) {
-    if (motion.organ != name)
-      continue;
-    live::SequenceSetup setup = live::setUpSequence(library, motion.id, resolution, progress);
-    sample.organs = document::organsFrom(setup.organ);
-    sample.motion = setup.sequence;
-    sample.recipe = live::SampleMotion{motion.id, resolution};
-    sample.rig = std::move(setup.rig);
-    sample.system = std::move(setup.system);
-    break;
-  }
-  if (!sample.motion)
-    sample.organs = document::organsFrom(sample_organs::sampleOrgan(library, name, resolution, progress));
-  dress(sample.organs);
-  return sample;
-}
-
-void SampleLoader::dress(std::vector<document::NewOrgan>& organs) {
-  for (const document::NewOrgan& organ : organs)
-    if (organ.parentInBatch >= 0)
-      organs[organ.parentInBatch].organ.look.opacity = kWallOpacity;
-  for (document::NewOrgan& organ : organs) {
-    document::OrganLook& look = organ.organ.look;
-    const Colors& painted = organ.organ.mesh->colors;
-    if (painted.rows() > 0)
-      look.color = painted.cast<double>().colwise().mean().transpose() / 255.0;
-    // Blood in its textbook colours: they stay apart also through the wall.
-    if (const auto chamber = anatomy::chamberNamed(organ.organ.name))
-      look.color = anatomy::colorOf(*chamber);
-    look.vertexColors = organ.parentInBatch < 0;
-  }
-}
-
-void SampleLoader::take(const Sample& sample, const QString& name) {
+void SampleLoader::take(const workbench::LoadedSample& sample, const QString& name) {
   playback_.setSequence(nullptr, {});
   const bool untouched = workspace_.undo().isClean();
   const bool first = workspace_.undo().names().empty() && workspace_.document().organs().empty();

@@ -3,13 +3,8 @@
 #include <QObject>
 #include <QStringList>
 
-#include <memory>
-#include <string>
-
-#include "viscera/document/organ_commands.h"
-#include "viscera/document/rig_commands.h"
 #include "viscera/sample_organs/sample_organ.h"
-#include "viscera/sequences/sequence.h"
+#include "viscera/workbench/loaded_sample.h"
 #include "window/handle_placer.h"
 #include "window/timeline/playback.h"
 #include "window/workspace.h"
@@ -47,19 +42,7 @@ Q_SIGNALS:
   void loaded(const QString& name, bool untouched, bool first);
 
 private:
-  /// The result of the worker.
-  struct Sample {
-    std::vector<document::NewOrgan> organs;
-    std::shared_ptr<const sequences::Sequence> motion;
-    live::MotionRecipe recipe; ///< Makes the motion again.
-    document::Rig rig;         ///< The motion's handles.
-    document::SystemChoice system;
-  };
-
-  static Sample make(const sample_organs::SampleLibrary& library, const std::string& name,
-                     Progress& progress);
-  void take(const Sample& sample, const QString& name);
-  static void dress(std::vector<document::NewOrgan>& organs);
+  void take(const workbench::LoadedSample& sample, const QString& name);
 
   Workspace& workspace_;
   HandlePlacer& placer_;

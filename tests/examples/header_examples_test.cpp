@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <fstream>
 #include <functional>
+#include <iostream>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -62,6 +63,7 @@
 #include "viscera/thesis/item.h"
 #include "viscera/tracking/cine_images.h"
 #include "viscera/tracking/mask.h"
+#include "viscera/workbench/workbench.h"
 
 // VTK's macros end in a semicolon too many.
 #pragma GCC diagnostic push
@@ -173,6 +175,18 @@ Points cubeCorners() {
   actor.setPoints(std::shared_ptr<const Points>(deformer, &deformer->points()));
   deformer->setPose(pose);
   actor.pointsChanged();
+}
+
+[[maybe_unused]] void workAtADocument() {
+  workbench::Workbench bench;
+  bench.restore("ball.viscera");
+  bench.lock("ball");
+  bench.drag("H-1", Vec3(5, 0, 0));
+  std::cout << bench.volume("ball").nowMl << " ml\n";
+  for (const workbench::PlayedVolumes& instant : bench.play(25))
+    std::cout << instant.seconds << ' ' << instant.milliliters.front() << '\n';
+  bench.undo();
+  bench.save("posed.viscera");
 }
 
 [[maybe_unused]] void drawSlices(const document::Document& document, live::LiveBinding& live,

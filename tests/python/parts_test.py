@@ -224,6 +224,50 @@ class PatientMotion(Folder):
             viscera.track(files, period=0.9, progress=lambda fraction, step: False)
 
 
+class OpenDocument(Folder):
+    SESSION = pathlib.Path(__file__).parents[1] / "gui/sessions/play_recorded_locked.viscera"
+
+    def test_a_drag_under_a_lock_keeps_the_volume_and_is_undone(self):
+        bench = viscera.open(self.SESSION)
+        self.assertEqual(bench.organs, ["ball"])
+        before, pose = bench.volume_ml("ball"), bench.pose
+        went = bench.drag("H-9", [6, -4, 3])
+        self.assertGreater(np.linalg.norm(went), 1)
+        self.assertAlmostEqual(bench.volume_ml("ball"), before, 6)
+        self.assertFalse(np.array_equal(bench.pose, pose))
+        np.testing.assert_allclose(bench.drag("H-9", [1, 1, 0], exactly=True), [1, 1, 0], atol=1e-9)
+        self.assertTrue(bench.undo() and bench.undo())
+        np.testing.assert_array_equal(bench.pose, pose)
+        self.assertFalse(bench.undo())
+
+    def test_a_beat_and_a_session_come_again_to_the_same_bits(self):
+        played = []
+        for _ in range(2):
+            bench = viscera.open([self.SESSION])
+            bench.drag("H-9", [6, -4, 3])
+            bench.save(self.folder / "posed.viscera")
+            played.append(viscera.open(self.folder / "posed.viscera").play(10)[1]["ball"])
+        self.assertGreater(len(played[0]), 5)
+        np.testing.assert_array_equal(played[0], played[1])
+
+    def test_stress_grows_with_the_pose(self):
+        bench = viscera.open(self.SESSION)
+        bench.rest()
+        self.assertAlmostEqual(bench.stress("ball", 300)["max"], 0, 6)
+        bench.lock("ball", False)
+        bench.drag("H-9", [12, 0, 0])
+        self.assertGreater(bench.stress("ball", 300)["max"], 0.001)
+
+    def test_what_is_not_there_is_said(self):
+        bench = viscera.open(self.SESSION)
+        with self.assertRaisesRegex(viscera.UsageError, "ball"):
+            bench.lock("bal")
+        with self.assertRaises(viscera.DataError):
+            bench.set_pose(np.zeros((3, 3)))
+        with self.assertRaises(viscera.NoInputError):
+            viscera.open(self.folder / "none.viscera")
+
+
 class Parts(unittest.TestCase):
     def test_plugins_are_loaded_and_problems_told(self):
         with tempfile.NamedTemporaryFile(suffix=".so") as none:

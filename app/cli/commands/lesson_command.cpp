@@ -27,7 +27,6 @@
 #include "viscera/live/sequence_file.h"
 #include "viscera/live/sequence_setup.h"
 #include "viscera/presentation/opened_heart.h"
-#include "viscera/presentation/unsuited_motion.h"
 #include "viscera/presentation/view_state.h"
 
 namespace viscera::app::cli {
@@ -93,7 +92,7 @@ public:
 private:
   /// What a lesson is made of, bound.
   struct Material {
-    std::unique_ptr<BoundDocument> document;
+    std::unique_ptr<workbench::Workbench> bench;
     lesson::LessonSource source;
     std::vector<Text> warnings;
     bool cut = false; ///< A session shows its heart cut open.
@@ -197,15 +196,17 @@ LessonCommand::Material LessonCommand::ofSession(CommandContext& context) const 
       presentation::viewFromJson(opened.contents.view, *opened.contents.state.circulation);
   Material material;
   material.warnings = opened.warnings;
-  material.document = std::make_unique<BoundDocument>(opened.contents.state, context);
+  material.bench = benchFor(context);
+  material.bench->restore(opened.contents);
   material.source.sequence = sequenceOf(opened.contents.state, view, context);
   if (material.source.sequence)
-    if (Text unsuited = presentation::unsuitedMotion(opened.contents.state, view, *material.source.sequence);
+    if (Text unsuited = live::unsuitedMotion(opened.contents.state, presentation::motionOf(view),
+                                             *material.source.sequence);
         !unsuited.empty())
       material.warnings.insert(material.warnings.begin(), std::move(unsuited));
   if (view.playing)
     material.source.ratePerMinute = view.playing->ratePerMinute;
-  material.source.prescribed = prescribedOf(opened.contents.state, view);
+  material.source.prescribed = live::prescribedVolume(opened.contents.state, presentation::motionOf(view));
   material.source.camera = view.camera;
   material.source.slides = view.slides;
   material.source.person = view.person;
@@ -235,10 +236,8 @@ void LessonCommand::addHeart(CommandContext& context, Material& material) const 
 
 LessonCommand::Material LessonCommand::ofSequence(CommandContext& context) const {
   PlayedSequence played = playedSequence(request_, context);
-  return {std::move(played.document),
-          {.state = {}, .sequence = played.sequence},
-          std::move(played.warnings),
-          false};
+  return {
+      std::move(played.bench), {.state = {}, .sequence = played.sequence}, std::move(played.warnings), false};
 }
 
 LessonCommand::Material LessonCommand::ofStillOrgans(CommandContext& context) const {
@@ -248,7 +247,8 @@ LessonCommand::Material LessonCommand::ofStillOrgans(CommandContext& context) co
     material.warnings.insert(material.warnings.end(), organ.warnings.begin(), organ.warnings.end());
     organs.push_back({std::move(organ), -1});
   }
-  material.document = std::make_unique<BoundDocument>(document::addOrgans(std::move(organs)), context);
+  material.bench = benchFor(context);
+  material.bench->perform(document::addOrgans(std::move(organs)));
   return material;
 }
 
@@ -256,7 +256,7 @@ LessonCommand::Material LessonCommand::material(CommandContext& context) const {
   Material material = document::isSessionFile(request_.sequence) ? ofSession(context)
                       : isSequence(request_.sequence)            ? ofSequence(context)
                                                                  : ofStillOrgans(context);
-  material.source.state = material.document->state();
+  material.source.state = material.bench->state();
   if (rate_ > 0)
     material.source.ratePerMinute = rate_;
   if (std::filesystem::path(output_).extension() == ".html")
@@ -291,7 +291,7 @@ Outcome LessonCommand::write(const std::filesystem::path& file, CommandContext& 
   Outcome outcome;
   outcome.warnings = std::move(material.warnings);
   outcome.json = {{"file", file.string()}};
-  live::PosedOrgans& organs = material.document->organs();
+  live::PosedOrgans& organs = material.bench->organs();
   double error = 0;
   if (file.extension() == ".glb") {
     const lesson::WrittenGltf written =

@@ -47,7 +47,7 @@ public:
   /// `signs` may be null; else it lives longer.
   FrameRenderer(const PlayedSequence& played, const StageOptions& options, double room, SignsBelow* signs,
                 const CommandContext& context)
-      : systems_(context.systems), played_(*played.document), signs_(signs),
+      : systems_(context.systems), played_(*played.bench), signs_(signs),
         stage_(stageFor(signs ? signs->above() : options, context.threads)) {
     show(std::nullopt);
     stage_.compose(scene::standardViewFromName(options.view), room);
@@ -87,7 +87,7 @@ private:
   }
 
   const coordinates::Registry& systems_;
-  BoundDocument& played_;
+  workbench::Workbench& played_;
   SignsBelow* signs_;
   presentation::ViewState view_;
   presentation::Stage stage_;
@@ -161,7 +161,7 @@ void measureKeys(const PlayedSequence& played, live::MotionRunner& runner, doubl
 /// The surface whose ejection fraction is the heart's: the left ventricle, else the first cavity, else the
 /// only surface of a key sequence. -1 for none.
 int ventricleOf(const PlayedSequence& played) {
-  const document::OrganList& organs = *played.document->state().organs;
+  const document::OrganList& organs = *played.bench->state().organs;
   for (std::size_t i = 0; i < played.surfaces.size(); ++i) // The sample's, whatever the session calls it.
     if (played.ofSession && organs[i]->origin.surface == "lv")
       return static_cast<int>(i);
@@ -288,7 +288,7 @@ public:
     PlayedSequence played = playedSequence(request_, context);
     writeRig(played);
     const double rate = rateOf(played);
-    const int frames = std::max(1, static_cast<int>(std::lround(cycles_ * 60.0 / rate * framesPerSecond_)));
+    const int frames = workbench::frameCount(rate, framesPerSecond_, cycles_);
     const Measured measured = play(played, rate, frames, context);
     if (!csv_.empty())
       sequences::writeVolumeTable(csv_, measured.volumes, anatomy::chamberKeys(measured.volumes.names()));
@@ -342,7 +342,7 @@ private:
   void writeRig(const PlayedSequence& played) const {
     if (!handlesOut_.empty())
       medical_io::writeHandles(handlesOut_, played.ofSession
-                                                ? document::handleFile(*played.document->state().rig)
+                                                ? document::handleFile(*played.bench->state().rig)
                                                 : document::handleFile(document::completed(played.rig)));
     if (landmarksOut_.empty())
       return;
@@ -353,10 +353,9 @@ private:
   }
 
   /// A runner with the volume that is prescribed: "FILE" for the outer surface, "NAME=FILE" for another one.
-  live::MotionRunner runnerOf(PlayedSequence& played, double rate, Threads threads) const {
-    live::MotionRunner runner(played.document->state(), played.document->organs(), threads);
-    runner.setSequence(played.sequence);
-    runner.setRatePerMinute(rate);
+  live::MotionRunner& runnerOf(PlayedSequence& played, double rate) const {
+    played.bench->setSequence(played.sequence, rate);
+    live::MotionRunner& runner = played.bench->motion();
     runner.prescribe(played.prescribed);
     if (volumeCurve_.empty())
       return runner;
@@ -382,7 +381,7 @@ private:
   }
   static Walls wallsAtRest(const PlayedSequence& played) {
     std::vector<double> row;
-    for (std::size_t i = 0; i < played.document->state().organs->size(); ++i)
+    for (std::size_t i = 0; i < played.bench->state().organs->size(); ++i)
       row.push_back(played.restMl(i));
     Walls walls;
     walls.chambers.restMl = chambersMl(played, row);
@@ -432,7 +431,7 @@ private:
                          "ask for fewer with --fps; " + std::to_string(kMostOnASheet) + " at most");
       recording->keep();
     }
-    live::MotionRunner runner = runnerOf(played, rate, context.threads);
+    live::MotionRunner& runner = runnerOf(played, rate);
     if (played.hasWalls)
       measured.walls = wallsAtRest(played);
     for (int frame = 0; frame < frames; ++frame) {

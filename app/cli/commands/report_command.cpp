@@ -17,7 +17,6 @@
 #include "viscera/document/axes_commands.h"
 #include "viscera/document/organ_commands.h"
 #include "viscera/presentation/opened_heart.h"
-#include "viscera/presentation/unsuited_motion.h"
 #include "viscera/report/report_file.h"
 
 namespace viscera::app::cli {
@@ -52,15 +51,15 @@ public:
     Material material = this->material(context, outcome.warnings);
     for (Text& doubt : document::doubtsAboutPatient(*material.state.organs))
       outcome.warnings.push_back(std::move(doubt));
-    PosedSession posed(material.state, material.view, context);
+    const auto posed = posedSession(material.state, material.view, context);
     report::ReportSource source;
-    source.state = posed.state();
+    source.state = posed->state();
     source.view = material.view;
-    source.organs = &posed.organs();
+    source.organs = &posed->organs();
     source.systems = &context.systems;
     if (material.view.scan.warped && material.state.scan && !material.state.measurements->empty()) {
       try {
-        if (live::LiveWarp* warp = posed.makeWarp())
+        if (live::LiveWarp* warp = posed->warp())
           source.tissue = live::tissueMotionOf(*warp);
       } catch (const DataError& error) { // Everything else can be reported.
         outcome.warnings.push_back(error.explanation());
@@ -69,21 +68,22 @@ public:
     source.title = title_;
     source.file = material.file;
     source.notes = material.notes;
-    source.sequence = sequenceOf(posed.state(), material.view, context);
+    source.sequence = posed->sharedSequence();
     if (source.sequence)
-      if (Text unsuited = presentation::unsuitedMotion(posed.state(), material.view, *source.sequence);
+      if (Text unsuited =
+              live::unsuitedMotion(posed->state(), presentation::motionOf(material.view), *source.sequence);
           !unsuited.empty())
         outcome.warnings.insert(outcome.warnings.begin(), std::move(unsuited));
     if (material.view.playing)
       source.ratePerMinute = material.view.playing->ratePerMinute;
-    source.prescribed = prescribedOf(posed.state(), material.view);
+    source.prescribed = live::prescribedVolume(posed->state(), presentation::motionOf(material.view));
     live::StressCopy stress;
     if (material.view.shown.stress || stress_) {
-      if (const Text missing = posed.makeStress(material.view, context); !missing.empty())
+      if (const Text missing = makeStress(*posed, material.view); !missing.empty())
         outcome.warnings.push_back("there is no stress to report: " + missing.english());
-      stress = posed.stress().copy();
+      stress = posed->stressMap().copy();
       source.stress = &stress;
-      source.stressStatus = posed.stress().status();
+      source.stressStatus = posed->stressMap().status();
     }
     source.heartTissue = presentation::heartTissueFor(source.state, source.view, context.samples,
                                                       context.progress, context.threads);

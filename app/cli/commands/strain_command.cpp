@@ -224,11 +224,9 @@ live::MovedOrgans StrainCommand::played(CommandContext& context, std::vector<Tex
   request.ratePerMinute = rate_;
   PlayedSequence played = playedSequence(request, context);
   warnings.insert(warnings.end(), played.warnings.begin(), played.warnings.end());
-  const document::DocumentState& state = played.document->state();
-  live::MotionRunner runner(state, played.document->organs(), context.threads);
-  runner.setSequence(played.sequence);
-  if (rate_ > 0 || played.ratePerMinute > 0)
-    runner.setRatePerMinute(rate_ > 0 ? rate_ : played.ratePerMinute);
+  const document::DocumentState& state = played.bench->state();
+  played.bench->setSequence(played.sequence, rate_ > 0 ? rate_ : played.ratePerMinute);
+  live::MotionRunner& runner = played.bench->motion();
   runner.prescribe(played.prescribed);
   live::MovedOrgans moved = live::movedOrgans(runner, context.systems, instants_, context.progress);
   for (live::SequenceOrgan& surface : moved.organs) // Files name them otherwise than documents may.

@@ -13,7 +13,7 @@
 #include "viscera/heart/beating_heart.h"
 #include "viscera/live/sequence_setup.h"
 #include "viscera/presentation/strain_figure.h"
-#include "window/heart_look.h"
+#include "viscera/workbench/loaded_sample.h"
 #include "window/language.h"
 #include "window/movie/shown_signs.h"
 #include "window/panels/play_page.h"
@@ -514,7 +514,7 @@ void PlayMode::setSeeThrough(bool on) {
     const auto before = throughOpacity_.find(organ->id);
     look.opacity = !on                               ? 1
                    : before != throughOpacity_.end() ? before->second
-                   : hasInside(organs, organ->id)    ? kWallOpacity
+                   : hasInside(organs, organ->id)    ? workbench::kWallOpacity
                                                      : kPlainOpacity;
     commands.push_back(document::setOrganLook(organ->id, look));
   }

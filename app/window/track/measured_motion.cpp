@@ -9,7 +9,7 @@
 #include "viscera/document/rig_commands.h"
 #include "viscera/live/sequence_file.h"
 #include "viscera/scene/color_map.h"
-#include "window/heart_look.h"
+#include "viscera/workbench/loaded_sample.h"
 #include "window/language.h"
 
 namespace viscera::app {
@@ -45,7 +45,7 @@ std::vector<document::NewOrgan> organsOf(const live::PatientMotion& motion,
     if (i != motion.outer)
       organ.parentInBatch = static_cast<int>(motion.outer);
     else if (surfaces.size() > 1)
-      organ.organ.look.opacity = kWallOpacity;
+      organ.organ.look.opacity = workbench::kWallOpacity;
     organs.push_back(std::move(organ));
   }
   return organs;

@@ -4,6 +4,9 @@
 #include <cmath>
 #include <utility>
 
+#include "viscera/core/error.h"
+#include "viscera/core/phrase.h"
+
 namespace viscera::live {
 namespace {
 
@@ -193,6 +196,13 @@ const Points& LockedMotion::compensateUpTo(const Points& wanted) {
     if (compensate(part == 1 ? wanted : Points(from + part * (wanted - from))))
       break;
   return *pose_;
+}
+
+void requireExact(const LockedMotion& motion, const Vec3& by) {
+  if (!motion.obstacle().empty())
+    throw DataError(
+        phrase("the handles cannot move by exactly %1 mm: %2", inFixed(by.norm(), 2), motion.obstacle()), {},
+        "move less far, or let more handles compensate");
 }
 
 } // namespace viscera::live

@@ -5,9 +5,7 @@
 #include <cmath>
 #include <sstream>
 #include <string>
-#include <type_traits>
 #include <utility>
-#include <variant>
 
 #include <nlohmann/json.hpp>
 
@@ -69,10 +67,6 @@ struct Codec<live::StressQuantity>
                 live::stressQuantityFromId> {};
 template <>
 struct Codec<anatomy::Sex> : TextCodec<anatomy::Sex, anatomy::idOf, anatomy::sexFromId> {};
-template <>
-struct Codec<sample_organs::Resolution>
-    : TextCodec<sample_organs::Resolution, sample_organs::nameOf, sample_organs::resolutionFromName> {};
-
 template <>
 struct Codec<scene::ValueRange> {
   static Json write(const scene::ValueRange& range) { return {range.low, range.high}; }
@@ -314,71 +308,21 @@ void visitFields(Visit& visit, SelectionState& selection) {
   visit.required("handles", selection.handles);
 }
 
-template <class Visit>
-void visitFields(Visit& visit, Prescribed& prescribed) {
-  visit.required("organ", prescribed.organ);
-  visit.where(!prescribed.file.empty(), "file", prescribed.file);
-  visit.required("curve", prescribed.curve);
-}
-
-template <class Visit>
-void visitFields(Visit& visit, Playing& playing) {
-  visit("motion", playing.motion);
-  visit("fraction", playing.fraction);
-  visit("ratePerMinute", playing.ratePerMinute);
-  visit("speed", playing.speed);
-  visit("loop", playing.loop);
-  visit("shown", playing.shown);
-  visit("prescribed", playing.prescribed);
-}
-
-template <class Visit>
-void visitFields(Visit& visit, live::SampleMotion& motion) {
-  visit.required("resolution", motion.resolution);
-  visit.required("sequence", motion.sequence);
-}
-
-template <class Visit>
-void visitFields(Visit& visit, live::Landmark& landmark) {
-  visit.required("position", landmark.position);
-  visit.required("role", landmark.role);
-}
-
-template <class Visit>
-void visitFields(Visit& visit, live::FittedMotion& motion) {
-  visit.required("landmarks", motion.given.points);
-  visit.required("sequence", motion.sequence);
-}
-
 template <>
-struct Codec<std::monostate> {
-  static Json write(std::monostate) { return nullptr; }
-};
-
-template <>
-struct Codec<live::MotionRecipe> {
-  static Json write(const live::MotionRecipe& recipe) {
-    return std::visit([](const auto& known) { return Codec<std::decay_t<decltype(known)>>::write(known); },
-                      recipe);
-  }
-  /// A recipe that is damaged, or that only a newer version knows, is none: the rest of the view is opened.
-  static void read(const FieldReader& from, live::MotionRecipe& recipe) {
-    try {
-      if (from.item.contains("landmarks"))
-        Codec<live::FittedMotion>::read(from, recipe.emplace<live::FittedMotion>());
-      else
-        Codec<live::SampleMotion>::read(from, recipe.emplace<live::SampleMotion>());
-    } catch (const Error&) {
-      recipe = {};
-    }
+struct Codec<Playing> {
+  static Json write(const Playing& playing) { return live::toJson(playing); }
+  static void read(const FieldReader& from, Playing& playing) {
+    playing = live::playing(from.json, from.item, from.place);
   }
 };
 
-template <class Visit>
-void visitFields(Visit& visit, MotionChoice& motion) {
-  visit.required("organ", motion.organ);
-  visit.required("recipe", motion.recipe);
-}
+template <>
+struct Codec<MotionChoice> {
+  static Json write(const MotionChoice& motion) { return live::toJson(motion); }
+  static void read(const FieldReader& from, MotionChoice& motion) {
+    motion = live::motionChoice(from.json, from.item, from.place);
+  }
+};
 
 template <class Visit>
 void visitFields(Visit& visit, Compared& compared) {
@@ -514,6 +458,10 @@ ViewState viewOfFormat1(const JsonReader& json, Json item) {
 }
 
 } // namespace
+
+live::SessionMotion motionOf(const ViewState& view) {
+  return {view.motions, view.playing};
+}
 
 Json toJson(const ViewState& view) {
   ViewState written = view;

@@ -10,6 +10,7 @@
 #include "build_paths.h"
 #include "cli_test.h"
 #include "signs_picture.h"
+#include "viscera/anatomy/part.h"
 #include "viscera/document/circulation_commands.h"
 #include "viscera/document/key_sequence_commands.h"
 #include "viscera/document/organ_commands.h"
@@ -22,6 +23,8 @@
 #include "viscera/live/motion_copy.h"
 #include "viscera/live/motion_recipe.h"
 #include "viscera/presentation/view_state.h"
+#include "viscera/sequences/volume_record.h"
+#include "viscera/workbench/workbench.h"
 
 namespace viscera::app::cli {
 
@@ -382,6 +385,19 @@ TEST_F(CliPlaySession, KeepsItsLockedVolumesAsTheWindowDoes) {
   for (const std::vector<double>& row : unlocked)
     largest = std::max(largest, std::abs(row[1] - unlocked[0][1]));
   EXPECT_GT(largest, 1) << "the lock had something to do";
+}
+
+TEST_F(CliPlaySession, PrintsTheBitsThatAWorkbenchPlays) {
+  const std::string session = VISCERA_SOURCE_DIR "/tests/gui/sessions/play_recorded_locked.viscera";
+  runJson({"play", session, "--csv", path("command.csv")});
+  workbench::Workbench bench;
+  bench.restore(session);
+  sequences::VolumeRecord record(std::vector<std::string>{bench.state().organs->front()->name});
+  for (const workbench::PlayedVolumes& instant : bench.play(25))
+    record.add(instant.seconds, instant.milliliters);
+  sequences::writeVolumeTable(path("bench.csv"), record, anatomy::chamberKeys(record.names()));
+  EXPECT_GT(record.rows(), 20u);
+  EXPECT_EQ(contents(path("command.csv")), contents(path("bench.csv")));
 }
 
 /// Puts the sample heart of low resolution with its handles and coordinates into an empty document.

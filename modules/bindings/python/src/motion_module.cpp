@@ -89,7 +89,7 @@ py::list loadPlugins(const std::vector<path>& searchPath) {
 } // namespace
 } // namespace viscera::python
 
-/// Ready sequences, the motion of patients, plugins: what takes Qt's core.
+/// Ready sequences, the motion of patients, plugins, open documents: what takes Qt's core.
 PYBIND11_MODULE(_motion, module) {
   namespace py = pybind11;
   py::module_::import("viscera._core"); // defines the errors and the classes
@@ -105,4 +105,5 @@ PYBIND11_MODULE(_motion, module) {
              "File, systems and problem of every plugin.");
   viscera::python::addPatientMotion(module);
   viscera::python::addStrain(module);
+  viscera::python::addWorkbench(module);
 }

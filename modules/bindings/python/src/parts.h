@@ -16,5 +16,6 @@ void addCirculation(pybind11::module_& module);
 /// Part of `_motion`.
 void addPatientMotion(pybind11::module_& module);
 void addStrain(pybind11::module_& module);
+void addWorkbench(pybind11::module_& module);
 
 } // namespace viscera::python

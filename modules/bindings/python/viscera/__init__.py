@@ -67,6 +67,7 @@ from .files import (
 from .motion import sequence, sequence_names, track
 from .heart_strain import contour_strain, strain
 from .catalogue import PluginReport, load_plugins, system, systems
+from .workbench import open
 
 __all__ = [
     "Binding",
@@ -108,6 +109,7 @@ __all__ = [
     "life_size_factor",
     "load_plugins",
     "lock_volume",
+    "open",
     "place_handles",
     "point_volume_gradient",
     "read_handles",

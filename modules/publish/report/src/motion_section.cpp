@@ -9,7 +9,7 @@
 #include "viscera/heart/clinical_numbers.h"
 #include "viscera/live/cycle_curves.h"
 #include "viscera/live/motion_runner.h"
-#include "viscera/presentation/unsuited_motion.h"
+#include "viscera/live/session_motion.h"
 #include "words.h"
 
 namespace viscera::report {
@@ -161,7 +161,8 @@ Section motionSection(const ReportSource& source, Threads threads, Progress& pro
   if (source.prescribed)
     if (const auto organ = source.state.organ(source.prescribed->organ))
       facts.rows.push_back({said("Prescribed"), said("the volume of %1", titleOf(*organ))});
-  if (const Text unsuited = presentation::unsuitedMotion(source.state, source.view, *source.sequence);
+  if (const Text unsuited =
+          live::unsuitedMotion(source.state, presentation::motionOf(source.view), *source.sequence);
       !unsuited.empty())
     section.blocks.push_back(Paragraph{inWords(unsuited) + "."}); // Before every number.
   section.blocks.push_back(std::move(facts));

@@ -109,4 +109,7 @@ private:
   Text obstacle_;
 };
 
+/// Throws `DataError` with the reason where the volumes did not let the selection move by `by` (mm).
+void requireExact(const LockedMotion& motion, const Vec3& by);
+
 } // namespace viscera::live

@@ -12,7 +12,7 @@
 #include "viscera/core/arrays.h"
 #include "viscera/document/circulation_choice.h"
 #include "viscera/document/ids.h"
-#include "viscera/live/motion_recipe.h"
+#include "viscera/live/session_motion.h"
 #include "viscera/live/strain_reading.h"
 #include "viscera/presentation/heart_signs.h"
 #include "viscera/presentation/scan_look.h"
@@ -63,36 +63,9 @@ struct Shown {
 /// The planes that drags can be mirrored at, through the middle of the organ at rest.
 enum class Mirror { off, sagittal, coronal, axial };
 
-/// A sequence that can be played.
-struct MotionChoice {
-  document::OrganId organ;
-  live::MotionRecipe recipe; ///< Makes it again.
-
-  bool operator==(const MotionChoice&) const = default;
-};
-
-/// The volume that an organ is to have while the sequence moves it.
-struct Prescribed {
-  document::OrganId organ;
-  std::string file; ///< The name of the file that it came from, for texts; UTF-8.
-  /// Fraction of the cycle and volume, ml. As read from the file; they are checked when they are played.
-  std::vector<std::array<double, 2>> curve;
-
-  bool operator==(const Prescribed&) const = default;
-};
-
-/// The playing sequence, its rate and its present instant.
-struct Playing {
-  int motion = -1;     ///< Index in the motions; -1: the sequence that the document holds.
-  double fraction = 0; ///< Of the cycle, 0 to 1.
-  double ratePerMinute = 0;
-  double speed = 1;
-  bool loop = true;
-  bool shown = false; ///< The organs are in the sequence's pose.
-  std::optional<Prescribed> prescribed = std::nullopt;
-
-  bool operator==(const Playing&) const = default;
-};
+using live::MotionChoice;
+using live::Playing;
+using live::Prescribed;
 
 /// The contents of a second view for comparison. A session does not save a comparison with files.
 struct Compared {
@@ -226,6 +199,9 @@ struct ViewState {
 
   bool operator==(const ViewState&) const = default;
 };
+
+/// The part of a view that says how organs move. O(motions).
+live::SessionMotion motionOf(const ViewState& view);
 
 /// The view as JSON, for a session (docs/session_format.md, "view").
 nlohmann::ordered_json toJson(const ViewState& view);
