@@ -28,6 +28,7 @@ public:
     double depth = kNothing;
     std::size_t owner = 0;
     bool inside = false;
+    bool hollow = false;        ///< A wall of something hollow.
     double offParts = kNothing; ///< How far the place is from its organ's named parts, of the organ's size.
     double x = 0, y = 0;        ///< Where it is.
 
@@ -52,6 +53,12 @@ public:
   bool isInsideAt(const DisplayPoint& place) const {
     const auto cell = cellOf(place);
     return cell && fronts_[*cell].inside;
+  }
+
+  /// Whether the nearest thing in the place's cell is the inner wall of something hollow that is open.
+  bool isOpenAt(const DisplayPoint& place) const {
+    const auto cell = cellOf(place);
+    return cell && fronts_[*cell].hollow && !fronts_[*cell].inside;
   }
 
   std::size_t cells() const { return fronts_.size(); }

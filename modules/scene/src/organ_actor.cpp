@@ -42,6 +42,10 @@ constexpr double kEdgeShade = 0.12; ///< Dark on the colours that organs have.
 constexpr const char* kColorsName = "colors";
 constexpr const char* kScalarsName = "values";
 
+bool isDrawn(SurfaceRole role) {
+  return role == SurfaceRole::whole || role == SurfaceRole::picture;
+}
+
 /// Cells that look at triangles which live longer.
 vtkSmartPointer<vtkCellArray> cellsOf(const Triangles& triangles) {
   vtkNew<vtkTypeInt32Array> corners;
@@ -251,7 +255,7 @@ bool OrganActor::visible() const {
 
 void OrganActor::setRole(SurfaceRole role) {
   parts_->role = role;
-  parts_->actor->setDrawn(role != SurfaceRole::body);
+  parts_->actor->setDrawn(isDrawn(role));
 }
 
 SurfaceRole OrganActor::role() const {
@@ -259,7 +263,7 @@ SurfaceRole OrganActor::role() const {
 }
 
 bool OrganActor::drawn() const {
-  return visible() && parts_->role != SurfaceRole::body;
+  return visible() && isDrawn(parts_->role);
 }
 
 bool OrganActor::met() const {

@@ -51,6 +51,8 @@ constexpr double kSpacingPart = 0.6;
 constexpr int kDotCorners = 12;
 /// A part is hidden when something is that much, of the organ's size, nearer to the reader than it is.
 constexpr double kHidden = 0.04;
+/// In a hollow, whose walls that run along the view are in front of what is beside them, that much.
+constexpr double kHiddenInHollow = 0.15;
 /// An opaque part that faces away from the reader by more than that (a cosine) is its organ's back.
 constexpr double kBack = 0.3;
 /// The line of an organ's own label ends where it faces the reader by that much at least, if it has parts.
@@ -60,8 +62,8 @@ constexpr double kHollow = 0.05;
 /// How high on an organ the line of a label at the edge starts, as a part of its height.
 constexpr double kEdgeHeight = 0.7;
 
-/// What is in front. Where the nearest of the organs that are cut open is the inside of one, its cut face
-/// hides what is there.
+/// What is in front. Where the nearest of the organs that are cut open is the inside of one, or the outside
+/// of a hollow one, a cut face hides what is there.
 struct Fronts {
   FrontGrid opaque;
   FrontGrid cut;
@@ -93,9 +95,15 @@ Eigen::Index verticesFor(const OrganActor& organ, const ViewGeometry& view) {
       std::clamp(wanted, static_cast<double>(kMostVertices), static_cast<double>(kMostVerticesForParts)));
 }
 
-/// How much a vertex faces away from the reader: 1 entirely, -1 looks at him.
+bool isHollow(const OrganActor& organ) {
+  return organ.role() == SurfaceRole::hollow;
+}
+
+/// How much a vertex faces away from the reader: 1 entirely, -1 looks at him. A hollow is looked at from
+/// inside.
 double turnedAway(const OrganActor& organ, Eigen::Index vertex, const ViewGeometry& view) {
-  return organ.normals().row(vertex).cast<double>().dot(view.forward.transpose());
+  const double away = organ.normals().row(vertex).cast<double>().dot(view.forward.transpose());
+  return isHollow(organ) ? -away : away;
 }
 
 /// How far a point of an organ is from its named parts, of the organ's size; infinite where it has none.
@@ -147,7 +155,7 @@ Sighting sight(const OrganActor& organ, const OrganLabels::Item* item, std::size
     if (sighting.own)
       sighting.own->add(place, front);
     if (organ.isCut())
-      fronts.cut.add(place, {place.depth, owner, turnedAway(organ, i, view) > kHollow});
+      fronts.cut.add(place, {place.depth, owner, turnedAway(organ, i, view) > kHollow, isHollow(organ)});
     sighting.x += place.x;
     sighting.y += place.y;
     sighting.bottom = std::min(sighting.bottom, place.y);
@@ -174,7 +182,9 @@ std::optional<Sighting> sightPart(const OrganLabels::Item& item, const Sighting&
   if (back || item.organ->cutsAway(at))
     return std::nullopt;
   const DisplayPoint place = view.project(at);
-  const double slack = kHidden * item.organ->bounds().diagonal();
+  if (isHollow(*item.organ) && !item.inHollow && !fronts.cut.isOpenAt(place))
+    return std::nullopt;
+  const double slack = (isHollow(*item.organ) ? kHiddenInHollow : kHidden) * item.organ->bounds().diagonal();
   if (!(place.depth > 0) || !(place.x >= 0) || !(place.y >= 0) || place.x > 2 * view.centerX ||
       place.y > view.pixelHeight || place.depth > fronts.opaque.depthAt(place) + slack ||
       (!item.inHollow && fronts.cut.isInsideAt(place)))
@@ -201,6 +211,8 @@ std::optional<Sighting> placeWhole(const OrganLabels::Item& item, std::size_t ro
   const FrontGrid& grid = solid ? fronts.opaque : *organ.own;
   const auto isSeen = [&](std::size_t cell) {
     const FrontGrid::Front& front = grid.at(cell);
+    if (isHollow(*item.organ) && fronts.cut.at(cell).inside)
+      return false;
     return front.any() && front.owner == row && (solid || front.depth < fronts.opaque.at(cell).depth);
   };
   organ.front = 0;
