@@ -76,7 +76,7 @@ void HeartPicture::addActors() {
     if (!mesh || mesh->triangles.rows() == 0)
       continue;
     layers_[i].actor = std::make_shared<scene::OrganActor>(mesh, threads_);
-    layers_[i].actor->setRole(scene::SurfaceRole::picture);
+    layers_[i].actor->setRole(vessels ? scene::SurfaceRole::picture : scene::SurfaceRole::filling);
     layers_[i].actor->setColor(vessels ? tissue_->vessels().color(kKinds[i])
                                        : kBloodColors[i - kVesselLayers]);
   }

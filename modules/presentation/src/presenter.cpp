@@ -302,9 +302,15 @@ void Presenter::Parts::addConduction(const Scene& scene, std::vector<scene::Orga
 /// The names of what only the picture of an opened heart has: chords, vessels that no part is named after,
 /// and the septum in the face of the cut.
 void Presenter::Parts::addOpened(std::vector<scene::OrganLabels::Item>& items) const {
+  using Lies = scene::OrganLabels::Lies;
   for (const auto& [ventricle, point] : labelled.chords)
-    items.push_back(
-        {translate(kChords), organs.actorOf(ventricle), false, point, {}, valves.chordPoints(), true});
+    items.push_back({translate(kChords),
+                     organs.actorOf(ventricle),
+                     false,
+                     point,
+                     {},
+                     valves.chordPoints(),
+                     Lies::inHollow});
   if (!heart.opened())
     return;
   const document::Organ& outer = *heart.opened()->heart.outer;
@@ -318,10 +324,11 @@ void Presenter::Parts::addOpened(std::vector<scene::OrganLabels::Item>& items) c
                        vessel.point,
                        {},
                        heart.vesselLines(),
-                       vessel.inFace});
+                       vessel.inFace ? Lies::inFace : Lies::onSurface});
   }
   if (labelled.septum)
-    items.push_back({translate(kSeptum), organs.actorOf(outer.id), false, 0, {}, labelled.septum, true});
+    items.push_back(
+        {translate(kSeptum), organs.actorOf(outer.id), false, 0, {}, labelled.septum, Lies::inFace});
 }
 
 /// The document's measurements in their order, and behind them what is being measured.

@@ -28,7 +28,6 @@ public:
     double depth = kNothing;
     std::size_t owner = 0;
     bool inside = false;
-    bool hollow = false;        ///< A wall of something hollow.
     double offParts = kNothing; ///< How far the place is from its organ's named parts, of the organ's size.
     double x = 0, y = 0;        ///< Where it is.
 
@@ -55,17 +54,18 @@ public:
     return cell && fronts_[*cell].inside;
   }
 
-  /// Whether the nearest thing in the place's cell is the inner wall of something hollow that is open.
-  bool isOpenAt(const DisplayPoint& place) const {
-    const auto cell = cellOf(place);
-    return cell && fronts_[*cell].hollow && !fronts_[*cell].inside;
-  }
-
   std::size_t cells() const { return fronts_.size(); }
 
   std::array<double, 2> centerOf(std::size_t cell) const {
     return {(static_cast<double>(cell % columns_) + 0.5) * cell_,
             (static_cast<double>(cell / columns_) + 0.5) * cell_};
+  }
+
+  /// The neighbours of a cell; none beyond the edges.
+  std::array<std::optional<std::size_t>, 4> beside(std::size_t cell) const {
+    const auto [x, y] = centerOf(cell);
+    return {cellOf({x - cell_, y, 0}), cellOf({x + cell_, y, 0}), cellOf({x, y - cell_, 0}),
+            cellOf({x, y + cell_, 0})};
   }
 
   /// The cell that lies farthest from the named parts of its organ, of those that `counts`; none where all

@@ -1,6 +1,7 @@
 #include "viscera/scene/organ_actor.h"
 
 #include <algorithm>
+#include <limits>
 #include <string>
 #include <utility>
 
@@ -43,7 +44,7 @@ constexpr const char* kColorsName = "colors";
 constexpr const char* kScalarsName = "values";
 
 bool isDrawn(SurfaceRole role) {
-  return role == SurfaceRole::whole || role == SurfaceRole::picture;
+  return role == SurfaceRole::whole || role == SurfaceRole::picture || role == SurfaceRole::filling;
 }
 
 /// Cells that look at triangles which live longer.
@@ -267,7 +268,7 @@ bool OrganActor::drawn() const {
 }
 
 bool OrganActor::met() const {
-  return visible() && parts_->role != SurfaceRole::picture;
+  return visible() && parts_->role != SurfaceRole::picture && parts_->role != SurfaceRole::filling;
 }
 
 void OrganActor::setSelected(bool selected) {
@@ -297,8 +298,15 @@ bool OrganActor::isCut() const {
 }
 
 bool OrganActor::cutsAway(const Vec3& place) const {
+  return behindCut(place) < 0;
+}
+
+double OrganActor::behindCut(const Vec3& place) const {
+  if (!isCut())
+    return std::numeric_limits<double>::infinity();
+  vtkPlane* plane = parts_->mapper->GetClippingPlanes()->GetItem(0);
   Vec3 at = place;
-  return isCut() && parts_->mapper->GetClippingPlanes()->GetItem(0)->EvaluateFunction(at.data()) < 0;
+  return plane->EvaluateFunction(at.data()) / Vec3(plane->GetNormal()).norm();
 }
 
 void OrganActor::showScalars(std::shared_ptr<const Values> values, const ColorMap& map, ValueRange range) {

@@ -29,6 +29,7 @@ enum class SurfaceRole {
   picture, ///< Only drawn: rays go through it, it has no name and hides no label.
   body,    ///< Picked and named where it is, but not drawn.
   hollow,  ///< A body that is empty: where a cut opens it, one looks at its far wall from inside.
+  filling, ///< A picture of what fills hollows: their names lie on it.
 };
 
 /// Draws the surface of one organ. VTK looks at the mesh's own memory: points, triangles, vertex colours,
@@ -96,6 +97,8 @@ public:
   bool isCut() const;
   /// Whether the clip plane cuts away a place. O(1).
   bool cutsAway(const Vec3& place) const;
+  /// How far a place is behind the clip plane, on the side that stays, mm; infinite without one. O(1).
+  double behindCut(const Vec3& place) const;
 
   /// Colours the surface by one number a vertex (an influence, a stress), without a copy. Throws `UsageError`
   /// when their count is not the mesh's.
