@@ -402,5 +402,20 @@ INSTANTIATE_TEST_SUITE_P(Nine, HeartLabelsInCut,
                                          HeartCut{"RightOutflow", Vec3(-0.5239, -0.7976, 0.2990), 0.1622}),
                          [](const auto& cut) { return std::string(cut.param.name); });
 
+/// At the beginning of the beat, with what a plane opens.
+TEST(HeartLabels, NameWhatItOpens) {
+  NamedHeart heart;
+  heart.cut(Vec3(-0.2900, 0.3687, -0.8831), 0.2599);
+  heart.lookAtTheCut();
+  heart.show(0);
+  EXPECT_THAT(heart.names(),
+              testing::IsSupersetOf({"LV cavity", "RV cavity", "LA cavity", "RA cavity", "Septum"}));
+  heart.cut(Vec3(-0.6388, 0.5490, 0.5390), -0.1352);
+  heart.lookAtTheCut();
+  heart.show(0);
+  EXPECT_THAT(heart.names(), testing::IsSupersetOf({"LV cavity", "RV cavity", "Mitral valve", "Aortic valve",
+                                                    "Tricuspid valve", "Septum"}));
+}
+
 } // namespace
 } // namespace viscera::presentation
