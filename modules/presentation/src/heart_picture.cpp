@@ -1,6 +1,7 @@
 #include "heart_picture.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace viscera::presentation {
@@ -14,8 +15,19 @@ bool sameHeart(const OpenedHeart& a, const OpenedHeart& b) {
 const std::array<Vec3, 2> kBloodColors = {Vec3(0.78, 0.16, 0.15), Vec3(0.27, 0.36, 0.66)};
 /// So near to the cut, vessels in the muscle are seen in its face.
 constexpr double kSeenInFaceMm = 1.5;
+/// Between the ventricles' vertices that far from the cut at most, muscle that is that thick at most is their
+/// septum in its face; its place is that little behind the plane, which so does not cut it away.
+constexpr double kNearCutMm = 3, kThickestSeptumMm = 15, kInFaceMm = 0.01;
 /// The ventricle of each side; one that is hidden has no blood.
 constexpr std::array<const char*, 2> kVentricles = {"lv", "rv"};
+
+std::vector<Eigen::Index> verticesNear(const scene::CutPlane& plane, const Points& points) {
+  std::vector<Eigen::Index> near;
+  for (Eigen::Index i = 0; i < points.rows(); ++i)
+    if (std::abs((points.row(i).transpose() - plane.origin).dot(plane.normal)) < kNearCutMm)
+      near.push_back(i);
+  return near;
+}
 
 using Kind = live::HeartVessels::Kind;
 constexpr std::array<Kind, 2> kKinds = {Kind::arteries, Kind::veins};
@@ -34,6 +46,8 @@ void HeartPicture::leave() {
     if (std::exchange(layer.added, false))
       view_.remove(layer.actor);
   opened_.reset();
+  septum_.reset();
+  septumPlane_.reset();
   ++revision_;
 }
 
@@ -62,7 +76,7 @@ void HeartPicture::addActors() {
     if (!mesh || mesh->triangles.rows() == 0)
       continue;
     layers_[i].actor = std::make_shared<scene::OrganActor>(mesh, threads_);
-    layers_[i].actor->setRole(scene::SurfaceRole::picture);
+    layers_[i].actor->setRole(vessels ? scene::SurfaceRole::picture : scene::SurfaceRole::filling);
     layers_[i].actor->setColor(vessels ? tissue_->vessels().color(kKinds[i])
                                        : kBloodColors[i - kVesselLayers]);
   }
@@ -138,13 +152,17 @@ bool HeartPicture::full() const {
                                 [](const Drawn& layer) { return layer.added; });
 }
 
+bool HeartPicture::isCavity(document::OrganId organ) const {
+  return opened_ && std::any_of(opened_->heart.cavities.begin(), opened_->heart.cavities.end(),
+                                [&](const auto& cavity) { return cavity->id == organ; });
+}
+
 /// Of the longest part that stays of a vessel with each name, the middle: at rest, so that names stay in one
 /// place while the heart beats.
-std::vector<std::pair<std::string, Eigen::Index>>
-HeartPicture::vesselNames(const scene::CutPlane& plane) const {
+std::vector<HeartPicture::VesselName> HeartPicture::vesselNames(const scene::CutPlane& plane) const {
   if (!opened_)
     return {};
-  std::map<std::string, std::pair<std::size_t, Eigen::Index>> best; // How much stays, and where.
+  std::map<std::string, std::pair<std::size_t, VesselName>> best; // How much stays, and where.
   const auto& vessels = tissue_->vessels().vessels();
   for (std::size_t i = 0; i < vessels.size(); ++i) {
     std::vector<Eigen::Index> kept;
@@ -157,14 +175,66 @@ HeartPicture::vesselNames(const scene::CutPlane& plane) const {
     auto& [most, where] = best[vessels[i].name];
     if (kept.size() > most) {
       most = kept.size();
-      where = kept[kept.size() / 2];
+      where = {vessels[i].name, kept[kept.size() / 2], vessels[i].inWall};
     }
   }
-  std::vector<std::pair<std::string, Eigen::Index>> names;
+  std::vector<VesselName> names;
   for (const auto& [name, place] : best)
     if (place.first > 0)
-      names.emplace_back(name, place.second);
+      names.push_back(place.second);
   return names;
+}
+
+/// The muscle between the ventricles where the plane meets it: of the left one's vertices there that have the
+/// right one behind them, the one in the middle.
+void HeartPicture::findSeptum(const scene::CutPlane& plane) {
+  septum_.reset();
+  const auto ventricle = [&](const char* surface) -> const document::Organ* {
+    const auto& cavities = opened_->heart.cavities;
+    const auto found = std::find_if(cavities.begin(), cavities.end(),
+                                    [&](const auto& cavity) { return cavity->origin.surface == surface; });
+    return found == cavities.end() ? nullptr : found->get();
+  };
+  const document::Organ *left = ventricle(kVentricles[0]), *right = ventricle(kVentricles[1]);
+  if (!left || !right)
+    return;
+  const Points &leftPoints = left->mesh->points, &rightPoints = right->mesh->points;
+  const std::vector<Eigen::Index> lefts = verticesNear(plane, leftPoints);
+  const std::vector<Eigen::Index> rights = verticesNear(plane, rightPoints);
+  std::vector<std::pair<Eigen::Index, Eigen::Index>> across;
+  Eigen::RowVector3d middle = Eigen::RowVector3d::Zero();
+  for (const Eigen::Index i : lefts) {
+    const auto away = [&](Eigen::Index k) { return (rightPoints.row(k) - leftPoints.row(i)).norm(); };
+    const auto nearest =
+        std::min_element(rights.begin(), rights.end(), [&](auto a, auto b) { return away(a) < away(b); });
+    if (nearest == rights.end() || away(*nearest) > kThickestSeptumMm)
+      continue;
+    across.emplace_back(i, *nearest);
+    middle += leftPoints.row(i);
+  }
+  if (across.empty())
+    return;
+  middle /= static_cast<double>(across.size());
+  const auto fromMiddle = [&](const auto& pair) { return (leftPoints.row(pair.first) - middle).norm(); };
+  const auto best = *std::min_element(across.begin(), across.end(), [&](const auto& a, const auto& b) {
+    return fromMiddle(a) < fromMiddle(b);
+  });
+  septum_ = Septum{left->id, right->id, best.first, best.second};
+}
+
+void HeartPicture::updateSeptum(const scene::CutPlane& plane, const live::PosedOrgans& organs) {
+  if (!opened_)
+    return;
+  if (septumPlane_ != plane)
+    findSeptum(plane);
+  septumPlane_ = plane;
+  if (!septum_)
+    return;
+  const Vec3 left = organs.sharedPoints(septum_->left)->row(septum_->leftVertex).transpose();
+  const Vec3 right = organs.sharedPoints(septum_->right)->row(septum_->rightVertex).transpose();
+  const Vec3 between = (left + right) / 2;
+  const double height = (between - plane.origin).dot(plane.normal) - kInFaceMm;
+  septumPoint_->row(0) = (between - height * plane.normal).transpose();
 }
 
 void HeartPicture::follow(const live::PosedOrgans& organs) {

@@ -45,9 +45,20 @@ public:
   std::vector<Layer> layers() const;
   /// The lines of the vessels in the present pose, all in one; they stay the same object.
   const std::shared_ptr<const Points>& vesselLines() const { return namedLines_; }
-  /// A place on the lines for each name of a vessel that the cut leaves something of; in the muscle, of one
-  /// that it meets.
-  std::vector<std::pair<std::string, Eigen::Index>> vesselNames(const scene::CutPlane& plane) const;
+  /// Where the name of a vessel is on the lines.
+  struct VesselName {
+    std::string name;
+    Eigen::Index point = 0;
+    bool inFace = false; ///< In the face of the cut, which so does not hide it.
+    bool operator==(const VesselName&) const = default;
+  };
+  /// A place for each name of a vessel that the cut leaves something of; in the muscle, of one that it meets.
+  std::vector<VesselName> vesselNames(const scene::CutPlane& plane) const;
+  /// The middle of the septum in the face of the cut, as one point that follows the pose; null where the cut
+  /// does not meet it.
+  std::shared_ptr<const Points> septum() const { return opened_ && septum_ ? namedSeptum_ : nullptr; }
+  /// Updates `septum`. O(1), and O(vertices) for another plane.
+  void updateSeptum(const scene::CutPlane& plane, const live::PosedOrgans& organs);
 
   /// Leaves the surfaces of an opened heart undrawn in the appearances.
   void apply(std::map<document::OrganId, Appearance>& appearances) const;
@@ -57,6 +68,8 @@ public:
   const scene::OrganActor* actor() const { return opened_ ? actor_.get() : nullptr; }
   /// Whether blood is drawn.
   bool full() const;
+  /// Whether an organ is a cavity of the opened heart.
+  bool isCavity(document::OrganId organ) const;
 
 private:
   /// A layer with its actor: arteries, veins, blood of the left and of the right side.
@@ -74,6 +87,7 @@ private:
   void take(std::shared_ptr<const live::HeartTissue> tissue);
   void follow(const live::PosedOrgans& organs);
   void leave();
+  void findSeptum(const scene::CutPlane& plane);
 
   scene::OrganView& view_;
   Threads threads_;
@@ -89,6 +103,15 @@ private:
   Moment moment_;
   std::optional<scene::CutPlane> plane_;
   std::uint64_t revision_ = 0;
+  /// Of the septum that the plane meets: the vertices on both sides of its middle.
+  struct Septum {
+    document::OrganId left, right;
+    Eigen::Index leftVertex = 0, rightVertex = 0;
+  };
+  std::optional<Septum> septum_;
+  std::optional<scene::CutPlane> septumPlane_; ///< For which it was sought.
+  std::shared_ptr<Points> septumPoint_ = std::make_shared<Points>(Points::Zero(1, 3));
+  std::shared_ptr<const Points> namedSeptum_ = septumPoint_;
 };
 
 } // namespace viscera::presentation

@@ -33,6 +33,7 @@ constexpr double kPercent = 100;
 constexpr double kSmall = 10;
 constexpr double kGlassOpacity = 0.15;
 constexpr const char* kChords = "Chordae tendineae";
+constexpr const char* kSeptum = "Septum";
 constexpr const char* kSpread = "\u00b1 %1, %2 to %3, %4, %5 voxels";
 
 Vec3 missingColor(const scene::ColorMap& colors) {
@@ -47,7 +48,9 @@ struct LabelChoice {
   std::optional<std::vector<Part>> parts; ///< Of these alone.
   bool ofConduction = false;
   std::vector<std::pair<document::OrganId, Eigen::Index>> chords = {}; ///< See `ValvePicture::chordNames`.
-  std::vector<std::pair<std::string, Eigen::Index>> vessels = {};      ///< See `HeartPicture::vesselNames`.
+  std::vector<HeartPicture::VesselName> vessels = {};
+  std::shared_ptr<const Points> septum = nullptr; ///< See `HeartPicture::septum`.
+  bool full = false;                              ///< Blood hides what is in the heart's cavities.
 
   bool operator==(const LabelChoice&) const = default;
 };
@@ -176,8 +179,12 @@ void Presenter::Parts::updateLooks(const Scene& scene, std::map<document::OrganI
   cut.apply(scene, appearances);
   heart.apply(appearances);
   organs.updateLooks(scene, appearances, colors);
-  if (heart.opened() && cut.plane())
-    heart.updateLook(*organs.actorOf(heart.opened()->heart.outer->id), *cut.plane());
+  if (!heart.opened() || !cut.plane())
+    return;
+  for (const auto& cavity : heart.opened()->heart.cavities)
+    organs.actorOf(cavity->id)->setRole(scene::SurfaceRole::hollow);
+  heart.updateLook(*organs.actorOf(heart.opened()->heart.outer->id), *cut.plane());
+  heart.updateSeptum(*cut.plane(), scene.organs);
 }
 
 /// Whatever colours the organs: a map that is given, the stress, an influence, or their own looks.
@@ -242,9 +249,12 @@ void Presenter::Parts::updateLabels(const Scene& scene, bool others) {
   if (scene.view.partNames && !scene.parts) {
     if (!heart.full()) // Blood hides them.
       wanted.chords = valves.chordNames();
-    if (cut.plane())
+    if (cut.plane()) {
       wanted.vessels = heart.vesselNames(*cut.plane());
+      wanted.septum = heart.septum();
+    }
   }
+  wanted.full = heart.full() && !scene.parts;
   if (!others && labelled == wanted)
     return;
   labelled = std::move(wanted);
@@ -266,8 +276,9 @@ void Presenter::Parts::updateLabels(const Scene& scene, bool others) {
   else if (labelled.ofParts)
     parts = partsOf(*scene.state.organs);
   for (const Part& part : parts)
-    items.push_back({translate(nameOf(part, *scene.state.organs).c_str()), organs.actorOf(part.organ), false,
-                     part.vertex});
+    if (!labelled.full || !heart.isCavity(part.organ))
+      items.push_back({translate(nameOf(part, *scene.state.organs).c_str()), organs.actorOf(part.organ),
+                       false, part.vertex});
   if (labelled.ofConduction)
     addConduction(scene, items);
   addOpened(items);
@@ -288,22 +299,36 @@ void Presenter::Parts::addConduction(const Scene& scene, std::vector<scene::Orga
     }
 }
 
-/// The names of what only the picture of an opened heart has: chords, and vessels that no part is named
-/// after.
+/// The names of what only the picture of an opened heart has: chords, vessels that no part is named after,
+/// and the septum in the face of the cut.
 void Presenter::Parts::addOpened(std::vector<scene::OrganLabels::Item>& items) const {
+  using Lies = scene::OrganLabels::Lies;
   for (const auto& [ventricle, point] : labelled.chords)
-    items.push_back(
-        {translate(kChords), organs.actorOf(ventricle), false, point, {}, valves.chordPoints(), true});
-  if (labelled.vessels.empty())
+    items.push_back({translate(kChords),
+                     organs.actorOf(ventricle),
+                     false,
+                     point,
+                     {},
+                     valves.chordPoints(),
+                     Lies::inHollow});
+  if (!heart.opened())
     return;
   const document::Organ& outer = *heart.opened()->heart.outer;
-  for (const auto& [name, point] : labelled.vessels) {
+  for (const HeartPicture::VesselName& vessel : labelled.vessels) {
     const bool part = std::any_of(outer.places.begin(), outer.places.end(),
-                                  [&name = name](const auto& place) { return place.name == name; });
+                                  [&](const auto& place) { return place.name == vessel.name; });
     if (!part)
-      items.push_back(
-          {translate(name.c_str()), organs.actorOf(outer.id), false, point, {}, heart.vesselLines()});
+      items.push_back({translate(vessel.name.c_str()),
+                       organs.actorOf(outer.id),
+                       false,
+                       vessel.point,
+                       {},
+                       heart.vesselLines(),
+                       vessel.inFace ? Lies::inFace : Lies::onSurface});
   }
+  if (labelled.septum)
+    items.push_back(
+        {translate(kSeptum), organs.actorOf(outer.id), false, 0, {}, labelled.septum, Lies::inFace});
 }
 
 /// The document's measurements in their order, and behind them what is being measured.

@@ -61,6 +61,13 @@ public:
             (static_cast<double>(cell / columns_) + 0.5) * cell_};
   }
 
+  /// The neighbours of a cell; none beyond the edges.
+  std::array<std::optional<std::size_t>, 4> beside(std::size_t cell) const {
+    const auto [x, y] = centerOf(cell);
+    return {cellOf({x - cell_, y, 0}), cellOf({x + cell_, y, 0}), cellOf({x, y - cell_, 0}),
+            cellOf({x, y + cell_, 0})};
+  }
+
   /// The cell that lies farthest from the named parts of its organ, of those that `counts`; none where all
   /// lie on them.
   template <class Counts>

@@ -1,6 +1,7 @@
 #include "viscera/scene/organ_actor.h"
 
 #include <algorithm>
+#include <limits>
 #include <string>
 #include <utility>
 
@@ -41,6 +42,10 @@ constexpr double kScalarsSpecular = 0.06;
 constexpr double kEdgeShade = 0.12; ///< Dark on the colours that organs have.
 constexpr const char* kColorsName = "colors";
 constexpr const char* kScalarsName = "values";
+
+bool isDrawn(SurfaceRole role) {
+  return role == SurfaceRole::whole || role == SurfaceRole::picture || role == SurfaceRole::filling;
+}
 
 /// Cells that look at triangles which live longer.
 vtkSmartPointer<vtkCellArray> cellsOf(const Triangles& triangles) {
@@ -251,7 +256,7 @@ bool OrganActor::visible() const {
 
 void OrganActor::setRole(SurfaceRole role) {
   parts_->role = role;
-  parts_->actor->setDrawn(role != SurfaceRole::body);
+  parts_->actor->setDrawn(isDrawn(role));
 }
 
 SurfaceRole OrganActor::role() const {
@@ -259,11 +264,11 @@ SurfaceRole OrganActor::role() const {
 }
 
 bool OrganActor::drawn() const {
-  return visible() && parts_->role != SurfaceRole::body;
+  return visible() && isDrawn(parts_->role);
 }
 
 bool OrganActor::met() const {
-  return visible() && parts_->role != SurfaceRole::picture;
+  return visible() && parts_->role != SurfaceRole::picture && parts_->role != SurfaceRole::filling;
 }
 
 void OrganActor::setSelected(bool selected) {
@@ -293,8 +298,15 @@ bool OrganActor::isCut() const {
 }
 
 bool OrganActor::cutsAway(const Vec3& place) const {
+  return behindCut(place) < 0;
+}
+
+double OrganActor::behindCut(const Vec3& place) const {
+  if (!isCut())
+    return std::numeric_limits<double>::infinity();
+  vtkPlane* plane = parts_->mapper->GetClippingPlanes()->GetItem(0);
   Vec3 at = place;
-  return isCut() && parts_->mapper->GetClippingPlanes()->GetItem(0)->EvaluateFunction(at.data()) < 0;
+  return plane->EvaluateFunction(at.data()) / Vec3(plane->GetNormal()).norm();
 }
 
 void OrganActor::showScalars(std::shared_ptr<const Values> values, const ColorMap& map, ValueRange range) {

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
-#include <map>
 #include <optional>
 #include <string>
 
@@ -16,7 +14,7 @@
 
 #include "before_render.h"
 #include "flat_shape.h"
-#include "front_grid.h"
+#include "label_sight.h"
 #include "view_furniture.h"
 #include "view_geometry.h"
 
@@ -25,8 +23,6 @@ namespace {
 
 constexpr int kOrganFontSize = 14; ///< Points at 72 DPI: logical pixels.
 /// Logical pixels.
-/// A vertex that is looked at stands for that much around it, or for more.
-constexpr double kVertexReach = 6;
 constexpr double kDot = 3;
 constexpr double kLeaderWidth = 1;
 constexpr double kLineGap = 4;
@@ -34,210 +30,11 @@ constexpr double kInside = 7; ///< How far inside the edge a line ends.
 constexpr double kLabelsBottom = 44;
 constexpr double kLegend = 120;
 constexpr double kLeaderOpacity = 0.75;
-/// Organs that let less than this through hide what is behind them.
-constexpr double kOpaque = 0.9;
-/// Vertices of an organ that are looked at in a frame; more where its parts are named, so that no cell of the
-/// front is empty for lack of vertices.
-constexpr Eigen::Index kMostVertices = 3000, kMostVerticesForParts = 30'000;
-/// So many in each cell of the front that an organ covers, or what it hides would seem to lie between them.
-constexpr double kVerticesInCell = 6;
-/// An opaque organ of which less than that is in front is hidden: some of its vertices always lie between
-/// those of what covers it.
-constexpr double kSeenPart = 0.1;
-/// The organs that are seen most are named first where there are more.
+/// Of more organs, those that are seen most are named first.
 constexpr std::size_t kFewNames = 12;
-/// A vertex covers that part of the distance to its neighbours.
-constexpr double kSpacingPart = 0.6;
 constexpr int kDotCorners = 12;
-/// A part is hidden when something is that much, of the organ's size, nearer to the reader than it is.
-constexpr double kHidden = 0.04;
-/// An opaque part that faces away from the reader by more than that (a cosine) is its organ's back.
-constexpr double kBack = 0.3;
-/// The line of an organ's own label ends where it faces the reader by that much at least, if it has parts.
-constexpr double kFacing = 0.25;
-/// A cut organ that faces away by more than that would show its inside without its cut face.
-constexpr double kHollow = 0.05;
 /// How high on an organ the line of a label at the edge starts, as a part of its height.
 constexpr double kEdgeHeight = 0.7;
-
-/// What is in front. Where the nearest of the organs that are cut open is the inside of one, its cut face
-/// hides what is there.
-struct Fronts {
-  FrontGrid opaque;
-  FrontGrid cut;
-};
-
-/// One organ on the display.
-struct Sighting {
-  Footprint covered;
-  double x = 0, y = 0; ///< The middle of its vertices.
-  double bottom = std::numeric_limits<double>::infinity();
-  double top = -std::numeric_limits<double>::infinity();
-  std::size_t cells = 0; ///< Of the front that its vertices lie in ...
-  std::size_t front = 0; ///< ... and those of them in which it is in front; all where it is translucent.
-  bool seen = false;
-  /// The cells of a translucent organ that has a label, whatever is before them.
-  std::shared_ptr<FrontGrid> own = nullptr;
-  bool atPlace = false; ///< The line ends at (x, y), also of an organ that is labelled at its edge.
-};
-
-/// How many vertices of an organ are looked at for its size in the view.
-Eigen::Index verticesFor(const OrganActor& organ, const ViewGeometry& view) {
-  const Bounds box = organ.bounds();
-  const double depth = view.project(box.center()).depth;
-  if (!(depth > 0))
-    return kMostVertices;
-  const double across = box.diagonal() / (view.worldPerPixel(depth) * FrontGrid::kCell * view.pixelRatio);
-  const double wanted = kVerticesInCell * across * across / 2;
-  return static_cast<Eigen::Index>(
-      std::clamp(wanted, static_cast<double>(kMostVertices), static_cast<double>(kMostVerticesForParts)));
-}
-
-/// How much a vertex faces away from the reader: 1 entirely, -1 looks at him.
-double turnedAway(const OrganActor& organ, Eigen::Index vertex, const ViewGeometry& view) {
-  return organ.normals().row(vertex).cast<double>().dot(view.forward.transpose());
-}
-
-/// How far a point of an organ is from its named parts, of the organ's size; infinite where it has none.
-double offParts(const OrganActor& organ, const std::vector<Eigen::Index>& places, Eigen::Index vertex,
-                double size) {
-  double least = FrontGrid::kNothing;
-  for (const Eigen::Index place : places)
-    if (place >= 0 && place < organ.points().rows())
-      least = std::min(least, (organ.points().row(place) - organ.points().row(vertex)).norm());
-  return least / size;
-}
-
-/// `item` is the label of the organ as a whole; null for none.
-Sighting sight(const OrganActor& organ, const OrganLabels::Item* item, std::size_t owner,
-               const ViewGeometry& view, Eigen::Index most, Footprint& all, Fronts& fronts) {
-  Sighting sighting{Footprint(view.pixelHeight)};
-  if (item && organ.opacity() < kOpaque)
-    sighting.own = std::make_shared<FrontGrid>(view);
-  const Points& points = organ.points();
-  const Eigen::Index stride = std::max<Eigen::Index>(1, points.rows() / most);
-  // What lies between the vertices that are looked at is covered, too.
-  const Vec3 box = boundsOf(points).high - boundsOf(points).low;
-  const double area = 2 * (box.x() * box.y() + box.y() * box.z() + box.z() * box.x());
-  const double spacing = std::sqrt(area * static_cast<double>(stride) / static_cast<double>(points.rows()));
-  Eigen::Index count = 0;
-  std::vector<bool> met(fronts.opaque.cells());
-  for (Eigen::Index i = 0; i < points.rows(); i += stride) {
-    if (organ.cutsAway(points.row(i).transpose()))
-      continue;
-    const DisplayPoint place = view.project(points.row(i).transpose());
-    if (!(place.depth > 0) || !std::isfinite(place.x) || !std::isfinite(place.y))
-      continue;
-    const double reach =
-        std::max(kVertexReach * view.pixelRatio, kSpacingPart * spacing / view.worldPerPixel(place.depth));
-    sighting.covered.cover(place.x, place.y, reach);
-    all.cover(place.x, place.y, reach);
-    if (const auto cell = fronts.opaque.cellOf(place); cell && !met[*cell]) {
-      met[*cell] = true;
-      ++sighting.cells;
-    }
-    FrontGrid::Front front{place.depth, owner};
-    front.x = place.x;
-    front.y = place.y;
-    if (item && !item->places.empty())
-      front.offParts =
-          turnedAway(organ, i, view) < -kFacing ? offParts(organ, item->places, i, box.norm()) : 0;
-    if (organ.opacity() >= kOpaque)
-      fronts.opaque.add(place, front);
-    if (sighting.own)
-      sighting.own->add(place, front);
-    if (organ.isCut())
-      fronts.cut.add(place, {place.depth, owner, turnedAway(organ, i, view) > kHollow});
-    sighting.x += place.x;
-    sighting.y += place.y;
-    sighting.bottom = std::min(sighting.bottom, place.y);
-    sighting.top = std::max(sighting.top, place.y);
-    ++count;
-  }
-  sighting.seen = count > 0;
-  sighting.front = sighting.cells;
-  sighting.x /= static_cast<double>(std::max<Eigen::Index>(1, count));
-  sighting.y /= static_cast<double>(std::max<Eigen::Index>(1, count));
-  return sighting;
-}
-
-/// A part where its vertex is; nothing while that is cut away, behind something opaque, or outside of the
-/// view.
-std::optional<Sighting> sightPart(const OrganLabels::Item& item, const Sighting& organ,
-                                  const ViewGeometry& view, const Fronts& fronts) {
-  const Points& points = item.points ? *item.points : item.organ->points();
-  if (item.vertex >= points.rows())
-    return std::nullopt;
-  const Vec3 at = points.row(item.vertex).transpose();
-  const bool back =
-      !item.points && item.organ->opacity() >= kOpaque && turnedAway(*item.organ, item.vertex, view) > kBack;
-  if (back || item.organ->cutsAway(at))
-    return std::nullopt;
-  const DisplayPoint place = view.project(at);
-  const double slack = kHidden * item.organ->bounds().diagonal();
-  if (!(place.depth > 0) || !(place.x >= 0) || !(place.y >= 0) || place.x > 2 * view.centerX ||
-      place.y > view.pixelHeight || place.depth > fronts.opaque.depthAt(place) + slack ||
-      (!item.inHollow && fronts.cut.isInsideAt(place)))
-    return std::nullopt;
-  Sighting part = organ;
-  part.x = place.x;
-  part.y = place.y;
-  return part;
-}
-
-/// Whether an opaque organ is behind others, all but a few cells.
-bool isCovered(const Sighting& organ) {
-  return organ.cells > 0 &&
-         static_cast<double>(organ.front) < std::max(1.0, kSeenPart * static_cast<double>(organ.cells));
-}
-
-/// Finds where the line of an organ's own label ends: where the organ is seen, and on none of its named
-/// parts. Nothing while there is no such place. `before` is where it ended, `others` are all organs that are
-/// seen.
-std::optional<Sighting> placeWhole(const OrganLabels::Item& item, std::size_t row, Sighting organ,
-                                   const Fronts& fronts, const std::optional<ScreenPlace>& before,
-                                   const std::map<const OrganActor*, Sighting>& others) {
-  const bool solid = !organ.own;
-  const FrontGrid& grid = solid ? fronts.opaque : *organ.own;
-  const auto isSeen = [&](std::size_t cell) {
-    const FrontGrid::Front& front = grid.at(cell);
-    return front.any() && front.owner == row && (solid || front.depth < fronts.opaque.at(cell).depth);
-  };
-  organ.front = 0;
-  for (std::size_t cell = 0; cell < grid.cells(); ++cell)
-    organ.front += isSeen(cell) ? 1 : 0;
-  if (isCovered(organ))
-    return std::nullopt;
-  // What is in a translucent organ would seem to be meant.
-  const auto isClear = [&](std::size_t cell) {
-    if (!isSeen(cell) || solid || !item.atEdge)
-      return isSeen(cell);
-    const FrontGrid::Front& opaque = fronts.opaque.at(cell);
-    return !opaque.any() && std::none_of(others.begin(), others.end(), [&](const auto& other) {
-      return other.first != item.organ.get() && other.second.own && other.second.own->at(cell).any();
-    });
-  };
-  const auto move = [&](const std::array<double, 2>& to) {
-    organ.x = to[0];
-    organ.y = to[1];
-  };
-  const auto cellBefore = before ? grid.cellOf({before->x, before->y, 0}) : std::nullopt;
-  if (!item.places.empty()) {
-    organ.atPlace = true;
-    if (cellBefore && isClear(*cellBefore) && grid.at(*cellBefore).offParts > FrontGrid::kOffParts)
-      move({before->x, before->y});
-    else if (const auto cell = grid.farthestOffParts(isClear))
-      move({grid.at(*cell).x, grid.at(*cell).y});
-    else
-      return std::nullopt;
-  } else if (solid && cellBefore && isSeen(*cellBefore)) {
-    move({before->x, before->y});
-  } else if (const auto middle = grid.cellOf({organ.x, organ.y, 0}); solid || !middle || !isSeen(*middle)) {
-    if (const auto seen = grid.middleWhere(isSeen))
-      move(*seen);
-  }
-  return organ;
-}
 
 /// The text in two lines of much the same length; as it is, when it is one word.
 std::string broken(const std::string& text) {
@@ -297,8 +94,6 @@ struct OrganLabels::Parts {
 
   void follow();
   void hideAll();
-  void checkOrgans(const ViewGeometry& geometry, bool going, Footprint& all,
-                   std::vector<std::optional<Sighting>>& sightings) const;
   LabelSpace space(const ViewGeometry& geometry) const;
   bool stillFits(const ViewGeometry& geometry, const std::vector<std::optional<Sighting>>& sightings) const;
   LabelRequest requestFor(std::size_t row, const Sighting& organ, double ratio) const;
@@ -316,40 +111,6 @@ void OrganLabels::Parts::hideAll() {
     text->SetVisibility(false);
   lines.actor->SetVisibility(false);
   drawn.clear();
-}
-
-/// `going`: the layout goes on, and lines end where they did while that is on their organ.
-void OrganLabels::Parts::checkOrgans(const ViewGeometry& geometry, bool going, Footprint& all,
-                                     std::vector<std::optional<Sighting>>& sightings) const {
-  sightings.assign(items.size(), std::nullopt);
-  Fronts fronts{FrontGrid(geometry), FrontGrid(geometry)};
-  std::map<const OrganActor*, Sighting> seen;
-  const bool parts =
-      std::any_of(items.begin(), items.end(), [](const Item& item) { return item.vertex >= 0; });
-  for (const auto& organ : view.organs()) {
-    if (!organ->met())
-      continue;
-    const auto named = std::find_if(items.begin(), items.end(),
-                                    [&](const Item& item) { return item.organ == organ && item.vertex < 0; });
-    const Item* item = named == items.end() ? nullptr : &*named;
-    Sighting sighting = sight(*organ, item, static_cast<std::size_t>(named - items.begin()), geometry,
-                              parts ? kMostVerticesForParts : verticesFor(*organ, geometry), all, fronts);
-    if (sighting.seen)
-      seen.emplace(organ.get(), std::move(sighting));
-  }
-  for (std::size_t i = 0; i < items.size(); ++i) {
-    const auto organ = seen.find(items[i].organ.get());
-    if (organ == seen.end())
-      continue;
-    if (items[i].vertex >= 0) {
-      sightings[i] = sightPart(items[i], organ->second, geometry, fronts);
-      continue;
-    }
-    std::optional<ScreenPlace> before;
-    if (going)
-      before = layout->targets[i];
-    sightings[i] = placeWhole(items[i], i, organ->second, fronts, before, seen);
-  }
 }
 
 LabelSpace OrganLabels::Parts::space(const ViewGeometry& geometry) const {
@@ -418,7 +179,7 @@ void OrganLabels::Parts::measure(std::size_t row, LabelRequest& wanted) {
   wanted.height = size[1];
 }
 
-/// The labels that are seen, in the order in which they look for a place: as given, among many organs
+/// Those that are seen, in the order in which they look for a place: as they were given, among many organs
 /// those first of which most is seen, and parts behind organs.
 std::vector<std::size_t>
 OrganLabels::Parts::rowsByImportance(const std::vector<std::optional<Sighting>>& sightings) const {
@@ -492,9 +253,10 @@ void OrganLabels::Parts::follow() {
     return hideAll();
   const ViewGeometry geometry = viewGeometry(view.renderer());
   Footprint all(geometry.pixelHeight);
-  std::vector<std::optional<Sighting>> sightings;
   const bool going = view.moving() && layout && sameView(layout->view, geometry);
-  checkOrgans(geometry, going, all, sightings);
+  // Lines end where they did while that is right.
+  const auto sightings =
+      sightLabels(view.organs(), items, geometry, going ? layout->targets : decltype(layout->targets)(), all);
   if (going)
     layout->swept.cover(all);
   else

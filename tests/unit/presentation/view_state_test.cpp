@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "build_paths.h"
+#include "viscera/anatomy/norms.h"
 #include "viscera/core/error.h"
 #include "viscera/core/json_reader.h"
 
@@ -52,6 +53,16 @@ TEST(ViewStateJson, TheSignsOfAHeartComeBackAndOlderViewsHaveAll) {
     EXPECT_EQ(viewFromJson(toJson(view)).heartSigns, view.heartSigns);
   }
   EXPECT_THROW(viewOf(R"({"format": 3, "heartSigns": 1})"), DataError);
+}
+
+/// The range of both shades nearly all of a chart.
+TEST(ViewState, ShowsTheNormalRangesOfOneSexAtFirst) {
+  const anatomy::Person person = ViewState().person;
+  EXPECT_NE(person.sex, anatomy::Sex::either);
+  for (const char* row : {"lv.edv", "lv.esv", "rv.edv", "rv.esv"}) {
+    const anatomy::Range one = rangeOf(anatomy::norm(row), person), both = rangeOf(anatomy::norm(row));
+    EXPECT_LT(one.high - one.low, 0.9 * (both.high - both.low)) << row;
+  }
 }
 
 TEST(ViewStateJson, WhatCannotBeComparedIsLeftOut) {

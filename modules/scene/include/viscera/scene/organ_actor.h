@@ -28,6 +28,8 @@ enum class SurfaceRole {
   whole,   ///< Drawn, picked and named.
   picture, ///< Only drawn: rays go through it, it has no name and hides no label.
   body,    ///< Picked and named where it is, but not drawn.
+  hollow,  ///< A body that is empty: where a cut opens it, one looks at its far wall from inside.
+  filling, ///< A picture of what fills hollows: their names lie on it.
 };
 
 /// Draws the surface of one organ. VTK looks at the mesh's own memory: points, triangles, vertex colours,
@@ -78,7 +80,7 @@ public:
   void setVisible(bool visible);
   bool visible() const;
   /// `whole` at first. A surface that is shown in place of others has the role of their picture, and they
-  /// that of a body, so that clicks and names are as before.
+  /// that of a body or, where they are cavities, of a hollow, so that clicks and names are as before.
   void setRole(SurfaceRole role);
   SurfaceRole role() const;
   /// Whether it is visible and drawn; whether it is visible, and picked and named.
@@ -95,6 +97,8 @@ public:
   bool isCut() const;
   /// Whether the clip plane cuts away a place. O(1).
   bool cutsAway(const Vec3& place) const;
+  /// How far a place is behind the clip plane, on the side that stays, mm; infinite without one. O(1).
+  double behindCut(const Vec3& place) const;
 
   /// Colours the surface by one number a vertex (an influence, a stress), without a copy. Throws `UsageError`
   /// when their count is not the mesh's.

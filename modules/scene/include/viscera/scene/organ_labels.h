@@ -21,6 +21,13 @@ class OrganView;
 /// but for one that would be covered. Belongs to the thread that renders; the view has to live longer.
 class OrganLabels {
 public:
+  /// Where a part is, by which something hides it.
+  enum class Lies {
+    onSurface, ///< Of its organ, behind the face of a cut.
+    inHollow,  ///< In a cavity that a cut leaves open.
+    inFace,    ///< In what is cut: seen only in the face of a cut.
+  };
+
   /// What is to be labelled.
   struct Item {
     std::string text; ///< UTF-8.
@@ -36,8 +43,7 @@ public:
     /// organ that has no surface of its own. It is seen from all sides. The points may move as the organ's
     /// do.
     std::shared_ptr<const Points> points = nullptr;
-    /// The vertex is in a cavity that a cut leaves open, so that no cut face hides it.
-    bool inHollow = false;
+    Lies lies = Lies::onSurface;
   };
 
   /// A label as it was drawn last, in device pixels from the lower left corner.
