@@ -85,10 +85,9 @@ TissueOverABeat tissueOver(int frames, BeatingTissue& tissue) {
   return found;
 }
 
-/// Ten frames, which are enough to meet each phase. A few triangles of the coarse walls cross in motion, some
-/// 1.4 pairs a frame, which is held here; those of the window's resolution do not where they were looked at
-/// (`TissueOfAHeart.GoesAlongWithItsSurfacesInTheBeat`).
-TEST(HeartTissueOverABeat, KeepsItsVolumeAndHardlyMeetsItselfInTheTextbooksBeat) {
+/// Ten frames, which are enough to meet each phase. The coarse walls are held here; those of the window's
+/// resolution are looked at by `TissueOfAHeart.GoesAlongWithItsSurfacesInTheBeat`.
+TEST(HeartTissueOverABeat, KeepsItsVolumeAndNeverMeetsItselfInTheTextbooksBeat) {
   constexpr int kBeatFrames = 10;
   Progress progress;
   BeatingTissue tissue(setUpSequence(tests::cachedLibrary(), "heartbeat", Resolution::low, progress));
@@ -96,17 +95,17 @@ TEST(HeartTissueOverABeat, KeepsItsVolumeAndHardlyMeetsItselfInTheTextbooksBeat)
   HeldValue volume("change of the walls' volume over the textbook's beat, either way", 5, "%");
   volume.add(found.change);
   HeldValue crossings("crossings of the coarse walls with themselves in ten frames of the textbook's beat",
-                      20);
+                      0);
   crossings.add(found.crossings);
 }
 
 /// Two stand for all scenarios, since each takes a second to make: those with a strong and with a weak beat,
 /// in two frames each.
-TEST(HeartTissueOverABeat, KeepsItsVolumeAndHardlyMeetsItselfInTwoScenarios) {
+TEST(HeartTissueOverABeat, KeepsItsVolumeAndNeverMeetsItselfInTwoScenarios) {
   constexpr int kFramesEach = 2;
   HeldValue volume("change of the walls' volume in exercise and in heart failure, either way", 5, "%");
   HeldValue crossings(
-      "crossings of the coarse walls with themselves in exercise and in heart failure, four frames", 10);
+      "crossings of the coarse walls with themselves in exercise and in heart failure, four frames", 0);
   for (const char* id : {"exercise", "heart-failure-reduced-ef"}) {
     Progress progress;
     BeatingTissue tissue(circulatingHeart(tests::cachedLibrary(), circulation::scenario(id).name,

@@ -78,6 +78,27 @@ TEST(ConductionWays, LieInTheWallOrOnIt) {
     }
 }
 
+/// Over the roof of the atria, behind the ascending aorta and clear of it.
+TEST(ConductionWays, OfBachmannGoBehindTheAorta) {
+  constexpr int kPlacesEach = 10;
+  constexpr double kClearMm = 3;
+  const auto aorta = sample_organs::implicitSurface(projectLibrary(), "heart", "aorta");
+  const Vec3 root(-13, 9, 38); // The middle of the aorta at the bundle's height.
+  int behind = 0;
+  for (const auto& [surface, way] : conduction())
+    for (Eigen::Index i = 0; way.name == "Bachmann's bundle" && i + 1 < way.points.rows(); ++i)
+      for (int part = 0; part <= kPlacesEach; ++part) {
+        const double share = static_cast<double>(part) / kPlacesEach;
+        const Vec3 place = ((1 - share) * way.points.row(i) + share * way.points.row(i + 1)).transpose();
+        EXPECT_GT(aorta(place), kClearMm) << place.transpose();
+        if (std::abs(place.x() - root.x()) < 10) {
+          ++behind;
+          EXPECT_GT(place.y(), root.y() + 15) << place.transpose();
+        }
+      }
+  EXPECT_GT(behind, kPlacesEach);
+}
+
 TEST(ConductionWays, EachBeginsWhereAnotherPasses) {
   constexpr double kTogetherMm = 0.2;
   const auto all = conduction();

@@ -312,6 +312,40 @@ TEST(HeartMeasures, MitralAndAorticValveAreContinuous) {
   held.add(nearest);
 }
 
+TEST(HeartMeasures, TricuspidValveHangsNearerToTheApexAtTheSeptum) {
+  const Vec3 toApex = ventriclePlace(0, 0, 1) - ventriclePlace(0, 0, 0);
+  const auto hinge = [](HeartValve valve, HeartValve other) {
+    const std::vector<Vec3> ring = around(ringOf(valve));
+    return *std::min_element(ring.begin(), ring.end(), [&](const Vec3& a, const Vec3& b) {
+      return (a - ringOf(other).center).norm() < (b - ringOf(other).center).norm();
+    });
+  };
+  HeldRange held("septal hinge of the tricuspid valve, nearer to the apex than the mitral one's", 3, 10, "mm",
+                 "less than 8 mm for each m2 of body surface: guideline 2020, doi "
+                 "10.1093/eurheartj/ehaa554; at least 3 mm is customary");
+  held.add(
+      (hinge(HeartValve::tricuspid, HeartValve::mitral) - hinge(HeartValve::mitral, HeartValve::tricuspid))
+          .dot(toApex));
+}
+
+/// How thick the wall is on the way from the right atrium to the left one.
+double atrialSeptumAt(const Vec3& from) {
+  const Vec3 towardsLeft = Vec3(0.625, 0.749, 0.22).normalized();
+  constexpr double kAcrossMm = 40;
+  const double right = wayUntil(from, towardsLeft, kAcrossMm, heartTissue());
+  const Vec3 wall = from + (right + 0.05) * towardsLeft;
+  return wayUntil(wall, towardsLeft, kAcrossMm, [](const Vec3& p) { return !heartTissue()(p); });
+}
+
+TEST(HeartMeasures, OvalFossaIsTheThinPartOfTheAtrialSeptum) {
+  const Vec3 middle(-48, 22, 20); // In the right atrium, before the fossa.
+  HeldRange held("floor of the oval fossa", 1, 4, "mm", "customary");
+  const double thin = atrialSeptumAt(middle);
+  held.add(thin);
+  const Vec3 towardsAorta(0.768, -0.64, 0);
+  EXPECT_GT(atrialSeptumAt(middle + 10 * towardsAorta), thin + 3) << "the limbus before it";
+}
+
 using Path = std::vector<Vec3>;
 
 /// How often the way between two points goes through a ring, with the flow positive.

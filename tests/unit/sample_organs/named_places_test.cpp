@@ -109,6 +109,9 @@ TEST(NamedPlacesOfTheBody, LieOfEachOtherAsTheOrgansDo) {
       {"heart", "outer", "Left anterior descending artery", left, "Right coronary artery"},
       {"heart", "outer", "Apex", left, "Left anterior descending artery"},
       {"heart", "outer", "Apex", inferior, "Left anterior descending artery"},
+      {"heart", "ra", "Oval fossa", left, "Terminal crest"},
+      {"heart", "ra", "Oval fossa", posterior, "Terminal crest"},
+      {"heart", "ra", "Oval fossa", superior, "Opening of the coronary sinus"},
       {"stomach", "outer", "Oesophagus", superior, "Cardia"},
       {"stomach", "outer", "Fundus", left, "Cardia"},
       {"stomach", "outer", "Fundus", superior, "Body"},
@@ -195,6 +198,20 @@ TEST(NamedPlacesOfTheBody, OfTheValvesAreOnTheirVentricles) {
         << name;
     for (const geometry::NamedPlace& place : cavity.places)
       EXPECT_TRUE(place.ringMm > 8 && place.ringMm < 20) << place.name;
+  }
+}
+
+/// Parts of the right atrium's inner surface are points on its wall, none of them a valve.
+TEST(NamedPlacesOfTheBody, OfTheRightAtriumAreOnItsWall) {
+  Progress progress;
+  const auto cavity =
+      sample_organs::sampleSurface(projectLibrary(), "heart", "ra", sample_organs::Resolution::low, progress);
+  ASSERT_EQ(cavity.places.size(), 3U);
+  for (const geometry::NamedPlace& place : cavity.places) {
+    EXPECT_LT((cavity.mesh->points.rowwise() - place.at.transpose()).rowwise().norm().minCoeff(),
+              kFarthestFromSurface)
+        << place.name;
+    EXPECT_EQ(place.ringMm, 0) << place.name;
   }
 }
 

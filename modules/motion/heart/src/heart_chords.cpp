@@ -38,7 +38,7 @@ const std::array<Holder, 5>& holders() {
   static const std::array<Holder, 5> all = {
       {{HeartValve::mitral, {{-3, 11.4, 29}, {1.4, -5.4, -15}, 3.5}, 0},
        {HeartValve::mitral, {{-5.4, -10.5, 29}, {2.5, 5.1, -15}, 3.5}, 1},
-       {HeartValve::tricuspid, {{42, 4, 24}, {-4, 8, -16}, 2.5}, 0},
+       {HeartValve::tricuspid, {{48, 2, 28}, {-2, 7, -13}, 2.8}, 0},
        {HeartValve::tricuspid, {{39, 19, 25}, {2, -5, -13}, 2.3}, 1},
        {HeartValve::tricuspid, {{36, -7, 18}, {7, 8, -7}, 2}, 2}}};
   return all;
