@@ -158,10 +158,8 @@ public:
                  "label that phase",
                  found_.fullest, found_.endDiastole, inFixed(bloodAt(found_.fullest) - full, 1)),
           found_.fullest, std::nullopt);
-    if (std::none_of(found_.planes.begin(), found_.planes.end(),
-                     [](const CinePlaneUse& use) { return use.longAxis; }) ||
-        std::all_of(found_.planes.begin(), found_.planes.end(),
-                    [](const CinePlaneUse& use) { return use.longAxis; }))
+    const std::vector<bool> isLong = tracking::longAxisPlanes(study_.planes);
+    if (isLong.size() == 1 || std::count(isLong.begin(), isLong.end(), true) == 0)
       say(FitLight::amber,
           "planes of one direction only: what moves across them, such as the base, follows its neighbours",
           std::nullopt, std::nullopt);
@@ -312,14 +310,14 @@ CineMotion trackCine(const LabelledStudy& study, const TrackOptions& options, Pr
   });
   CineReport report(study, *rig, fit, found);
   report.addPhases(*tissue, threads, progress);
-  report.addPlanes();
+  report.judgeCycle(); // Comes first among findings that are as bad.
   MotionSeries cycle;
   cycle.names = study.labels.names;
   cycle.outer = study.labels.outer;
   cycle.times = study.times;
   addVolumes(cycle, motion);
+  report.addPlanes();
   report.judgePhases();
-  report.judgeCycle();
   report.finish();
   dropUncertain(found);
   motion.sequence = sequenceOf(study.labels.names, study.times, *rig, fit.motion.poses, handles);

@@ -165,7 +165,7 @@ TEST_F(Track, FromOneLabelledPhaseGivesEstimatesThatSaySo) {
   EXPECT_TRUE(found["phases"][3]["surfaces"]["RV"]["fittedMl"].is_null());
   EXPECT_EQ(found["indices"]["lv"]["estimate"], true);
   EXPECT_FALSE(found["indices"].contains("rv"));
-  EXPECT_NE(found["findings"][0]["text"].get<std::string>().find("estimates"), std::string::npos);
+  EXPECT_NE(found["findings"].dump().find("estimates"), std::string::npos);
 }
 
 TEST_F(Track, SaysWhatIsWrongWithImagesAndTheirLabels) {
