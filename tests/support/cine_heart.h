@@ -55,9 +55,12 @@ public:
     axis_ = axes.eigenvectors().col(2);
     across_ = axes.eigenvectors().col(1);
     middle_ = cavity.colwise().mean().transpose();
-    for (std::size_t phase = 1; phase < beat.times.count(); ++phase)
+    for (std::size_t phase = 1; phase < beat.times.count(); ++phase) {
       if (beat.trueMl(phase, 1) < beat.trueMl(systole_, 1))
         systole_ = phase;
+      if (beat.trueMl(phase, 1) > beat.trueMl(diastole_, 1))
+        diastole_ = phase;
+    }
   }
 
   /// The phase with the emptiest left ventricle.
@@ -68,9 +71,10 @@ public:
     study.times = beat_.times;
     study.labels.names = {"outer", "lv", "rv"};
     study.caps.resize(3);
-    study.phases = {0};
+    study.phases = {diastole_};
     if (faults.systole)
       study.phases.push_back(systole_ + static_cast<std::size_t>(faults.systoleOff));
+    std::sort(study.phases.begin(), study.phases.end());
     study.labels.times = tracking::PhaseTimes::even(study.phases.size(), beat_.times.periodSeconds);
     for (const std::size_t phase : study.phases)
       addLabels(phase, faults, study.labels);
@@ -172,7 +176,7 @@ private:
 
   const MeasuredBeat& beat_;
   Vec3 axis_, across_, middle_;
-  std::size_t systole_ = 0;
+  std::size_t systole_ = 0, diastole_ = 0;
 };
 
 } // namespace viscera::tests
