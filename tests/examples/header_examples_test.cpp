@@ -41,6 +41,7 @@
 #include "viscera/geometry/volume.h"
 #include "viscera/heart/cardiac_cycle.h"
 #include "viscera/lesson/lesson_plan.h"
+#include "viscera/live/cine_motion.h"
 #include "viscera/live/cycle_curves.h"
 #include "viscera/live/motion_copy.h"
 #include "viscera/live/player.h"
@@ -164,6 +165,16 @@ Points cubeCorners() {
   for (const CineSlice& slice : study.slices)
     endSystole.push_back(slice.image(slice.phaseAt(0.35)));
   return endSystole;
+}
+
+[[maybe_unused]] void trackBetweenTwoLabels() {
+  using namespace live; // There are no such files.
+  Progress progress;
+  CineRequest request;
+  request.images = "patient1";
+  request.labels = {{0, {"ed.nrrd"}}, {9, {"es.nrrd"}}};
+  const CineMotion found = trackCine(readLabelledStudy(request, progress), {}, progress);
+  writeSequence("beat.sequence.json", found.motion.sequence);
 }
 
 [[maybe_unused]] void writeAsTheWindow() {

@@ -210,6 +210,37 @@ class PatientMotion(Folder):
             self.assertLess(abs(ball["fitted_ml"] / ball["volume_ml"] - 1), 1e-6)
             self.assertGreater(phase["dice"], 0.9)
 
+    def test_two_labelled_phases_and_images_become_a_motion(self):
+        grid = np.indices((20, 20, 20)) - 9.5
+        phases = [((grid**2).sum(axis=0) < (8 - squeeze) ** 2) for squeeze in (0, 0.5, 1.2, 1.8, 2, 1.5, 0.9, 0.4)]
+        header = ("NRRD0004\ntype: uint8\ndimension: {}\nspace: left-posterior-superior\nsizes: {}20 20 20\n"
+                  "space directions: {}(4,0,0) (0,4,0) (0,0,4)\n{}space origin: (0,0,0)\nencoding: raw\n{}\n")
+        grey = np.stack([40 + 80 * ball + (grid[1] % 3) for ball in phases]).astype(np.uint8)
+        times = "axis 0 index type:=numeric\naxis 0 index unit:=ms\naxis 0 index values:=" + " ".join(
+            str(100 * phase) for phase in range(8)) + "\n"
+        images = self.folder / "grey.seq.nrrd"
+        images.write_bytes(header.format(4, "8 ", "none ", "kinds: list domain domain domain\n", times).encode()
+                           + grey.transpose(1, 2, 3, 0).tobytes())
+        for phase in (0, 4):
+            (self.folder / f"labels_{phase}.nrrd").write_bytes(
+                header.format(3, "", "", "", "").encode() + phases[phase].astype(np.uint8).tobytes())
+        labels = {phase: self.folder / f"labels_{phase}.nrrd" for phase in (4, 0)}
+        motion = viscera.track(labels, {"ball": [1]}, images=images, period=0.8, handles=30)
+        self.assertEqual(motion.labelled, [0, 4])
+        self.assertFalse(motion.estimate)
+        self.assertEqual(len(motion.phases), 8)
+        full, empty = phases[0].sum(), phases[4].sum()
+        self.assertAlmostEqual(motion.indices["ball"]["ejection_fraction"], (full - empty) / full, 5)
+        self.assertEqual(motion.planes[0]["states"][4], "labelled")
+        self.assertTrue(all(finding["text"] for finding in motion.findings))
+        for wrong in ([self.folder / "labels_0.nrrd"], {-1: self.folder / "labels_0.nrrd"}):
+            with self.assertRaises(viscera.UsageError):
+                viscera.track(wrong, {"ball": [1]}, images=images)
+        with self.assertRaises(viscera.UsageError):
+            viscera.track(labels, {"ball": [1]}, images=images, loop=False)
+        with self.assertRaises(viscera.UsageError):
+            viscera.track(labels, {"ball": [1]})
+
     def test_what_cannot_be_tracked_is_said(self):
         files, _ = self.phases()
         with self.assertRaises(viscera.DataError):

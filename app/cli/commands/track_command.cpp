@@ -11,6 +11,7 @@
 #include <CLI/CLI.hpp>
 
 #include "cli/cardiac_keys.h"
+#include "cli/cine_track.h"
 #include "cli/listing.h"
 #include "cli/number_bounds.h"
 #include "viscera/core/atomic_file.h"
@@ -25,7 +26,8 @@
 namespace viscera::app::cli {
 namespace {
 
-/// `viscera track PHASES... -o M.sequence.json`: tracks a patient's own motion in a series.
+/// `viscera track PHASES... -o M.sequence.json`: tracks a patient's own motion in a series, or with
+/// `--images` from cine images and labels of a few phases.
 class TrackCommand final : public Command {
 public:
   std::string name() const override { return "track"; }
@@ -44,11 +46,17 @@ private:
   /// The series, or the one that a single image has while it beats as the textbook's.
   live::MotionSeries read(const live::SeriesRequest& asked, Progress& progress, Threads threads) const;
   live::TrackOptions trackOptions(std::vector<Text>& warnings) const;
+  /// Throws `UsageError` for options that images have no use for.
+  void requireSuited() const;
+  Outcome runSeries(CommandContext& context) const;
+  Outcome runImages(CommandContext& context) const;
   /// Writes the sequence and what else is asked for: all of it, or nothing.
   void write(const live::PatientMotion& found) const;
-  Outcome report(const live::PatientMotion& found) const;
+  /// `images`: null for a series.
+  Outcome report(const live::PatientMotion& found, const live::CineMotion* images) const;
 
   std::vector<std::string> phases_;
+  CineTrackOptions images_;
   std::string output_;
   std::string handlesOut_;
   std::string organsOut_;
@@ -74,8 +82,8 @@ constexpr double kSecondsPerMinute = 60;
 constexpr int kFewestHandles = 12, kMostHandles = 1000;
 constexpr std::size_t kMostWarningsOfAKind = 12;
 
-/// "LV=1,2" taken apart.
-live::LabelledSurface surfaceOf(const std::string& text) {
+/// "LV=1,2" taken apart. "RV" alone names the only surface of files of surfaces, where `alone` allows it.
+live::LabelledSurface surfaceOf(const std::string& text, bool alone) {
   const std::size_t equal = text.find('=');
   live::LabelledSurface surface{text.substr(0, equal), {}};
   if (equal != std::string::npos)
@@ -85,7 +93,7 @@ live::LabelledSurface surfaceOf(const std::string& text) {
         surface.labels.push_back(text.substr(at, end - at));
       at = end + 1;
     }
-  if (surface.name.empty() || surface.labels.empty())
+  if (surface.name.empty() || (surface.labels.empty() && !(alone && equal == std::string::npos)))
     throw UsageError("It is not a name and labels", "--surface " + text, "as in --surface EPI=1,2,3");
   return surface;
 }
@@ -153,11 +161,11 @@ Overall overallOf(const live::PatientMotion& found, std::size_t surface) {
 } // namespace
 
 void TrackCommand::addOptions(CLI::App& options) {
-  options
-      .add_option("PHASES", phases_,
-                  "Surfaces or label maps, one a phase; a folder of them; a 4D NIfTI; a .seq.nrrd. Several "
-                  "surfaces a phase are told by their files' names without the last number")
-      ->required();
+  options.add_option(
+      "PHASES", phases_,
+      "Surfaces or label maps, one a phase; a folder of them; a 4D NIfTI; a .seq.nrrd. Several "
+      "surfaces a phase are told by their files' names without the last number");
+  images_.add(options);
   options.add_option("-o,--output", output_, "The motion: a .sequence.json")->type_name("FILE")->required();
   options.add_option("--write-handles", handlesOut_, "Where to write the handles in their groups, at rest")
       ->type_name("FILE");
@@ -212,7 +220,7 @@ live::SeriesRequest TrackCommand::request() const {
   live::SeriesRequest request;
   request.inputs.assign(phases_.begin(), phases_.end());
   for (const std::string& surface : surfaces_)
-    request.surfaces.push_back(surfaceOf(surface));
+    request.surfaces.push_back(surfaceOf(surface, images_.given()));
   if (periodMs_ > 0)
     request.periodSeconds = periodMs_ / kMsPerSecond;
   if (rate_ > 0)
@@ -254,14 +262,39 @@ live::TrackOptions TrackCommand::trackOptions(std::vector<Text>& warnings) const
   return options;
 }
 
+void TrackCommand::requireSuited() const {
+  images_.requireImages();
+  if (!images_.given()) {
+    if (phases_.empty())
+      throw UsageError("There is no series", "PHASES",
+                       "name its files, a folder, or a file with several phases; or images (--images)");
+    return;
+  }
+  const std::pair<bool, const char*> unsuited[] = {
+      {!phases_.empty(), "PHASES"},       {!timesMs_.empty(), "--times-ms"},
+      {!leftOut_.empty(), "--leave-out"}, {once_, "--once"},
+      {textbook_, "--textbook"},          {smoothing_ >= 0, "--smoothing"},
+      {robustMm_ > 0, "--robust-mm"}};
+  for (const auto& [given, name] : unsuited)
+    if (given)
+      throw UsageError("Images have no use for it", name, "leave it out, or leave out --images");
+}
+
 Outcome TrackCommand::run(CommandContext& context) {
   const auto begin = std::chrono::steady_clock::now();
+  requireSuited();
   if (!live::isSequenceFile(output_))
     throw UsageError("The name of a sequence file ends in .sequence.json", "-o " + output_,
                      "as in -o beat.sequence.json");
   for (const std::string* target : {&output_, &handlesOut_})
     if (!target->empty())
       const AtomicFile writable(*target); // Fails before the work, not after it.
+  Outcome outcome = images_.given() ? runImages(context) : runSeries(context);
+  outcome.json["seconds"] = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  return outcome;
+}
+
+Outcome TrackCommand::runSeries(CommandContext& context) const {
   const live::SeriesRequest asked = request();
   std::vector<Text> warnings;
   const live::TrackOptions options = trackOptions(warnings);
@@ -272,8 +305,25 @@ Outcome TrackCommand::run(CommandContext& context) {
           [&](Progress& part) { found = live::trackMotion(series, options, part, context.threads); });
   found.warnings.insert(found.warnings.begin(), warnings.begin(), warnings.end());
   write(found);
-  Outcome outcome = report(found);
-  outcome.json["seconds"] = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  return report(found, nullptr);
+}
+
+Outcome TrackCommand::runImages(CommandContext& context) const {
+  live::CineRequest asked = images_.request();
+  const live::SeriesRequest shared = request();
+  asked.surfaces = shared.surfaces;
+  asked.periodSeconds = shared.periodSeconds;
+  std::vector<Text> warnings;
+  const live::TrackOptions options = trackOptions(warnings);
+  live::LabelledStudy study;
+  runPart(context.progress, 0, 0.2, [&](Progress& part) { study = live::readLabelledStudy(asked, part); });
+  live::CineMotion found;
+  runPart(context.progress, 0.2, 1,
+          [&](Progress& part) { found = live::trackCine(study, options, part, context.threads); });
+  found.motion.warnings.insert(found.motion.warnings.begin(), warnings.begin(), warnings.end());
+  write(found.motion);
+  Outcome outcome = report(found.motion, &found);
+  addCineReport(found, outcome);
   return outcome;
 }
 
@@ -294,7 +344,7 @@ void TrackCommand::write(const live::PatientMotion& found) const {
   live::writeSequence(output_, found.sequence);
 }
 
-Outcome TrackCommand::report(const live::PatientMotion& found) const {
+Outcome TrackCommand::report(const live::PatientMotion& found, const live::CineMotion* images) const {
   Outcome outcome;
   Listing listing;
   const auto& track = found.sequence.track;
@@ -313,6 +363,8 @@ Outcome TrackCommand::report(const live::PatientMotion& found) const {
       .add("phases", std::to_string(found.phases.size()) + " over " +
                          fixed(kMsPerSecond * track.periodSeconds, 0) + " ms")
       .add("handles", std::to_string(track.restHandles.rows()));
+  if (images != nullptr)
+    addCineLines(*images, listing);
   for (std::size_t i = 0; i < found.sequence.organs.size(); ++i) {
     const Overall overall = overallOf(found, i);
     std::string text = fixed(overall.mean, 2) + " mm away on average, " + fixed(overall.worst, 2) +
@@ -326,7 +378,8 @@ Outcome TrackCommand::report(const live::PatientMotion& found) const {
     setUnderNames(outcome.json["ejectionFraction"], name, indices.ejectionFraction);
     setUnderNames(outcome.json["indices"], name, cardiacJson(indices));
     listing.add(name + " EF", fixed(indices.ejectionFraction, 3) + " (" + fixed(indices.endDiastolicMl, 1) +
-                                  " to " + fixed(indices.endSystolicMl, 1) + " ml)");
+                                  " to " + fixed(indices.endSystolicMl, 1) + " ml)" +
+                                  (images != nullptr && images->estimate ? ", an estimate" : ""));
   }
   outcome.json["tissueMl"] = found.tissueMl;
   listing.add("folded", std::to_string(folded) + " places in all phases")

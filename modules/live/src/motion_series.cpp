@@ -5,6 +5,7 @@
 #include <map>
 
 #include "heart_labels.h"
+#include "labelled_phases.h"
 #include "phase_name.h"
 #include "series_checks.h"
 #include "series_files.h"
@@ -141,8 +142,15 @@ void readSurfaces(const SeriesFiles& files, MotionSeries& series, Progress& prog
 /// Takes label maps one after the other and keeps the voxels of the surfaces.
 class MaskReader {
 public:
-  MaskReader(const SeriesRequest& request, MotionSeries& series)
-      : surfaces_(request.surfaces), series_(series) {}
+  MaskReader(const std::vector<LabelledSurface>& surfaces, MotionSeries& series)
+      : surfaces_(surfaces), series_(series) {}
+  /// Messages name the phases by these numbers.
+  MaskReader(const std::vector<LabelledSurface>& surfaces, const std::vector<PhaseLabels>& numbers,
+             MotionSeries& series)
+      : surfaces_(surfaces), series_(series) {
+    for (const PhaseLabels& phase : numbers)
+      numbers_.push_back(phase.phase);
+  }
 
   void add(const LabelMap& map, const Text& where) {
     const std::size_t phase = series_.masks.size();
@@ -194,22 +202,25 @@ public:
         throw DataError(
             phrase("%1 touches the edge of the image in %2 and not in others, so that its volumes would be "
                    "cut off",
-                   named(surfaces_[i].name), phaseName(first)),
+                   named(surfaces_[i].name), nameOf(first)),
             "series", "use images that show all of it in every phase");
       series_.warnings.push_back(
           always ? phrase("%1 touches the edge of the image in every phase: what lies beyond is not in its "
                           "volume",
                           named(surfaces_[i].name))
                  : phrase("%1 touches the edge of the image in %2: what lies beyond is not in its volume",
-                          named(surfaces_[i].name), phaseName(first)));
+                          named(surfaces_[i].name), nameOf(first)));
     }
   }
 
 private:
   static constexpr const char* kMissingAdvice = "label it in every phase, or leave this phase out";
 
-  static Text missing(const std::string& label, std::size_t phase) {
-    return phrase("The label \"%1\" is missing in %2", label, phaseName(phase));
+  Text nameOf(std::size_t phase) const {
+    return numbers_.empty() ? phaseName(phase) : phrase("phase %1", numbers_[phase]);
+  }
+  Text missing(const std::string& label, std::size_t phase) const {
+    return phrase("The label \"%1\" is missing in %2", label, nameOf(phase));
   }
 
   void begin(const LabelMap& map, const Text& where) {
@@ -222,7 +233,7 @@ private:
                                    "surface, each chamber is a cavity");
     }
     if (map.segments.empty())
-      throw DataError(phrase("No voxel has a label in %1", phaseName(0)), where, kMissingAdvice);
+      throw DataError(phrase("No voxel has a label in %1", nameOf(0)), where, kMissingAdvice);
     if (surfaces_.empty()) {
       std::string names;
       for (const medical_io::Segment& segment : map.segments)
@@ -254,12 +265,12 @@ private:
     const Vec3 last(size_[0] - 1, size_[1] - 1, size_[2] - 1);
     if (map.size != size_ || !((between * Vec3::Zero()).norm() < kSameGridVoxels) ||
         !((between * last - last).norm() < kSameGridVoxels))
-      throw DataError(phrase("The grid of %1 is another one than that of the first phase", phaseName(phase)),
+      throw DataError(phrase("The grid of %1 is another one than that of the first phase", nameOf(phase)),
                       where, "resample all phases to one grid, in the same axes");
   }
 
-  static tracking::Mask maskOf(const LabelMap& map, const LabelledSurface& surface, std::size_t phase,
-                               const Text& where) {
+  tracking::Mask maskOf(const LabelMap& map, const LabelledSurface& surface, std::size_t phase,
+                        const Text& where) const {
     tracking::Mask mask{map.size, map.indexToLps, std::vector<std::uint8_t>(map.voxelCount(), 0)};
     std::vector<std::size_t> segments;
     for (const std::string& label : surface.labels)
@@ -281,6 +292,7 @@ private:
 
   std::vector<LabelledSurface> surfaces_;
   MotionSeries& series_;
+  std::vector<std::size_t> numbers_;
   std::array<int, 3> size_ = {};
   Eigen::Affine3d grid_ = Eigen::Affine3d::Identity();
   std::vector<tracking::VoxelRange> all_;                 ///< Of each surface in all phases.
@@ -436,7 +448,7 @@ MotionSeries readOnePhase(const SeriesRequest& request, Progress& progress) {
   if (!masks && files.kind == SeriesFiles::Kind::surfaces) {
     readSurfaces(chosenOf(files, request), series, progress);
   } else {
-    MaskReader reader(request, series);
+    MaskReader reader(request.surfaces, series);
     Progress quiet;
     const fs::path& image = masks ? request.inputs.front() : files.files.at("").front();
     reader.add(masks ? medical_io::readLabelFolder(image, quiet) : medical_io::readLabelMap(image, quiet),
@@ -452,13 +464,44 @@ MotionSeries readOnePhase(const SeriesRequest& request, Progress& progress) {
   return series;
 }
 
+MotionSeries readLabelledPhases(const std::vector<PhaseLabels>& phases,
+                                const std::vector<LabelledSurface>& surfaces, Progress& progress) {
+  SeriesRequest request;
+  request.surfaces = surfaces;
+  const SeriesFiles files = labelledFiles(phases, request.surfaces);
+  MotionSeries series;
+  if (files.kind == SeriesFiles::Kind::surfaces) {
+    readSurfaces(chosenOf(files, request), series, progress);
+  } else {
+    MaskReader masks(surfaces, phases, series);
+    for (const fs::path& file : files.files.at("")) {
+      Progress quiet;
+      std::error_code error;
+      masks.add(fs::is_directory(file, error) ? medical_io::readLabelFolder(file, quiet)
+                                              : medical_io::readLabelMap(file, quiet),
+                file.string());
+      progress.throwIfCancelled();
+    }
+    masks.finish();
+    series.files.assign(series.names.size(), files.files.at(""));
+  }
+  measureVolumes(series, phases.size());
+  series.outer = outerOf(series);
+  series.times = tracking::PhaseTimes::even(phases.size(), 1);
+  putOuterFirst(series);
+  keepCommonRims(series);
+  requireOneSpace(series);
+  requireCavitiesInside(series);
+  return series;
+}
+
 MotionSeries readMotionSeries(const SeriesRequest& request, Progress& progress) {
   if (isHeartFolder(request.inputs))
     requirePhases(1);
   const SeriesFiles files = seriesFiles(request);
   MotionSeries series;
   SeriesTimes stated;
-  MaskReader masks(request, series);
+  MaskReader masks(request.surfaces, series);
   if (files.kind != SeriesFiles::Kind::volumes)
     requirePhases(files.phases);
   if (files.kind == SeriesFiles::Kind::surfaces) {

@@ -107,6 +107,59 @@ void requireComplete(const SeriesFiles& series) {
   }
 }
 
+/// What the names of one surface's files have in common: "rv" for "rv_ed.obj" and "rv_es.obj".
+std::string commonName(const std::vector<fs::path>& files) {
+  std::string name = seriesName(files.front().filename()).first;
+  bool alike = true;
+  for (const fs::path& file : files) {
+    const std::string other = seriesName(file.filename()).first;
+    alike = alike && other == name;
+    if (!alike)
+      name.resize(static_cast<std::size_t>(
+          std::mismatch(name.begin(), name.end(), other.begin(), other.end()).first - name.begin()));
+  }
+  if (!alike) {
+    const std::size_t end = name.find_last_of("_-. ");
+    name.resize(end == std::string::npos ? 0 : end);
+  }
+  return name.empty() ? "surface" : name;
+}
+
+/// The files of one phase; a folder of surfaces stands for what it holds.
+std::vector<fs::path> filesOf(const PhaseLabels& phase) {
+  std::vector<fs::path> files;
+  for (const fs::path& file : phase.files) {
+    std::error_code error;
+    if (!fs::exists(file, error))
+      throw NoInputError("there is no such file or folder", file.string(), "check the name and the folder");
+    if (!fs::is_directory(file, error) || isHeartFolder({file})) {
+      files.push_back(file);
+      continue;
+    }
+    std::vector<fs::path> inside = filesIn(file);
+    std::sort(inside.begin(), inside.end());
+    files.insert(files.end(), inside.begin(), inside.end());
+  }
+  if (files.empty())
+    throw UsageError(phrase("Phase %1 has no labels", phase.phase), "--phase", "as in --phase 0=ed.nrrd");
+  return files;
+}
+
+void requireSameNames(const SeriesFiles& series, const std::vector<PhaseLabels>& phases,
+                      const std::vector<std::vector<fs::path>>& files) {
+  for (const auto& [name, list] : series.files)
+    for (std::size_t i = 0; i < files.size(); ++i) {
+      const auto count = std::count_if(files[i].begin(), files[i].end(), [&](const fs::path& file) {
+        return seriesName(file.filename()).first == name;
+      });
+      if (count != 1)
+        throw DataError(
+            count == 0 ? phrase("The surface \"%1\" is missing in phase %2", name, phases[i].phase)
+                       : phrase("The surface \"%1\" has %2 files in phase %3", name, count, phases[i].phase),
+            files[i].front().string(), "name a surface alike in all phases, as in ed/LV.obj and es/LV.obj");
+    }
+}
+
 } // namespace
 
 std::pair<std::string, std::optional<std::uint64_t>> seriesName(const fs::path& file) {
@@ -153,6 +206,45 @@ SeriesFiles seriesFiles(const SeriesRequest& request) {
     series.files[seriesName(file.filename()).first].push_back(file);
   requireComplete(series);
   series.phases = series.files.begin()->second.size();
+  return series;
+}
+
+SeriesFiles labelledFiles(const std::vector<PhaseLabels>& phases,
+                          const std::vector<LabelledSurface>& surfaces) {
+  std::vector<std::vector<fs::path>> files;
+  std::size_t all = 0, meshes = 0;
+  for (const PhaseLabels& phase : phases) {
+    const auto& own = files.emplace_back(filesOf(phase));
+    all += own.size();
+    meshes += static_cast<std::size_t>(std::count_if(own.begin(), own.end(), isSurface));
+  }
+  if (meshes != 0 && meshes != all)
+    throw DataError("It mixes surfaces and label maps", files.front().front().string(),
+                    "give labels of one kind for all phases");
+  SeriesFiles series;
+  series.phases = phases.size();
+  std::vector<fs::path> firsts;
+  bool single = true;
+  for (const auto& own : files) {
+    firsts.push_back(own.front());
+    single = single && own.size() == 1;
+  }
+  if (meshes == 0) {
+    if (!single)
+      throw DataError("A phase has several label maps", files.front().front().string(),
+                      "give one file for each phase");
+    series.kind = SeriesFiles::Kind::labelMaps;
+    series.files[""] = firsts;
+    return series;
+  }
+  if (single) {
+    series.files[surfaces.size() == 1 ? surfaces.front().name : commonName(firsts)] = firsts;
+    return series;
+  }
+  for (const auto& own : files)
+    for (const fs::path& file : own)
+      series.files[seriesName(file.filename()).first].push_back(file);
+  requireSameNames(series, phases, files);
   return series;
 }
 

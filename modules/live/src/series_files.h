@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "viscera/live/cine_motion.h"
 #include "viscera/live/motion_series.h"
 #include "viscera/medical_io/label_series.h"
 
@@ -28,6 +29,11 @@ bool isHeartFolder(const std::vector<std::filesystem::path>& inputs);
 /// Sorts the inputs into phases. Throws `NoInputError`, `DataError` for kinds that are mixed and for surfaces
 /// that miss a phase, `UsageError` for no inputs.
 SeriesFiles seriesFiles(const SeriesRequest& request);
+
+/// The files of labelled phases, in their order. Surfaces are told by their files' names; one a phase has the
+/// name that `surfaces` gives it, or what the names begin with alike. Throws as `seriesFiles`.
+SeriesFiles labelledFiles(const std::vector<PhaseLabels>& phases,
+                          const std::vector<LabelledSurface>& surfaces);
 
 /// The times of phases from their DICOM files; empty for files of another kind.
 medical_io::SeriesTimes dicomTimes(const std::vector<std::filesystem::path>& files);

@@ -195,6 +195,9 @@ private:
       labels.push_back(tests::beatingLabels(part, Vec3(4, 4, 8)));
     }
     put("cine.nii.gz", tests::gzipped(tests::nifti4d(labels, 150, 16)));
+    put("images.nii.gz", tests::gzipped(tests::nifti4d(labels, 150, 16))); // Their numbers as grey values.
+    put("ed.nrrd", tests::nrrdFile(labels[0]));
+    put("es.nrrd", tests::nrrdFile(labels[3]));
     put("heart.nii.gz",
         tests::gzipped(tests::niftiFile(
             tests::beatingLabels(0, Vec3(4, 4, 4)), tests::NiftiForm::sform,

@@ -36,6 +36,22 @@ protected:
       phases.push_back(tests::beatingLabels(phase / 6.0, Vec3(4, 4, 8)));
     return put("cine.nii", tests::nifti4d(phases, 150, 16));
   }
+  /// The same heart as grey values over a cycle of eight phases, and labels of one phase.
+  std::string greyCine() const {
+    std::vector<tests::LabelImage> phases;
+    for (int phase = 0; phase < 8; ++phase) {
+      tests::LabelImage& image = phases.emplace_back(tests::beatingLabels(phase / 8.0, Vec3(2, 2, 8)));
+      for (std::size_t v = 0; v < image.voxels.size(); ++v) {
+        static constexpr int kGrey[] = {20, 100, 100, 50};
+        image.voxels[v] = kGrey[image.voxels[v]] + int(v % 7);
+      }
+    }
+    return put("grey.nii", tests::nifti4d(phases, 100, 16));
+  }
+  std::string labelsOf(int phase) const {
+    return put("labels" + std::to_string(phase) + ".nii",
+               tests::niftiFile(tests::beatingLabels(phase / 8.0, Vec3(2, 2, 8))));
+  }
 };
 
 TEST_F(Track, KeepsItsContractAndIsPlayedAgainWithTheSameVolumes) {
@@ -105,6 +121,69 @@ TEST_F(Track, SaysWhatIsMissingAndLeavesNothing) {
                 "a name and labels");
   expectFailure({"track", file, "-o", path("m.sequence.json"), "--surface", "LV=9"}, kUsage, "9");
   expectFailure({"track", path("nobody"), "-o", path("m.sequence.json")}, kNoInput, "no such file or folder");
+  EXPECT_EQ(files(), before);
+}
+
+TEST_F(Track, FindsTheMotionBetweenTwoLabelledPhasesFromImages) {
+  const std::string images = greyCine(), diastole = labelsOf(0), systole = labelsOf(4);
+  const json found =
+      runJson({"track", "--images", images, "--phase", "4=" + systole, "--phase", "0=" + diastole, "-o",
+               path("c.sequence.json"), "--handles", "60", "--surface", "LV=1", "--surface", "EPI=1,2,3"});
+  ASSERT_EQ(found["phases"].size(), 8U);
+  EXPECT_NEAR(found["periodMs"].get<double>(), 800, 1e-3);
+  EXPECT_EQ(found["labelledPhases"], json({0, 4}));
+  EXPECT_EQ(found["estimate"], false);
+  EXPECT_EQ(found["endDiastolePhase"], 0);
+  EXPECT_EQ(found["endSystolePhase"], 4);
+  for (std::size_t phase = 0; phase < 8; ++phase) {
+    EXPECT_EQ(found["phases"][phase]["labelled"], phase == 0 || phase == 4);
+    const double volume = found["phases"][phase]["surfaces"]["LV"]["fittedMl"];
+    EXPECT_LE(volume, found["phases"][0]["surfaces"]["LV"]["volumeMl"].get<double>() + 1e-4);
+    EXPECT_GE(volume, found["phases"][4]["surfaces"]["LV"]["volumeMl"].get<double>() - 1e-4);
+  }
+  const double full = found["phases"][0]["surfaces"]["LV"]["volumeMl"],
+               empty = found["phases"][4]["surfaces"]["LV"]["volumeMl"];
+  EXPECT_NEAR(found["ejectionFraction"]["lv"].get<double>(), (full - empty) / full, 1e-6);
+  ASSERT_GE(found["planes"].size(), 5U);
+  for (const std::string key : {"name", "series", "plane", "longAxis", "weight", "likeness", "closureMm",
+                                "apartMm", "light", "reason"})
+    EXPECT_TRUE(found["planes"][0].contains(key)) << key;
+  EXPECT_EQ(found["planes"][0]["phases"][0]["state"], "labelled");
+  EXPECT_EQ(found["planes"][0]["phases"].size(), 8U);
+  EXPECT_TRUE(found["findings"].is_array());
+  const json played = runJson({"play", path("c.sequence.json"), "--fps", "10"});
+  EXPECT_NEAR(played["ejectionFraction"].get<double>(), found["ejectionFraction"]["LV"].get<double>(), 1e-4);
+}
+
+TEST_F(Track, FromOneLabelledPhaseGivesEstimatesThatSaySo) {
+  const json found =
+      runJson({"track", "--images", greyCine(), "--phase", "0=" + labelsOf(0), "-o", path("e.sequence.json"),
+               "--handles", "60", "--surface", "LV=1", "--surface", "RV=2", "--surface", "EPI=1,2,3"});
+  EXPECT_EQ(found["estimate"], true);
+  EXPECT_EQ(found["phases"][0]["surfaces"]["LV"]["estimate"], false);
+  EXPECT_EQ(found["phases"][3]["surfaces"]["LV"]["estimate"], true);
+  EXPECT_TRUE(found["phases"][3]["surfaces"]["RV"]["fittedMl"].is_null());
+  EXPECT_EQ(found["indices"]["lv"]["estimate"], true);
+  EXPECT_FALSE(found["indices"].contains("rv"));
+  EXPECT_NE(found["findings"].dump().find("estimates"), std::string::npos);
+}
+
+TEST_F(Track, SaysWhatIsWrongWithImagesAndTheirLabels) {
+  const std::string images = greyCine(), diastole = labelsOf(0), out = path("w.sequence.json");
+  const auto before = files();
+  const auto refuse = [&](std::vector<std::string> arguments, int code, const std::string& words) {
+    arguments.insert(arguments.begin(), "track");
+    arguments.insert(arguments.end(), {"-o", out});
+    expectFailure(arguments, code, words);
+  };
+  refuse({"--images", images}, kUsage, "No phase has labels");
+  refuse({"--images", images, "--phase", "8=" + diastole, "--surface", "LV=1"}, kUsage, "no phase 8");
+  refuse({"--images", images, "--phase", diastole}, kUsage, "as in --phase 9=es.nrrd");
+  refuse({"--images", images, "--phase", "0=" + path("none.nrrd")}, kNoInput, "no such file");
+  refuse({"--images", images, "--phase", "0=" + diastole}, kUsage, "say which surfaces they make");
+  refuse({"--phase", "0=" + diastole}, kUsage, "There are no images");
+  refuse({diastole, "--images", images}, kUsage, "Images have no use for it");
+  refuse({}, kUsage, "There is no series");
   EXPECT_EQ(files(), before);
 }
 

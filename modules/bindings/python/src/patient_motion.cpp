@@ -1,4 +1,4 @@
-#include "viscera/live/patient_motion.h"
+#include "viscera/live/cine_motion.h"
 
 #include <filesystem>
 #include <map>
@@ -17,12 +17,14 @@
 #include "parts.h"
 #include "viscera/anatomy/part.h"
 #include "viscera/core/phrase.h"
+#include "viscera/live/patient_motion.h"
 #include "viscera/sequences/keyframes.h"
 
 namespace viscera::python {
 namespace {
 
 namespace py = pybind11;
+using live::CineMotion;
 using live::PatientMotion;
 using live::TrackedPhase;
 
@@ -80,6 +82,83 @@ std::shared_ptr<PatientMotion> track(const std::vector<std::filesystem::path>& p
             [&](Progress& part) { *found = live::trackMotion(series, options, part, Threads{threads}); });
     return found;
   });
+}
+
+/// What `viscera.track` takes for images.
+struct CineArguments {
+  std::filesystem::path images;
+  std::vector<std::pair<std::size_t, std::vector<std::filesystem::path>>> labels;
+  std::vector<std::pair<std::string, std::vector<std::string>>> surfaces;
+  int handles = 0;
+  std::optional<double> period;
+  std::vector<int> leaveOutSeries;
+  bool keepVolumes = true;
+};
+
+std::shared_ptr<CineMotion> trackImages(const CineArguments& arguments, const py::object& rig, int threads,
+                                        const py::object& listener) {
+  live::CineRequest request;
+  request.images = arguments.images;
+  for (const auto& [phase, files] : arguments.labels)
+    request.labels.push_back({phase, files});
+  for (const auto& [name, labels] : arguments.surfaces)
+    request.surfaces.push_back({name, labels});
+  request.periodSeconds = arguments.period;
+  request.leftOutSeries = arguments.leaveOutSeries;
+  live::TrackOptions options;
+  options.rig.handles = arguments.handles;
+  options.handles = rigFrom(rig);
+  options.keepVolumes = arguments.keepVolumes;
+  return resultOfLong(listener, [&](Progress& progress) {
+    live::LabelledStudy study;
+    runPart(progress, 0, 0.2, [&](Progress& part) { study = live::readLabelledStudy(request, part); });
+    auto found = std::make_shared<CineMotion>();
+    runPart(progress, 0.2, 1,
+            [&](Progress& part) { *found = live::trackCine(study, options, part, Threads{threads}); });
+    return found;
+  });
+}
+
+const char* nameOf(live::PlaneState state) {
+  static constexpr const char* kNames[] = {"used",    "leaves plane", "unlike",
+                                           "no wall", "no image",     "labelled"};
+  return kNames[static_cast<std::size_t>(state)];
+}
+
+py::list planesOf(const CineMotion& found) {
+  py::list all;
+  for (const live::CinePlaneUse& use : found.planes) {
+    py::dict row;
+    row["name"] = use.source.name.english();
+    row["series"] = use.source.series;
+    row["plane"] = nameOf(use.source.view);
+    row["long_axis"] = use.longAxis;
+    row["weight"] = use.weight;
+    row["likeness"] = use.likeness;
+    row["closure_mm"] = use.closureMm;
+    row["apart_mm"] = use.apartMm;
+    row["fit"] = nameOf(use.light);
+    row["reason"] = use.reason.english();
+    py::list states;
+    for (const live::PlaneState state : use.states)
+      states.append(nameOf(state));
+    row["states"] = states;
+    all.append(row);
+  }
+  return all;
+}
+
+py::list findingsOf(const CineMotion& found) {
+  py::list all;
+  for (const live::CineFinding& finding : found.findings) {
+    py::dict row;
+    row["fit"] = nameOf(finding.light);
+    row["text"] = finding.text.english();
+    row["phase"] = finding.phase;
+    row["plane"] = finding.plane;
+    all.append(row);
+  }
+  return all;
 }
 
 py::dict surfaceDict(const tracking::SurfaceQuality& surface) {
@@ -152,44 +231,92 @@ MotionSource sourceOf(const live::SequenceFile& file) {
   return source;
 }
 
-void addPatientMotion(py::module_& module) {
-  py::class_<PatientMotion, std::shared_ptr<PatientMotion>>(
-      module, "PatientMotion",
-      "A patient's own motion: one rig of handles, a pose of it for every phase of a series, and how well it "
-      "fits. Made by `track`.")
+namespace {
+
+/// What a motion from a series and one from images have alike; `of` gets it from either.
+template <class Motion, class Of>
+void addShared(py::class_<Motion, std::shared_ptr<Motion>>& motion, const Of& of) {
+  motion
       .def_property_readonly(
           "sequence",
-          [](const PatientMotion& m) { return std::make_shared<MotionSource>(sourceOf(m.sequence)); },
+          [of](const Motion& m) { return std::make_shared<MotionSource>(sourceOf(of(m).sequence)); },
           "It as a `Sequence`: poses at any time, handles, coordinates, and the surfaces at rest.")
-      .def_property_readonly("phases", &phases,
-                             "A dict for each phase: seconds; mean_mm, p95_mm, max_mm (distances of the "
-                             "surfaces); dice (None for surfaces); folded (places in the tissue); fit "
-                             "(\"good\", \"amber\", \"red\") and reasons; surfaces (name, and volume_ml, "
-                             "fitted_ml, free_ml, distances, dice, flipped triangles).")
       .def_property_readonly(
-          "indices", &indices,
+          "phases", [of](const Motion& m) { return phases(of(m)); },
+          "A dict for each phase: seconds; mean_mm, p95_mm, max_mm (distances of the surfaces); dice (None "
+          "for "
+          "surfaces); folded (places in the tissue); fit (\"good\", \"amber\", \"red\") and reasons; "
+          "surfaces "
+          "(name, and volume_ml, fitted_ml, free_ml, distances, dice, flipped triangles).")
+      .def_property_readonly(
+          "indices", [of](const Motion& m) { return indices(of(m)); },
           "Of each cavity, or of the only surface: end_diastolic_volume_ml, end_systolic_volume_ml, "
           "stroke_volume_ml, ejection_fraction, cardiac_output_l_per_minute; a chamber of the heart under "
           "its "
           "name and as \"lv\", \"rv\", \"la\", \"ra\".")
-      .def_readonly("tissue_ml", &PatientMotion::tissueMl,
-                    "The outer surface less its cavities, a number a phase; empty for one surface.")
       .def_property_readonly(
-          "fit", [](const PatientMotion& m) { return nameOf(m.worst()); }, "Of the worst phase.")
-      .def_readonly("corresponding", &PatientMotion::corresponding,
-                    "Whether points were known from phase to phase.")
+          "tissue_ml", [of](const Motion& m) { return of(m).tissueMl; },
+          "The outer surface less its cavities, a number a phase; empty for one surface.")
       .def_property_readonly(
-          "warnings", [](const PatientMotion& m) { return inEnglish(m.warnings); },
+          "fit", [of](const Motion& m) { return nameOf(of(m).worst()); }, "Of the worst phase.")
+      .def_property_readonly(
+          "corresponding", [of](const Motion& m) { return of(m).corresponding; },
+          "Whether points were known from phase to phase.")
+      .def_property_readonly(
+          "warnings", [of](const Motion& m) { return inEnglish(of(m).warnings); },
           "What was mended or assumed.")
       .def(
           "write",
-          [](const PatientMotion& m, const std::filesystem::path& file) {
-            unlocked([&] { live::writeSequence(file, m.sequence); });
+          [of](const Motion& m, const std::filesystem::path& file) {
+            unlocked([&] { live::writeSequence(file, of(m).sequence); });
           },
           py::arg("path"), "Writes a .sequence.json, which the program and `sequence` play.")
-      .def("__repr__", [](const PatientMotion& m) {
-        return "<PatientMotion of " + std::to_string(m.phases.size()) + " phases, " + nameOf(m.worst()) + ">";
+      .def("__repr__", [of](const Motion& m) {
+        return "<PatientMotion of " + std::to_string(of(m).phases.size()) + " phases, " +
+               nameOf(of(m).worst()) + ">";
       });
+}
+
+void addMotionOfImages(py::module_& module) {
+  py::class_<CineMotion, std::shared_ptr<CineMotion>> motion(
+      module, "CineMotion",
+      "A patient's own motion from images and the labels of a few phases: as a `PatientMotion`, and what is "
+      "known "
+      "of its images. Made by `track`.");
+  addShared(motion, [](const CineMotion& m) -> const PatientMotion& { return m.motion; });
+  motion.def_readonly("labelled", &CineMotion::labelled, "The labelled phases.")
+      .def_readonly("estimate", &CineMotion::estimate,
+                    "Whether only one phase has labels: all other numbers are estimates.")
+      .def_property_readonly("planes", &planesOf,
+                             "A dict for each plane: name, series, plane, long_axis; weight, likeness (0 to "
+                             "1), closure_mm, apart_mm "
+                             "(means); fit and reason; states, one for each phase.")
+      .def_property_readonly("findings", &findingsOf,
+                             "A dict for each thing to know: fit, text, phase, plane (or None).");
+  module.def(
+      "track_images",
+      [](const std::filesystem::path& images,
+         const std::vector<std::pair<std::size_t, std::vector<std::filesystem::path>>>& labels,
+         const std::vector<std::pair<std::string, std::vector<std::string>>>& surfaces, int handles,
+         const py::object& rig, std::optional<double> period, const std::vector<int>& leaveOutSeries,
+         bool keepVolumes, int threads, const py::object& listener) {
+        return trackImages({images, labels, surfaces, handles, period, leaveOutSeries, keepVolumes}, rig,
+                           threads, listener);
+      },
+      py::arg("images"), py::arg("labels"), py::arg("surfaces"), py::arg("handles"), py::arg("rig"),
+      py::arg("period"), py::arg("leave_out_series"), py::arg("keep_volumes"), py::arg("threads"),
+      py::arg("progress"), "What `viscera.track` calls for images.");
+}
+
+} // namespace
+
+void addPatientMotion(py::module_& module) {
+  py::class_<PatientMotion, std::shared_ptr<PatientMotion>> motion(
+      module, "PatientMotion",
+      "A patient's own motion: one rig of handles, a pose of it for every phase of a series, and how well it "
+      "fits. Made by `track`.");
+  addShared(motion, [](const PatientMotion& m) -> const PatientMotion& { return m; });
+  addMotionOfImages(module);
   module.def(
       "track",
       [](const std::vector<std::filesystem::path>& inputs,

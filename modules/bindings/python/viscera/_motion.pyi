@@ -49,6 +49,27 @@ class Workbench:
 def open_bench(
     files: ListOf[str], systems: ListOf[System], threads: int, progress: Optional[Progress]
 ) -> Workbench: ...
+
+class CineMotion:
+    tissue_ml: list[float]
+    corresponding: bool
+    warnings: list[str]
+    labelled: list[int]
+    estimate: bool
+    @property
+    def sequence(self) -> Sequence: ...
+    @property
+    def phases(self) -> list[dict[str, Any]]: ...
+    @property
+    def indices(self) -> dict[str, dict[str, float]]: ...
+    @property
+    def fit(self) -> str: ...
+    @property
+    def planes(self) -> list[dict[str, Any]]: ...
+    @property
+    def findings(self) -> list[dict[str, Any]]: ...
+    def write(self, path: str) -> None: ...
+
 def sequence_names() -> list[str]: ...
 def ready_sequence(name: str, resolution: str, progress: Optional[Progress]) -> Sequence: ...
 def fitted_sequence(
@@ -92,3 +113,15 @@ def track(
     threads: int,
     progress: Optional[Progress],
 ) -> PatientMotion: ...
+def track_images(
+    images: str,
+    labels: ListOf[tuple[int, ListOf[str]]],
+    surfaces: ListOf[tuple[str, ListOf[str]]],
+    handles: int,
+    rig: Optional[ArrayLike],
+    period: Optional[float],
+    leave_out_series: ListOf[int],
+    keep_volumes: bool,
+    threads: int,
+    progress: Optional[Progress],
+) -> CineMotion: ...

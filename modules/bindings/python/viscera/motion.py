@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import os
-from typing import TYPE_CHECKING, Mapping, Sequence as ListOf, Union
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Sequence as ListOf, Union
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -14,7 +15,7 @@ from .deformation import Progress
 from .errors import UsageError
 
 if TYPE_CHECKING:
-    from ._motion import PatientMotion
+    from ._motion import CineMotion, PatientMotion
 
 PathLike = Union[str, "os.PathLike[str]"]
 
@@ -54,10 +55,36 @@ def sequence_names() -> ListOf[str]:
     return part("_motion").sequence_names()
 
 
+def _track_images(
+    images: PathLike,
+    phases: Mapping[int, PathLike | ListOf[PathLike]],
+    named: ListOf[tuple[str, ListOf[str]]],
+    handles: int | None,
+    rig: ArrayLike | None,
+    period: float | None,
+    leave_out_series: ListOf[int],
+    keep_volumes: bool,
+    threads: int,
+    progress: Progress | None,
+) -> CineMotion:
+    labels = []
+    for phase, files in phases.items():
+        if phase < 0:
+            raise UsageError("Labelled phases are counted from 0")
+        one = isinstance(files, (str, os.PathLike))
+        labels.append((phase, [os.fspath(file) for file in ([files] if one else files)]))
+    return part("_motion").track_images(
+        os.fspath(images), labels, named, handles or 0, rig, period, list(leave_out_series), keep_volumes, threads,
+        progress,
+    )
+
+
 def track(
-    phases: PathLike | ListOf[PathLike],
+    phases: PathLike | ListOf[PathLike] | Mapping[int, PathLike | ListOf[PathLike]],
     surfaces: Mapping[str, ListOf[str | int]] | None = None,
     *,
+    images: PathLike | None = None,
+    leave_out_series: ListOf[int] = (),
     handles: int | None = None,
     rig: ArrayLike | None = None,
     period: float | None = None,
@@ -69,13 +96,19 @@ def track(
     robust: float = 0.0,
     threads: int = 0,
     progress: Progress | None = None,
-) -> PatientMotion:
+) -> PatientMotion | CineMotion:
     """A patient's own motion: one rig of handles, and its pose in every phase of a series.
 
     phases        surfaces or label maps (files), one a phase, a folder of them, a 4D NIfTI or a .seq.nrrd. Several
                   surfaces a phase are told by their files' names without the last number.
     surfaces      of label maps: name and labels (names or values) of each; the outer one has those of its cavities too:
                   {"LV": [1], "RV": [2], "EPI": [1, 2, 3]}. None: the only label, or those of a heart.
+    images        cine images of a whole cycle (a DICOM folder, a 4D NIfTI, a .seq.nrrd); `phases` are then the labelled
+                  ones, two or more, counted from 0: {0: "ed.nrrd", 9: "es.nrrd"}, each a label map, a surface or a folder
+                  of surfaces. The result has `planes`, `findings`, `labelled` and `estimate`, too. With one labelled
+                  phase all other numbers are estimates. times, leave_out, loop, smoothing and robust are not for images.
+    leave_out_series
+                  series of the images that are not used, by their numbers.
     handles       how many (none: 60 for one surface, 120 for more); or
     rig           positions of your own, h x 3 mm, around the organ in the first phase.
     period        of one cycle, s; goes before what the files say.
@@ -89,7 +122,6 @@ def track(
     Some seconds a phase for label maps. Needs the part of Viscera that is built with Qt's core. Raises NoInputError,
     DataError that says what to do, UsageError, Cancelled.
     """
-    files = [phases] if isinstance(phases, (str, os.PathLike)) else list(phases)
     named = [(name, [str(label) for label in np.atleast_1d(labels)]) for name, labels in (surfaces or {}).items()]
     if handles is not None and rig is not None:
         raise UsageError("A rig has its handles (give their number, or positions)")
@@ -97,6 +129,17 @@ def track(
         raise UsageError(f"There cannot be {handles} handles")
     if any(phase < 0 for phase in leave_out):
         raise UsageError("Phases that are left out are counted from 0")
+    if images is not None:
+        if not isinstance(phases, Mapping):
+            raise UsageError('Labels of images are named by their phases (as in {0: "ed.nrrd", 9: "es.nrrd"})')
+        if len(times) or len(leave_out) or not loop or smoothing is not None or robust:
+            raise UsageError("Images have no use for times, leave_out, loop, smoothing and robust (leave them out)")
+        return _track_images(
+            images, phases, named, handles, rig, period, leave_out_series, keep_volumes, threads, progress
+        )
+    if isinstance(phases, Mapping) or len(leave_out_series):
+        raise UsageError("There are no images (give the images, or a file for each phase)")
+    files = [phases] if isinstance(phases, (str, os.PathLike)) else list(phases)
     return part("_motion").track(
         [os.fspath(file) for file in files], named, handles or 0, rig, period, list(times), list(leave_out), loop,
         keep_volumes, smoothing, robust, threads, progress,

@@ -187,6 +187,7 @@ void close(const MotionRig& rig, const LabelledPose& next, const std::vector<Cin
 /// One way through one segment in one plane: its contours are followed together.
 struct CineChain {
   std::size_t segment = 0, plane = 0, source = 0;
+  bool ahead = true; ///< Whether it begins where the segment does: of one label both ends are the same.
   std::vector<std::size_t> order;
   std::vector<CineContour> contours;
 };
@@ -227,7 +228,7 @@ std::vector<CineChain> chainsOf(const std::vector<CineSegment>& segments,
     back.push_back(labelled[segment.from].phase);
     for (std::size_t plane = 0; plane < planes; ++plane)
       for (const bool ahead : {true, false}) {
-        CineChain chain{i, plane, ahead ? segment.from : segment.to, ahead ? onward : back, {}};
+        CineChain chain{i, plane, ahead ? segment.from : segment.to, ahead, ahead ? onward : back, {}};
         for (std::size_t surface = 0; surface < surfaces; ++surface)
           if (auto contour = cutter.cut(labelled[chain.source], plane, surface))
             chain.contours.push_back(std::move(*contour));
@@ -295,7 +296,7 @@ std::vector<CineSegment> cineSegments(const MotionRig& rig, const std::vector<La
   for (CineChain& chain : chains) {
     CineSegment& segment = segments[chain.segment];
     for (CineContour& contour : chain.contours)
-      (chain.source == segment.from ? segment.ahead : segment.against).push_back(std::move(contour));
+      (chain.ahead ? segment.ahead : segment.against).push_back(std::move(contour));
   }
   for (CineSegment& segment : segments) {
     for (CineContour& contour : segment.ahead)

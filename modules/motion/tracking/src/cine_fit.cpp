@@ -15,10 +15,13 @@
 namespace viscera::tracking {
 namespace {
 
-void requireLabels(const std::vector<LabelledPhase>& labelled, const PhaseTimes& times) {
-  if (labelled.size() < 2)
+void requireLabels(const std::vector<LabelledPhase>& labelled, const PhaseTimes& times, bool fromOne) {
+  if (labelled.size() < (fromOne ? 1 : 2))
     throw DataError("One labelled phase is too few for the motion between two", "phases",
                     "label the end of diastole and the end of systole");
+  if (labelled.size() == 1 && !times.loop)
+    throw DataError("From one labelled phase only a whole cycle can be followed", "phases",
+                    "label the last phase as well");
   for (std::size_t i = 0; i < labelled.size(); ++i) {
     if (labelled[i].phase >= times.count())
       throw DataError(phrase("There is no phase %1", labelled[i].phase), "phases",
@@ -175,7 +178,7 @@ CineFit fitCine(const MotionRig& rig, std::vector<LabelledPhase> labelled,
                 Progress& progress, Threads threads) {
   std::stable_sort(labelled.begin(), labelled.end(),
                    [](const LabelledPhase& a, const LabelledPhase& b) { return a.phase < b.phase; });
-  requireLabels(labelled, times);
+  requireLabels(labelled, times, options.fromOne);
   requireValid(planes);
   const std::size_t outer = outerOf(rig.surfaces());
   CineFit fit = emptyFit(times.count(), planes.size(), static_cast<Eigen::Index>(rig.surfaces().size()),
@@ -196,15 +199,17 @@ CineFit fitCine(const MotionRig& rig, std::vector<LabelledPhase> labelled,
   });
   const std::vector<bool> isLong = longAxisPlanes(planes);
   const std::vector<FreePhase> free = freePhases(segments);
+  const CineStiffness hold =
+      labelled.size() > 1 ? CineStiffness::betweenLabels() : CineStiffness::fromOneLabel();
   const LabelledVolumes labels(rig, poses, outer);
-  const FreePhaseFit phaseFit(rig, *stiffness, labels, options.keepVolumes);
+  const FreePhaseFit phaseFit(rig, *stiffness, labels, options.keepVolumes && labelled.size() > 1);
   std::vector<std::uint8_t> heldBack(times.count(), 0);
   std::atomic<int> done{0};
   parallelRanges(static_cast<Eigen::Index>(free.size()), 1, threads, [&](Eigen::Index begin, Eigen::Index) {
     progress.throwIfCancelled();
     const auto& [segment, at] = free[static_cast<std::size_t>(begin)];
     const CinePose images(rig, *segment, at, poses[segment->from], poses[segment->to], isLong, planes,
-                          options.caps);
+                          options.caps, hold);
     phaseFit.run(images, segment->phases[at], fit, heldBack);
     progress.report(0.6 + 0.4 * ++done / static_cast<double>(free.size()), "fitting the images");
   });

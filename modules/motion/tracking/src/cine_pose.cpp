@@ -12,15 +12,13 @@
 namespace viscera::tracking {
 namespace {
 
-constexpr double kClosureMm = 2;
+constexpr double kClosureMm = 3;
 constexpr double kGateMm = 8, kWideGateMm = 12, kWithinGateMm = 12;
-constexpr int kWideSteps = 3, kWaySteps = 8, kHandleSteps = 4;
+constexpr int kWideSteps = 3, kWaySteps = 8;
+constexpr double kWider = 2; ///< Gates while tissue is far from the labelled pose.
 constexpr double kLongestWayStep = 0.25, kStillWay = 0.003, kStillHandleMm = 0.15, kLongestStepMm = 10;
-/// Costs of strain, bending between neighbours and handles' own bending against the mean squared distance,
-/// mm^2.
-constexpr double kStrainCost = 2, kBendingCost = 12, kHandleCost = 1e-4;
 constexpr double kPoseFloor = 1e-7;
-constexpr double kWithinWeight = 0.3, kRimWeight = 2; ///< Long-axis rows within the plane.
+constexpr double kWithinWeight = 0.3, kRimWeight = 0.5; ///< Long-axis rows within the plane.
 /// Below this det F tissue resists, more the flatter it is: the cost of a point, mm^2.
 constexpr double kLeastRatio = 0.2, kRatioCost = 0.05;
 
@@ -42,8 +40,10 @@ double medianOf(std::vector<double> values) {
 
 CinePose::CinePose(const MotionRig& rig, const CineSegment& segment, std::size_t at, const LabelledPose& from,
                    const LabelledPose& to, const std::vector<bool>& isLong,
-                   const std::vector<CinePlane>& planes, const std::vector<std::vector<Eigen::Index>>& caps)
-    : rig_(rig), from_(from), to_(to), isLong_(isLong), planes_(planes), time_(segment.parts[at]) {
+                   const std::vector<CinePlane>& planes, const std::vector<std::vector<Eigen::Index>>& caps,
+                   const CineStiffness& hold)
+    : rig_(rig), from_(from), to_(to), isLong_(isLong), planes_(planes), hold_(hold),
+      time_(segment.parts[at]) {
   for (std::size_t i = 0; i < rig.surfaces().size(); ++i) {
     isCap_.emplace_back(static_cast<std::size_t>(rig.surfaces()[i].triangles.rows()), false);
     if (i < caps.size())
@@ -62,7 +62,8 @@ void CinePose::gather(const std::vector<CineContour>& contours, double far, std:
     Tissue& tissue = tissue_.emplace_back();
     tissue.contour = &contour;
     tissue.at = followed.at - far * contour.drift;
-    // w = (1 - f) q l / (1 + (f c / 2 mm)^2), f how far from the label, q likeness, l length, c closure.
+    tissue.likeness = followed.likeness;
+    // w = (1 - f) q l / (1 + (f c / 3 mm)^2), f how far from the label, q likeness, l length, c closure.
     tissue.weight = (1 - far) * followed.likeness.array() * contour.lengths.array() /
                     (1 + (far / kClosureMm * contour.closure.array()).square());
   }
@@ -101,7 +102,7 @@ Eigen::Index CinePose::acrossRows(const Points& vertices, double gateMm, Rows& r
   return row;
 }
 
-void CinePose::withinRows(const Points& pose, Eigen::Index first, Rows& rows) const {
+void CinePose::withinRows(const Points& pose, Eigen::Index first, double gateMm, Rows& rows) const {
   for (const Tissue& tissue : tissue_) {
     const CineContour& contour = *tissue.contour;
     if (!isLong_[contour.plane])
@@ -113,19 +114,20 @@ void CinePose::withinRows(const Points& pose, Eigen::Index first, Rows& rows) co
         rows.direction.row(first) = along.transpose();
         rows.apart[first] = apart.row(i).dot(along);
         rows.weight[first] = tissue.weight[i] * (kWithinWeight + kRimWeight * contour.onRim[i]) *
-                             tukeyWeight(apart.row(i).norm(), kWithinGateMm);
+                             tukeyWeight(apart.row(i).norm(), gateMm);
       }
   }
 }
 
-CinePose::Rows CinePose::rowsAt(const Points& pose, double gateMm, bool within) const {
+CinePose::Rows CinePose::rowsAt(const Points& pose, double gateMm, double withinMm) const {
+  const bool within = withinMm > 0;
   Eigen::Index count = 0;
   for (const Tissue& tissue : tissue_)
     count += tissue.at.rows() * (within && isLong_[tissue.contour->plane] ? 3 : 1);
   Rows rows{Eigen::MatrixXd(count, rig_.handles()), Points(count, 3), Values(count), Values(count)};
   const Eigen::Index across = acrossRows(rig_.vertices(pose), gateMm, rows);
   if (within)
-    withinRows(pose, across, rows);
+    withinRows(pose, across, withinMm, rows);
   return rows;
 }
 
@@ -133,7 +135,7 @@ double CinePose::partOfWay() const {
   double part = (1 - std::cos(std::numbers::pi * time_)) / 2;
   const Points way = to_.pose - from_.pose;
   for (int step = 0; step < kWaySteps; ++step) {
-    const Rows rows = rowsAt(between(part), step < kWideSteps ? kWideGateMm : kGateMm, false);
+    const Rows rows = rowsAt(between(part), step < kWideSteps ? kWideGateMm : kGateMm, 0);
     // min sum w (e - j ds)^2 with j = n . W (h_b - h_a).
     const Values along = (rows.handles * way).cwiseProduct(rows.direction).rowwise().sum();
     const double size = rows.weight.dot(along.cwiseAbs2());
@@ -152,11 +154,11 @@ Points CinePose::System::solve(const Points& right) const {
   return found.reshaped(right.rows(), 3);
 }
 
-CinePose::System CinePose::systemAt(const Points& pose, const Points& prior,
-                                    const WallStiffness& stiffness) const {
+CinePose::System CinePose::systemAt(const Points& pose, const Points& prior, const WallStiffness& stiffness,
+                                    double wider) const {
   static constexpr std::array<std::pair<int, int>, 6> kBlocks = {
       {{0, 0}, {1, 0}, {1, 1}, {2, 0}, {2, 1}, {2, 2}}};
-  const Rows rows = rowsAt(pose, kGateMm, true);
+  const Rows rows = rowsAt(pose, wider * kGateMm, wider * kWithinGateMm);
   std::vector<Eigen::Index> used;
   for (Eigen::Index i = 0; i < rows.weight.size(); ++i)
     if (rows.weight[i] > 0)
@@ -164,8 +166,8 @@ CinePose::System CinePose::systemAt(const Points& pose, const Points& prior,
   const Eigen::MatrixXd handles = rows.handles(used, Eigen::all);
   const Points direction = rows.direction(used, Eigen::all);
   const Values weight = rows.weight(used) / (rows.weight.sum() + 1e-9), apart = rows.apart(used);
-  const Eigen::MatrixXd hold =
-      kStrainCost * stiffness.strain() + kBendingCost * stiffness.bending() + kHandleCost * rig_.bending();
+  const Eigen::MatrixXd hold = hold_.strain * stiffness.strain() + hold_.bending * stiffness.bending() +
+                               hold_.handles * rig_.bending();
   const Eigen::Index n = rig_.handles();
   Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(3 * n, 3 * n);
   for (const auto& [row, column] : kBlocks) {
@@ -192,12 +194,12 @@ CinePose::System CinePose::systemAt(const Points& pose, const Points& prior,
 
 Points CinePose::fitted(const Points& prior, const WallStiffness& stiffness, bool& heldBack) const {
   Points pose = prior;
-  for (int round = 0; round < kHandleSteps && !tissue_.empty(); ++round) {
-    const System system = systemAt(pose, prior, stiffness);
+  for (int round = 0; round < hold_.steps && !tissue_.empty(); ++round) {
+    const System system = systemAt(pose, prior, stiffness, round < hold_.wideSteps ? kWider : 1);
     const Points change = system.solve(system.gradient);
     const double largest = std::sqrt(rig_.vertices(change).rowwise().squaredNorm().maxCoeff());
     pose += std::min(1.0, kLongestStepMm / std::max(largest, 1e-9)) * change;
-    if (largest < kStillHandleMm)
+    if (largest < kStillHandleMm && round >= hold_.wideSteps)
       break;
   }
   // No more folds than on the way between the labels themselves.
@@ -221,7 +223,8 @@ VolumeResidual CinePose::giveVolumes(const Values& wantedMl, const WallStiffness
 
 std::vector<PlaneShare> CinePose::shares(const Points& pose) const {
   std::vector<PlaneShare> shares(planes_.size());
-  std::vector<double> full(planes_.size(), 0), weights(planes_.size(), 0), apart(planes_.size(), 0);
+  std::vector<double> full(planes_.size(), 0), weights(planes_.size(), 0), apart(planes_.size(), 0),
+      likeness(planes_.size(), 0);
   std::vector<std::vector<double>> closures(planes_.size());
   const Points vertices = rig_.vertices(pose);
   for (const Tissue& tissue : tissue_) {
@@ -231,6 +234,7 @@ std::vector<PlaneShare> CinePose::shares(const Points& pose) const {
     const NearestPlace nearest(own, rig_.surfaces()[tissue.contour->surface].triangles);
     for (Eigen::Index i = 0; i < tissue.at.rows(); ++i) {
       full[plane] += tissue.contour->lengths[i];
+      likeness[plane] += tissue.contour->lengths[i] * tissue.likeness[i];
       weights[plane] += tissue.weight[i];
       apart[plane] += tissue.weight[i] * nearest.of(tissue.at.row(i).transpose()).apart;
       closures[plane].push_back(tissue.contour->closure[i]);
@@ -240,6 +244,7 @@ std::vector<PlaneShare> CinePose::shares(const Points& pose) const {
   for (std::size_t plane = 0; plane < shares.size(); ++plane) {
     // The weights of both directions add up to 1 in a phase whose images are alike and close.
     shares[plane].weight = full[plane] > 0 ? std::min(1.0, 2 * weights[plane] / full[plane]) : 0;
+    shares[plane].likeness = full[plane] > 0 ? likeness[plane] / full[plane] : 0;
     shares[plane].apartMm = weights[plane] > 0 ? apart[plane] / weights[plane] : 0;
     shares[plane].closureMm = medianOf(closures[plane]);
   }

@@ -9,13 +9,25 @@
 
 namespace viscera::tracking {
 
+/// How stiff tissue is while handles follow the images, and how far these may lead.
+struct CineStiffness {
+  double strain, bending, handles; ///< Costs against the mean squared distance, mm^2.
+  int steps;                       ///< Of Gauss and Newton.
+  int wideSteps;                   ///< The first of them, in which distances count up to twice the gate.
+
+  /// About a pose between two labelled ones.
+  static CineStiffness betweenLabels() { return {4, 24, 1e-4, 4, 0}; }
+  /// About the only labelled pose, from which tissue moves by a centimetre and more.
+  static CineStiffness fromOneLabel() { return {0.5, 3, 1e-5, 10, 5}; }
+};
+
 /// What the images say of one phase between two labelled ones, and the pose that fits it.
 class CinePose {
 public:
   /// Fits the phase at place `at` of a segment. Keeps all references.
   CinePose(const MotionRig& rig, const CineSegment& segment, std::size_t at, const LabelledPose& from,
            const LabelledPose& to, const std::vector<bool>& isLong, const std::vector<CinePlane>& planes,
-           const std::vector<std::vector<Eigen::Index>>& caps);
+           const std::vector<std::vector<Eigen::Index>>& caps, const CineStiffness& hold);
 
   /// How far the phase is from the one label to the other: Gauss-Newton on the distances of followed tissue
   /// along the normals. That of a half cosine where no image shows anything.
@@ -40,13 +52,14 @@ private:
   struct Tissue {
     const CineContour* contour = nullptr;
     Points at;
-    Values weight;
+    Values weight, likeness;
   };
 
   void gather(const std::vector<CineContour>& contours, double far, std::size_t step);
-  Rows rowsAt(const Points& pose, double gateMm, bool within) const;
+  /// `withinMm`: of the rows within long-axis planes; 0: none.
+  Rows rowsAt(const Points& pose, double gateMm, double withinMm) const;
   Eigen::Index acrossRows(const Points& vertices, double gateMm, Rows& rows) const;
-  void withinRows(const Points& pose, Eigen::Index first, Rows& rows) const;
+  void withinRows(const Points& pose, Eigen::Index first, double gateMm, Rows& rows) const;
   /// The normal equations of a Gauss-Newton step, x, y and z of all handles below each other.
   struct System {
     Eigen::LLT<Eigen::MatrixXd> matrix;
@@ -54,13 +67,15 @@ private:
 
     Points solve(const Points& right) const;
   };
-  System systemAt(const Points& pose, const Points& prior, const WallStiffness& stiffness) const;
+  System systemAt(const Points& pose, const Points& prior, const WallStiffness& stiffness,
+                  double wider = 1) const;
 
   const MotionRig& rig_;
   const LabelledPose& from_;
   const LabelledPose& to_;
   const std::vector<bool>& isLong_;
   const std::vector<CinePlane>& planes_;
+  CineStiffness hold_;
   double time_;                          ///< Part of the way in time.
   std::vector<std::vector<bool>> isCap_; ///< For each surface's triangles.
   std::vector<Tissue> tissue_;

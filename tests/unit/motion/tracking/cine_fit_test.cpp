@@ -247,9 +247,9 @@ TEST(FitCine, FindsARealRightVentricleBetweenTwoLabels) {
     worst = std::max(worst, error);
   }
   std::printf("right ventricle: %.1f ml on average, %.1f ml at most of %.1f ml\n", mean, worst, trueMl(0));
-  // 1.7 and 7.5 % when this was written; the straight way between the labels has 4.9 and 10.3 %.
-  EXPECT_LT(mean, 0.025 * trueMl(0));
-  EXPECT_LT(worst, 0.08 * trueMl(0));
+  // 1.4 and 4.5 % when this was written; the straight way between the labels has 4.9 and 10.3 %.
+  EXPECT_LT(mean, 0.02 * trueMl(0));
+  EXPECT_LT(worst, 0.06 * trueMl(0));
 }
 
 } // namespace

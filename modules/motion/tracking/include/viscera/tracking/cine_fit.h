@@ -28,11 +28,15 @@ struct CineFitOptions {
   /// Labelled phases have their volumes exactly, and no cavity (or only surface) of another phase is larger
   /// or smaller than all labels: ejection fraction and stroke volume are those of the labels.
   bool keepVolumes = true;
+  /// Whether one labelled phase of a loop is enough. What the images show of the others is an estimate then,
+  /// volumes included: there is no second label at which tissue could be seen to have drifted.
+  bool fromOne = false;
 };
 
 /// What one plane contributed to one phase.
 struct PlaneShare {
   double weight = 0;    ///< 0 to 1: of its contours, on average.
+  double likeness = 0;  ///< 0 to 1: of its images around that tissue to those of the labelled phases.
   double closureMm = 0; ///< How far its tissue arrived from the next labelled surface, the median.
   double apartMm = 0;   ///< Its tissue from the fitted surfaces, the mean by weight.
   int points = 0;       ///< On contours; 0: it shows no wall, or has no image in that phase.
@@ -63,7 +67,8 @@ struct CineFit {
 /// keep the nearest one's pose.
 ///
 /// Bitwise independent of the number of threads. About a second a phase for eleven planes. Throws `DataError`
-/// for fewer than two labelled phases or one named twice, what `requireValid` throws, `Cancelled`.
+/// for fewer than two labelled phases (one: see `fromOne`) or one named twice, what `requireValid` throws,
+/// `Cancelled`.
 CineFit fitCine(const MotionRig& rig, std::vector<LabelledPhase> labelled,
                 const std::vector<CinePlane>& planes, const PhaseTimes& times, const CineFitOptions& options,
                 Progress& progress, Threads threads = {});

@@ -1,0 +1,328 @@
+#include "viscera/live/cine_motion.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "motion_assembly.h"
+#include "tracked_volumes.h"
+#include "viscera/anatomy/part.h"
+#include "viscera/core/text.h"
+
+namespace viscera::live {
+namespace {
+
+using tracking::CineFit;
+using tracking::FitLight;
+using tracking::PlaneShare;
+
+constexpr double kLeavesPlaneMm = 4, kUnlike = 0.15;
+constexpr double kFewAmber = 0.05; ///< Weight of all contours of a phase, on average.
+constexpr double kApartAmberMm = 1.5, kApartRedMm = 2.5;
+constexpr double kWallChange = 0.1;   ///< Of the tissue's volume beyond those of the labels.
+constexpr double kEmptierPart = 0.03; ///< Of the volume at the end of diastole.
+constexpr double kMostPhases = 0.5;   ///< In which a plane may be of no use before it is said.
+
+PlaneState stateOf(const PlaneShare& share, bool labelled, bool hasImage) {
+  if (labelled)
+    return PlaneState::labelled;
+  if (!hasImage)
+    return PlaneState::noImage;
+  if (share.points == 0)
+    return PlaneState::noWall;
+  if (share.closureMm > kLeavesPlaneMm)
+    return PlaneState::leavesPlane;
+  return share.likeness < kUnlike ? PlaneState::unlike : PlaneState::used;
+}
+
+/// Says what a plane over all phases is worth.
+void judgePlane(CinePlaneUse& use) {
+  double shown = 0, leaving = 0, unlike = 0, missing = 0, asked = 0;
+  for (std::size_t phase = 0; phase < use.shares.size(); ++phase) {
+    const PlaneShare& share = use.shares[phase];
+    missing += use.states[phase] == PlaneState::noImage;
+    asked += use.states[phase] != PlaneState::labelled;
+    if (share.points == 0)
+      continue;
+    ++shown;
+    leaving += use.states[phase] == PlaneState::leavesPlane;
+    unlike += use.states[phase] == PlaneState::unlike;
+    use.weight += share.weight;
+    use.likeness += share.likeness;
+    use.closureMm += share.closureMm;
+    use.apartMm += share.apartMm;
+  }
+  for (double* number : {&use.weight, &use.likeness, &use.closureMm, &use.apartMm})
+    *number /= std::max(shown, 1.0);
+  if (shown == 0) {
+    use.light = FitLight::amber;
+    use.reason = "it shows no wall that could be followed";
+  } else if (leaving > kMostPhases * shown) {
+    use.light = FitLight::amber;
+    use.reason = phrase("its tissue leaves the plane: it arrives %1 mm from the next label",
+                        inFixed(use.closureMm, 1));
+  } else if (unlike > kMostPhases * shown) {
+    use.light = FitLight::amber;
+    use.reason = "its images are hardly alike around the wall";
+  } else if (missing > 0) {
+    use.light = FitLight::amber;
+    use.reason =
+        phrase("it has no image of %1 of %2 phases", static_cast<int>(missing), static_cast<int>(asked));
+  }
+}
+
+/// Makes a motion's numbers from what a fit found.
+class CineReport {
+public:
+  CineReport(const LabelledStudy& study, const tracking::MotionRig& rig, const CineFit& fit,
+             CineMotion& found)
+      : study_(study), rig_(rig), fit_(fit), found_(found) {}
+
+  void addPlanes() {
+    const std::vector<bool> isLong = tracking::longAxisPlanes(study_.planes);
+    const auto count = static_cast<double>(study_.times.count());
+    for (std::size_t plane = 0; plane < study_.planes.size(); ++plane) {
+      CinePlaneUse& use = found_.planes.emplace_back();
+      use.source = study_.sources[plane];
+      use.longAxis = isLong[plane];
+      for (std::size_t phase = 0; phase < study_.times.count(); ++phase) {
+        const double fraction = study_.times.seconds[phase] / study_.times.periodSeconds;
+        use.shares.push_back(fit_.planes[phase][plane]);
+        use.states.push_back(stateOf(use.shares.back(), found_.isLabelled(phase),
+                                     study_.planes[plane].imageAt(fraction, 0.75 / count) >= 0));
+      }
+      judgePlane(use);
+      if (use.light != FitLight::good)
+        say(use.light, phrase("%1: %2", use.source.name, use.reason), std::nullopt, plane);
+    }
+  }
+
+  /// Labelled phases by their labels, the others by the images.
+  void addPhases(const tracking::TissueWitnesses& tissue, Threads threads, Progress& progress) {
+    tracking::MotionFit atLabels;
+    for (const std::size_t phase : study_.phases) {
+      atLabels.poses.push_back(fit_.motion.poses[phase]);
+      atLabels.freeVolumesMl.push_back(fit_.motion.freeVolumesMl[phase]);
+      atLabels.steps.push_back(fit_.motion.steps[phase]);
+      if (!fit_.motion.volumes.empty())
+        atLabels.volumes.push_back(fit_.motion.volumes[phase]);
+    }
+    const Assessment assessment(study_.labels, rig_, atLabels);
+    found_.motion.phases.resize(study_.times.count());
+    parallelRanges(
+        static_cast<Eigen::Index>(study_.times.count()), 1, threads, [&](Eigen::Index begin, Eigen::Index) {
+          progress.throwIfCancelled();
+          const auto phase = static_cast<std::size_t>(begin);
+          const auto label = std::find(study_.phases.begin(), study_.phases.end(), phase);
+          TrackedPhase& tracked = found_.motion.phases[phase];
+          tracked.seconds = study_.times.seconds[phase];
+          tracked.quality = label == study_.phases.end()
+                                ? byImages(phase)
+                                : assessment.of(static_cast<std::size_t>(label - study_.phases.begin()));
+          tracked.quality.folded = tissue.foldedAt(fit_.motion.poses[phase], Threads{1});
+        });
+  }
+
+  /// Verdicts of the phases; volumes of tissue are known by now.
+  void judgePhases() {
+    for (std::size_t phase = 0; phase < found_.motion.phases.size(); ++phase) {
+      TrackedPhase& tracked = found_.motion.phases[phase];
+      tracked.verdict = tracking::verdictOf(tracked.quality, study_.labels.names, study_.labels.sliceMm());
+      if (!found_.isLabelled(phase))
+        judgeByImages(phase, tracked.verdict);
+      for (const Text& reason : tracked.verdict.reasons)
+        say(tracked.verdict.light, phrase("phase %1: %2", phase, reason), phase, std::nullopt);
+    }
+  }
+
+  /// What concerns the whole cycle.
+  void judgeCycle() {
+    if (found_.estimate)
+      say(FitLight::amber,
+          phrase("only phase %1 has labels: volumes and ejection fraction are estimates, and usually too "
+                 "small a motion; label the end of systole too",
+                 study_.phases.front()),
+          study_.phases.front(), std::nullopt);
+    const double full = bloodAt(found_.endDiastole), empty = bloodAt(found_.endSystole);
+    if (!found_.estimate && found_.emptiest != found_.endSystole &&
+        empty - bloodAt(found_.emptiest) > kEmptierPart * full)
+      say(FitLight::amber,
+          phrase("the images show phase %1 emptier than the labelled end of systole, phase %2, by %3 ml: "
+                 "label that phase",
+                 found_.emptiest, found_.endSystole, inFixed(empty - bloodAt(found_.emptiest), 1)),
+          found_.emptiest, std::nullopt);
+    if (!found_.estimate && found_.fullest != found_.endDiastole &&
+        bloodAt(found_.fullest) - full > kEmptierPart * full)
+      say(FitLight::amber,
+          phrase("the images show phase %1 fuller than the labelled end of diastole, phase %2, by %3 ml: "
+                 "label that phase",
+                 found_.fullest, found_.endDiastole, inFixed(bloodAt(found_.fullest) - full, 1)),
+          found_.fullest, std::nullopt);
+    const std::vector<bool> isLong = tracking::longAxisPlanes(study_.planes);
+    if (isLong.size() == 1 || std::count(isLong.begin(), isLong.end(), true) == 0)
+      say(FitLight::amber,
+          "planes of one direction only: what moves across them, such as the base, follows its neighbours",
+          std::nullopt, std::nullopt);
+  }
+
+  void finish() {
+    std::stable_sort(found_.findings.begin(), found_.findings.end(),
+                     [](const CineFinding& a, const CineFinding& b) { return a.light > b.light; });
+    for (const CineFinding& finding : found_.findings)
+      found_.motion.warnings.push_back(finding.text);
+  }
+
+private:
+  void say(FitLight light, const Text& text, std::optional<std::size_t> phase,
+           std::optional<std::size_t> plane) {
+    found_.findings.push_back({light, text, phase, plane});
+  }
+
+  /// Blood as the images say, before volumes were kept: of the cavities, or the only surface.
+  double bloodAt(std::size_t phase) const {
+    const auto& surfaces = found_.motion.phases[phase].quality.surfaces;
+    double blood = 0;
+    for (std::size_t i = 0; i < surfaces.size(); ++i)
+      if (surfaces.size() == 1 || i != study_.labels.outer)
+        blood += found_.isLabelled(phase) ? surfaces[i].fittedMl : surfaces[i].freeMl;
+    return blood;
+  }
+
+  /// The mean weight of all contours of a phase.
+  double evidence(std::size_t phase) const {
+    double weight = 0, points = 0;
+    for (const PlaneShare& share : fit_.planes[phase]) {
+      weight += share.points * share.weight;
+      points += share.points;
+    }
+    return points > 0 ? weight / points : 0;
+  }
+
+  tracking::PhaseQuality byImages(std::size_t phase) const {
+    tracking::PhaseQuality quality;
+    double apart = 0, weights = 0;
+    for (const PlaneShare& share : fit_.planes[phase]) {
+      apart += share.points * share.weight * share.apartMm;
+      weights += share.points * share.weight;
+    }
+    quality.meanMm = weights > 0 ? apart / weights : 0;
+    const Values volumes = rig_.volumesMl(rig_.vertices(fit_.motion.poses[phase]));
+    for (Eigen::Index i = 0; i < volumes.size(); ++i) {
+      tracking::SurfaceQuality& surface = quality.surfaces.emplace_back();
+      surface.meanMm = quality.meanMm;
+      surface.measuredMl = surface.fittedMl = volumes[i];
+      surface.freeMl = fit_.motion.freeVolumesMl[phase][i];
+    }
+    quality.steps = fit_.motion.steps[phase];
+    quality.volumesMet = fit_.motion.volumes.empty() || fit_.motion.volumes[phase].met;
+    return quality;
+  }
+
+  void judgeByImages(std::size_t phase, tracking::FitVerdict& verdict) const {
+    const auto judge = [&](FitLight light, const Text& reason) {
+      verdict.light = std::max(verdict.light, light);
+      verdict.reasons.push_back(reason);
+    };
+    const double seen = evidence(phase);
+    if (seen <= 0)
+      judge(FitLight::red, "no image shows a wall: its pose lies between those of the labels");
+    else if (seen < kFewAmber)
+      judge(FitLight::amber, "the images hardly show how the wall moved");
+    const double apart = found_.motion.phases[phase].quality.meanMm;
+    if (apart > kApartAmberMm)
+      judge(apart > kApartRedMm ? FitLight::red : FitLight::amber,
+            phrase("the tissue in the images is %1 mm from the surfaces on average", inFixed(apart, 1)));
+    if (fit_.heldBack[phase])
+      judge(FitLight::amber, "the tissue would have folded: it stays nearer to the pose between the labels");
+    if (found_.motion.tissueMl.empty())
+      return;
+    double least = found_.motion.tissueMl[study_.phases.front()], most = least;
+    for (const std::size_t label : study_.phases) {
+      least = std::min(least, found_.motion.tissueMl[label]);
+      most = std::max(most, found_.motion.tissueMl[label]);
+    }
+    const double wall = found_.motion.tissueMl[phase];
+    if (wall < least * (1 - kWallChange) || wall > most * (1 + kWallChange))
+      judge(FitLight::amber, phrase("the tissue has %1 ml, in the labelled phases %2 to %3 ml",
+                                    inFixed(wall, 1), inFixed(least, 1), inFixed(most, 1)));
+  }
+
+  const LabelledStudy& study_;
+  const tracking::MotionRig& rig_;
+  const CineFit& fit_;
+  CineMotion& found_;
+};
+
+std::vector<tracking::LabelledPhase> labelledPhases(const LabelledStudy& study) {
+  std::vector<tracking::LabelledPhase> labelled;
+  for (std::size_t i = 0; i < study.phases.size(); ++i) {
+    labelled.push_back({study.phases[i], targetsOf(study.labels, i)});
+    labelled.back().targets.rims.clear(); // Labels far apart are fitted without them.
+  }
+  return labelled;
+}
+
+/// No number of a right ventricle from one label: what its images show falls short too far.
+void dropUncertain(CineMotion& found) {
+  if (found.estimate)
+    std::erase_if(found.motion.indices,
+                  [](const auto& item) { return anatomy::chamberKey(item.first) == "rv"; });
+}
+
+} // namespace
+
+bool CineMotion::isLabelled(std::size_t phase) const {
+  return std::binary_search(labelled.begin(), labelled.end(), phase);
+}
+
+CineMotion trackCine(const LabelledStudy& study, const TrackOptions& options, Progress& progress,
+                     Threads threads) {
+  CineMotion found;
+  PatientMotion& motion = found.motion;
+  motion.warnings = study.warnings;
+  motion.outer = study.labels.outer;
+  motion.sliceMm = study.labels.sliceMm();
+  found.labelled = study.phases;
+  found.estimate = study.phases.size() == 1;
+  progress.report(0, "surfaces at rest");
+  Progress quiet;
+  const auto rest = restSurfaces(study.labels, options, motion.warnings, quiet, threads);
+  const document::Rig handles = rigFor(rest, study.labels, options);
+  std::optional<tracking::MotionRig> rig;
+  runPart(progress, 0.02, 0.08,
+          [&](Progress& part) { rig.emplace(boundTo(handles, rest, options, part, threads)); });
+  tracking::CineFitOptions fitOptions;
+  fitOptions.caps = study.caps;
+  fitOptions.keepVolumes = options.keepVolumes;
+  fitOptions.fromOne = true;
+  CineFit fit;
+  runPart(progress, 0.08, 0.9, [&](Progress& part) {
+    fit =
+        tracking::fitCine(*rig, labelledPhases(study), study.planes, study.times, fitOptions, part, threads);
+  });
+  found.endDiastole = fit.endDiastole;
+  found.endSystole = fit.endSystole;
+  found.fullest = fit.fullest;
+  found.emptiest = fit.emptiest;
+  std::optional<tracking::TissueWitnesses> tissue;
+  runPart(progress, 0.9, 0.95, [&](Progress& part) {
+    tissue.emplace(*rig, study.labels.outer, options.witnesses, part, threads);
+  });
+  CineReport report(study, *rig, fit, found);
+  report.addPhases(*tissue, threads, progress);
+  report.judgeCycle(); // Comes first among findings that are as bad.
+  MotionSeries cycle;
+  cycle.names = study.labels.names;
+  cycle.outer = study.labels.outer;
+  cycle.times = study.times;
+  addVolumes(cycle, motion);
+  report.addPlanes();
+  report.judgePhases();
+  report.finish();
+  dropUncertain(found);
+  motion.sequence = sequenceOf(study.labels.names, study.times, *rig, fit.motion.poses, handles);
+  progress.report(1);
+  return found;
+}
+
+} // namespace viscera::live
