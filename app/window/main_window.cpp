@@ -245,9 +245,9 @@ void MainWindow::connectFiles() {
   });
   connect(scans_, &ScanActions::layoutChosen, viewArea_, &ViewArea::frameSoon);
   connect(new Framing(workspace_, view_, this), &Framing::wanted, viewArea_, &ViewArea::frameSoon);
-  // An undone or redone scan gives the view another size; a session, which has no steps yet, has a camera.
+  // Undone or redone images give the view another size; a session, which has no steps yet, has a camera.
   subscriptions_.push_back(workspace_.onChange([this](const document::Change& change) {
-    if (change.scan() && !workspace_.undo().names().empty())
+    if ((change.scan() || change.study()) && !workspace_.undo().names().empty())
       viewArea_->frameSoon();
   }));
   connect(files_, &FileActions::scansFound, scans_, &ScanActions::open);
