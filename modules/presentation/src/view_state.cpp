@@ -213,6 +213,19 @@ struct Codec<std::array<SliceFraming, 3>> {
 };
 
 template <class Visit>
+void visitFields(Visit& visit, CineLook& look) {
+  visit("first", look.slices[0]);
+  visit("second", look.slices[1]);
+  visit("third", look.slices[2]);
+  visit("fraction", look.fraction);
+  visit.afterReading([&] {
+    for (int& slice : look.slices)
+      slice = std::max(slice, -1);
+    look.fraction = within(look.fraction, 0, 1, 0);
+  });
+}
+
+template <class Visit>
 void visitFields(Visit& visit, ScanLook& look) {
   visit("layout", look.layout);
   visit.where(look.width > 0, "level", look.level);
@@ -226,6 +239,7 @@ void visitFields(Visit& visit, ScanLook& look) {
   visit("bent", look.warped);
   visit("focus", look.focus);
   visit("framings", look.framings);
+  visit.where(!(look.cine == CineLook()), "cine", look.cine);
   visit.afterReading([&] {
     if (look.focus && !(look.focus->cwiseAbs().maxCoeff() < kFar))
       look.focus.reset();
