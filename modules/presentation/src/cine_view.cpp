@@ -126,6 +126,11 @@ double cineStep(const CineSlice& slice, double fraction, int steps) {
   return all[static_cast<std::size_t>(place)];
 }
 
+double cineAdvanced(double fraction, double seconds, double cycleSeconds, bool loop) {
+  const double next = fraction + (cycleSeconds > 0 ? seconds / cycleSeconds : 0);
+  return loop ? next - std::floor(next) : std::clamp(next, 0.0, 1.0);
+}
+
 double cineSeconds(const CineStudy& study) {
   std::vector<double> intervals;
   for (const CineSlice& slice : study.slices)

@@ -322,6 +322,17 @@ void visitFields(Visit& visit, anatomy::Person& person) {
 }
 
 template <class Visit>
+void visitFields(Visit& visit, heart::ChosenEnds& ends) {
+  visit("diastole", ends.diastole);
+  visit("systole", ends.systole);
+  visit.afterReading([&] {
+    for (std::optional<double>* end : {&ends.diastole, &ends.systole})
+      if (*end && !(**end >= 0 && **end <= 1))
+        end->reset();
+  });
+}
+
+template <class Visit>
 void visitFields(Visit& visit, SelectionState& selection) {
   visit.required("organ", selection.organ);
   visit.required("group", selection.group);
@@ -451,6 +462,7 @@ void visitFields(Visit& visit, ViewState& view) {
   visit("cut", view.cut);
   visit.where(!view.organsSeen.empty(), "organsSeen", view.organsSeen);
   visit("person", view.person);
+  visit.where(!(view.cycleEnds == heart::ChosenEnds()), "cycleEnds", view.cycleEnds);
   visit("selection", view.selection);
   visit("motions", view.motions);
   visit("playing", view.playing);

@@ -62,6 +62,8 @@ TEST(CineView, MatchesPhasesByTheFractionOfEachSlicesOwnCycle) {
   EXPECT_DOUBLE_EQ(cineStep(slice, 0.875, 1), 0);
   EXPECT_DOUBLE_EQ(cineStep(slice, 0, -1), 0.875);
   EXPECT_DOUBLE_EQ(cineSeconds(study), 0.8);
+  EXPECT_DOUBLE_EQ(cineAdvanced(0.75, 0.4, 0.8, true), 0.25);
+  EXPECT_DOUBLE_EQ(cineAdvanced(0.75, 0.4, 0.8, false), 1);
 }
 
 TEST(CineView, SamplesItsOwnPlaneAndNothingBesideIt) {

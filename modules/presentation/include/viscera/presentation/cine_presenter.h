@@ -15,10 +15,6 @@ namespace viscera::presentation {
 /// of the other panes cut. As `SlicePresenter`, it updates only what differs. The `direction` of a pane is
 /// its place, 0 to 2. Nothing is drawn where nothing was measured: beside a picture, and in a phase whose
 /// picture is missing. For one thread.
-///
-///     CinePresenter cine;
-///     cine.update({document.state(), live, viewState}, {{0, width, height}});
-///     view.show(cine.picture(0));
 class CinePresenter {
 public:
   explicit CinePresenter(Threads threads = {}, SlicePresenter::Translate translate = {});

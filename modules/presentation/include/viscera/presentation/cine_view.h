@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "viscera/geometry/plane_cut.h"
 #include "viscera/medical_io/cine_study.h"
 #include "viscera/medical_io/sample_slice.h"
 #include "viscera/medical_io/slice_frame.h"
@@ -34,6 +33,10 @@ std::optional<std::size_t> cinePhase(const medical_io::CineSlice& slice, double 
 /// The fraction of the cycle `steps` pictures of this slice away from the one at `fraction`, [0, 1); goes
 /// round. O(phases).
 double cineStep(const medical_io::CineSlice& slice, double fraction, int steps);
+
+/// The fraction of the cycle `seconds` later in a cycle of `cycleSeconds`: goes round with `loop`, else stops
+/// at 1.
+double cineAdvanced(double fraction, double seconds, double cycleSeconds, bool loop);
 
 /// Seconds of the study's cycle: the median of its slices' own; 1 where none is known. O(slices).
 double cineSeconds(const medical_io::CineStudy& study);

@@ -36,11 +36,6 @@ CycleEnds cycleEnds(const std::vector<double>& fractions, const std::vector<doub
 
 /// The indices with the volumes at these ends, linear between the samples. Throws as `cycleEnds`, and as
 /// `cardiacIndices`. A stroke volume is negative where the chosen ends are the wrong way round. O(samples).
-///
-///     const CycleEnds ends = cycleEnds(fractions, volumesMl);
-///     const CardiacIndices indices = cardiacIndicesAt(ends, fractions, volumesMl, 62);
-///     for (const HeartNumber& number : heartNumbers(indices, std::nullopt, bodySurfaceM2(175, 70)))
-///       std::cout << number.name << ' ' << number.value << ' ' << number.unit << '\n';
 CardiacIndices cardiacIndicesAt(const CycleEnds& ends, const std::vector<double>& fractions,
                                 const std::vector<double>& volumesMl, double ratePerMinute);
 
