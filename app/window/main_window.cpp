@@ -171,6 +171,7 @@ void MainWindow::makeSession() {
 
 void MainWindow::placePanels() {
   timeline_ = new TimelineBar(playback_, actions_);
+  timeline_->follow(view_, *new StudyPlayer(workspace_, view_, playback_, this), volumes_);
   organPanel_ = new OrganPanel(workspace_, poses_, volumes_);
   organPanel_->addTo(actions_);
   auto* handlePanel = new HandlePanel(workspace_, placer_);
@@ -214,8 +215,6 @@ void MainWindow::connectView() {
   ViewWidget* view = viewArea_->view();
   connect(&view_, &ViewModel::changed, volumePanel_,
           [this] { volumePanel_->setCycleShown(view_.state().chartOfCycle); });
-  connect(&view_, &ViewModel::changed, timeline_,
-          [this] { timeline_->setSignsShown(view_.state().beatSigns); });
   connect(&playback_, &Playback::stateChanged, view, [this, view] {
     view->view().setMoving(playback_.player().playing());
     view->scheduleRender();
