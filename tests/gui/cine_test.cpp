@@ -1,6 +1,7 @@
 #include "window_test.h"
 
 #include <QAction>
+#include <QCoreApplication>
 #include <QLabel>
 #include <QWheelEvent>
 
