@@ -176,6 +176,10 @@ FileActions::Read FileActions::readAll(const std::vector<std::filesystem::path>&
                                        const std::shared_ptr<const document::ScanItem>& scan,
                                        Progress& progress) {
   Read read;
+  if (files.size() == 1 && medical_io::isScan(files[0]) && !medical_io::isLabelMap(files[0]))
+    read.study = document::findStudy(files[0], progress);
+  if (read.study)
+    return read;
   read.several = files.size() == 1 && hasSeveralScans(files[0], progress);
   if (read.several)
     return read;
@@ -224,8 +228,10 @@ void FileActions::applyReadFiles(Read read, const QStringList& files, bool check
     opened.removeAll(QString::fromStdString(file.string()));
   if (read.several)
     Q_EMIT scansFound(opened.front());
+  if (read.study)
+    return takeImages(document::openStudy(*std::move(read.study)), opened, true);
   if (read.scan)
-    takeScan(*read.scan, opened, !others);
+    takeImages(document::openScan(*read.scan), opened, !others);
   if (others || !(read.scan || read.several))
     reviewOrImport(std::move(read.draft), opened, check);
   if (!missing.isEmpty() || !failures_.isEmpty()) // Last: a message takes the place of the one before it.
@@ -238,9 +244,9 @@ bool FileActions::replacesPresent() const {
   return std::all_of(present.begin(), present.end(), [](const auto& o) { return !o->origin.sample.empty(); });
 }
 
-void FileActions::takeScan(const document::ScanItem& scan, const QStringList& files, bool alone) {
+void FileActions::takeImages(const document::Command& open, const QStringList& files, bool alone) {
   workspace_.undo().seal();
-  if (!workspace_.perform(document::openScan(scan)))
+  if (!workspace_.perform(open))
     return;
   if (alone) {
     settings_.addRecentFiles(files);

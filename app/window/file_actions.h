@@ -4,10 +4,12 @@
 #include <QStringList>
 
 #include <functional>
+#include <optional>
 
 #include "viscera/core/phrase.h"
 #include "viscera/document/import_draft.h"
 #include "viscera/document/scan_item.h"
+#include "viscera/document/study_item.h"
 #include "viscera/document/system_commands.h"
 #include "window/actions.h"
 #include "window/handle_placer.h"
@@ -74,7 +76,7 @@ public:
 
 Q_SIGNALS:
   void filesOpened();
-  /// One of the files was a scan; it is in the document.
+  /// One of the files was a scan, or the folder a cine study; it is in the document.
   void scanOpened();
   /// There are several series of scans at a place, to choose from; none was opened.
   void scansFound(const QString& place);
@@ -87,6 +89,7 @@ private:
   struct Read {
     document::ImportDraft draft;
     std::shared_ptr<const document::ScanItem> scan; ///< Null: none of them was one.
+    std::optional<document::StudyItem> study;       ///< The place is a cine study, and nothing else was read.
     bool several = false; ///< There are several series to choose from, and none was read.
   };
 
@@ -101,7 +104,8 @@ private:
   /// Shows the problems in one message, with an offer to look for missing files.
   void sayProblems(const QStringList& missing, const QStringList& failures, bool check);
   void applyReadFiles(Read read, const QStringList& files, bool check);
-  void takeScan(const document::ScanItem& scan, const QStringList& files, bool alone);
+  /// Opens a scan or study; `alone`: nothing else is opened with it.
+  void takeImages(const document::Command& open, const QStringList& files, bool alone);
   void rememberFolder(const QString& file);
   void take(document::OpenedFiles opened, const QStringList& files);
   /// Chooses the organ that was opened, the first of those from this place in the document. Of several whole

@@ -171,6 +171,7 @@ void MainWindow::makeSession() {
 
 void MainWindow::placePanels() {
   timeline_ = new TimelineBar(playback_, actions_);
+  timeline_->follow(view_, *new StudyPlayer(workspace_, view_, playback_, this), volumes_);
   organPanel_ = new OrganPanel(workspace_, poses_, volumes_);
   organPanel_->addTo(actions_);
   auto* handlePanel = new HandlePanel(workspace_, placer_);
@@ -214,8 +215,6 @@ void MainWindow::connectView() {
   ViewWidget* view = viewArea_->view();
   connect(&view_, &ViewModel::changed, volumePanel_,
           [this] { volumePanel_->setCycleShown(view_.state().chartOfCycle); });
-  connect(&view_, &ViewModel::changed, timeline_,
-          [this] { timeline_->setSignsShown(view_.state().beatSigns); });
   connect(&playback_, &Playback::stateChanged, view, [this, view] {
     view->view().setMoving(playback_.player().playing());
     view->scheduleRender();
@@ -245,9 +244,9 @@ void MainWindow::connectFiles() {
   });
   connect(scans_, &ScanActions::layoutChosen, viewArea_, &ViewArea::frameSoon);
   connect(new Framing(workspace_, view_, this), &Framing::wanted, viewArea_, &ViewArea::frameSoon);
-  // An undone or redone scan gives the view another size; a session, which has no steps yet, has a camera.
+  // Undone or redone images give the view another size; a session, which has no steps yet, has a camera.
   subscriptions_.push_back(workspace_.onChange([this](const document::Change& change) {
-    if (change.scan() && !workspace_.undo().names().empty())
+    if ((change.scan() || change.study()) && !workspace_.undo().names().empty())
       viewArea_->frameSoon();
   }));
   connect(files_, &FileActions::scansFound, scans_, &ScanActions::open);

@@ -63,6 +63,10 @@ ExploreMode::ExploreMode(const ModeParts& parts, SlicePanes& slices, Actions& ac
                        &presentation::ViewState::measurements);
   addQuiz(actions);
   new QuizPrompt(quiz_, *parts.area.view()); // The view owns it.
+  studyFollowed_ = workspace_.onChange([this](const document::Change& change) {
+    if (change.study()) // It plays in the timeline.
+      Q_EMIT panelsChanged();
+  });
 }
 
 void ExploreMode::addQuiz(Actions& actions) {

@@ -24,7 +24,9 @@ public:
   QWidget* makePage(const Actions& actions) override;
   presentation::Shown shown() const override { return {}; }
   live::WantedPose pose() const override { return live::WantedPose::sequence; }
-  UsefulPanels panels() const override { return {false, parts_.playback.sequence() != nullptr, false}; }
+  UsefulPanels panels() const override {
+    return {false, parts_.playback.sequence() || workspace_.state().study, false};
+  }
   QString hint() const override;
   void enter() override { tool_.setEnabled(true); }
   void leave() override;
@@ -47,6 +49,7 @@ private:
 
   MeasureTool tool_;
   SlicePanes& slices_;
+  Subscription studyFollowed_;
   SliceMeasuring onSlices_;
   QuizTool quiz_;
 };

@@ -10,6 +10,7 @@
 
 #include "viscera/document/scan_fit.h"
 #include "viscera/document/scan_item.h"
+#include "viscera/document/study_item.h"
 #include "viscera/presentation/presenter.h"
 #include "window/language.h"
 #include "window/widgets/ready_made.h"
@@ -21,6 +22,23 @@ bool haveSameSurfaces(const document::OrganList& a, const document::OrganList& b
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const auto& one, const auto& other) {
     return one->mesh == other->mesh && one->name == other->name;
   });
+}
+
+/// "9001 cine: short axis, 25 phases in 829 ms, pixels of 1.41 mm, 6 mm thick".
+QString lineOf(const document::StudySeries& series) {
+  const QString name =
+      (QString::number(series.number) + QLatin1Char(' ') + text(series.description)).trimmed();
+  QString line = name + QStringLiteral(": ") + inWords(medical_io::nameOf(series.plane));
+  line += QStringLiteral(", ") +
+          (series.phases == series.phasesInCycle
+               ? ExplorePage::tr("%n phases", nullptr, static_cast<int>(series.phases))
+               : ExplorePage::tr("%1 of %2 phases").arg(series.phases).arg(series.phasesInCycle));
+  if (series.intervalSeconds > 0)
+    line += ExplorePage::tr(" in %1 ms").arg(formatNumber(kMsPerSecond * series.intervalSeconds, 0));
+  line += ExplorePage::tr(", pixels of %1 mm").arg(formatDigits(series.spacingMm, 3));
+  if (series.thicknessMm > 0)
+    line += ExplorePage::tr(", %1 mm thick").arg(formatDigits(series.thicknessMm, 3));
+  return line;
 }
 
 } // namespace
@@ -57,18 +75,26 @@ ExplorePage::ExplorePage(Workspace& workspace, const Actions& actions, QWidget* 
   scanFile_ = addFact(tr("File"));
   scanRemarks_ = addRemark(QString());
   scanRemarks_->setObjectName(QStringLiteral("scanRemarks"));
+  studySection_ = addSection(tr("Cine study"));
+  studyName_ = addFact(tr("Name"));
+  studyDate_ = addFact(tr("Date"));
+  studySeries_ = addRemark(QString());
+  studySeries_->setObjectName(QStringLiteral("studySeries"));
   finish();
   subscriptions_.push_back(workspace.onChange([this](const document::Change& change) {
     if (change.organs())
       sync();
-    if (change.organs() || change.scan())
+    if (change.organs() || change.scan() || change.study())
       syncSections();
     if (change.scan() || (change.organs() && !haveSameSurfaces(*change.before.organs, *change.after.organs)))
       syncScan();
+    if (change.study())
+      syncStudy();
   }));
   subscriptions_.push_back(workspace.selection().onChange([this] { sync(); }));
   sync();
   syncScan();
+  syncStudy();
   syncSections();
 }
 
@@ -80,6 +106,7 @@ void ExplorePage::syncSections() {
   setSectionShown(partsSection_, std::any_of(organs.begin(), organs.end(), hasParts));
   setSectionShown(organSection_, !organs.empty());
   setSectionShown(scanSection_, workspace_.state().scan != nullptr);
+  setSectionShown(studySection_, workspace_.state().study != nullptr);
 }
 
 QWidget* ExplorePage::makeViews(const Actions& actions) {
@@ -154,6 +181,23 @@ void ExplorePage::syncScan() {
   }
   scanRemarks_->setText(lines.join(QLatin1Char('\n')));
   scanRemarks_->setVisible(!lines.isEmpty());
+}
+
+/// A line for each series, then what is missing or damaged.
+void ExplorePage::syncStudy() {
+  const auto item = workspace_.state().study;
+  if (!item)
+    return;
+  const medical_io::CineStudy& study = *item->study;
+  studyName_->setText(text(item->name));
+  studyName_->setToolTip(text(item->place.string()));
+  studyDate_->setText(study.date.empty() ? QStringLiteral("-") : text(study.date));
+  QStringList lines;
+  for (const document::StudySeries& series : document::seriesOf(study))
+    lines << lineOf(series);
+  for (const Text& finding : study.findings)
+    lines << asSentence(finding);
+  studySeries_->setText(lines.join(QLatin1Char('\n')));
 }
 
 } // namespace viscera::app

@@ -20,6 +20,7 @@ private:
   QWidget* makeViews(const Actions& actions);
   void sync();
   void syncScan();
+  void syncStudy();
   void syncSections();
 
   Workspace& workspace_;
@@ -27,6 +28,7 @@ private:
   QWidget* partsSection_ = nullptr;
   QWidget* organSection_ = nullptr;
   QWidget* scanSection_ = nullptr;
+  QWidget* studySection_ = nullptr;
   QLabel* name_ = nullptr;
   QLabel* volume_ = nullptr;
   QLabel* size_ = nullptr;
@@ -39,6 +41,9 @@ private:
   QLabel* scanSpacing_ = nullptr;
   QLabel* scanFile_ = nullptr;
   QLabel* scanRemarks_ = nullptr;
+  QLabel* studyName_ = nullptr;
+  QLabel* studyDate_ = nullptr;
+  QLabel* studySeries_ = nullptr;
   std::vector<Subscription> subscriptions_;
 };
 

@@ -16,6 +16,7 @@
 #include "window/key_sequence/key_box.h"
 #include "window/language.h"
 #include "window/panels/curve_box.h"
+#include "window/panels/heart_numbers_box.h"
 #include "window/panels/sequence_list.h"
 #include "window/view/view_area.h"
 #include "window/view/view_model.h"
@@ -51,6 +52,7 @@ PlayPage::PlayPage(const ModeParts& parts, PlayMode& mode, const Actions& action
   addButton(actions["play.compare"]);
   addButton(actions["play.compareFiles"]);
   makeTable();
+  add(new HeartNumbersBox(parts, mode.measured(), this));
   makePatientCirculation(parts.workspace);
   makeRecording(parts.settings);
   makeOwnMotions(parts);

@@ -85,6 +85,7 @@ document::SessionContents SessionFiles::contents() const {
   contents.embedSurfaces = contents.embedScan = embed_;
   contents.missing = missing_;
   contents.missingScan = missingScan_;
+  contents.missingStudy = missingStudy_;
   return contents;
 }
 
@@ -245,6 +246,7 @@ void SessionFiles::takeContents(const document::SessionContents& contents, const
   embed_ = contents.embedSurfaces;
   missing_ = contents.missing;
   missingScan_ = contents.missingScan;
+  missingStudy_ = contents.missingStudy;
   Q_EMIT changed();
 }
 
@@ -266,7 +268,7 @@ void SessionFiles::sayWarnings(const document::OpenedSession& session, const QSt
   if (warnings.empty())
     return;
   const bool missing =
-      !file.isEmpty() && (!session.contents.missingScan.empty() ||
+      !file.isEmpty() && (!session.contents.missingScan.empty() || !session.contents.missingStudy.empty() ||
                           std::any_of(session.surfaces.begin(), session.surfaces.end(), isMissingFile));
   // Whether no organ could be opened, so that the document is empty.
   const bool all = missing && session.contents.state.organs->empty();

@@ -126,8 +126,9 @@ private:
   std::vector<presentation::Slide> savedSlides_;
   std::vector<presentation::Slide> seenSlides_;
   std::vector<document::MissingOrgan> missing_;
-  nlohmann::ordered_json missingScan_; ///< A scan of the session file that was not found.
-  JobQueue writes_;                    ///< A queue of its own, so that saving does not wait for long jobs.
+  nlohmann::ordered_json missingScan_;  ///< A scan of the session file that was not found.
+  nlohmann::ordered_json missingStudy_; ///< The same of a cine study.
+  JobQueue writes_;                     ///< A queue of its own, so that saving does not wait for long jobs.
   std::unique_ptr<document::Autosave> autosave_;
   std::vector<document::Recovery> recoveries_;
   QString recoveryText_; ///< The text of the offer to recover the first of them.

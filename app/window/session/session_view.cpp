@@ -46,6 +46,7 @@ void SessionView::forget() {
     state.slides.clear();
     state.person = presentation::ViewState().person;
     state.cut = {};
+    state.cycleEnds = {};
     state.organsSeen.clear();
     state.scan = {};
     state.stress = presentation::habitOf(state.stress);

@@ -33,7 +33,7 @@ PatientOffer::PatientOffer(Workspace& workspace, FileActions& files, ScanActions
 bool PatientOffer::misses(ImageContents wanted) const {
   const document::DocumentState& state = workspace_.state();
   if (wanted == ImageContents::values)
-    return !state.scan;
+    return !state.scan && !state.study;
   return std::none_of(state.organs->begin(), state.organs->end(),
                       [](const auto& organ) { return cameFromLabels(*organ); });
 }

@@ -130,8 +130,10 @@ void ScanActions::addTo(Actions& actions) {
               {tr("Open a DICOM &series..."), "patient", {}, tr("Open a folder of DICOM files as a scan")},
               [this] { chooseAndOpen(true); });
   actions.add("scan.close", {tr("C&lose the scan"), nullptr, {}, tr("Close the scan; the organs stay")},
-              [this] { workspace_.perform(document::closeScan()); });
-  actions.enableWhile({"scan.close"}, [this] { return workspace_.state().scan != nullptr; });
+              [this] {
+                workspace_.perform(workspace_.state().study ? document::closeStudy() : document::closeScan());
+              });
+  actions.enableWhile({"scan.close"}, [this] { return workspace_.state().scan || workspace_.state().study; });
   makeLayouts(actions);
   makePresets(actions);
   makeSwitches(actions);
@@ -242,10 +244,24 @@ void ScanActions::chooseAndOpen(bool folder) {
 }
 
 void ScanActions::open(const QString& place) {
-  workspace_.inBackground<std::vector<medical_io::ScanSeries>>(
+  workspace_.inBackground<Found>(
       tr("Reading %1").arg(QFileInfo(place).fileName()), "scan",
-      [path = place.toStdString()](Progress& progress) { return medical_io::listScans(path, progress); },
-      [this, place](const std::vector<medical_io::ScanSeries>& series) { choose(place, series); });
+      [path = place.toStdString()](Progress& progress) {
+        Found found{document::findStudy(path, progress), {}};
+        if (!found.study)
+          found.series = medical_io::listScans(path, progress);
+        return found;
+      },
+      [this, place](Found found) { take(place, std::move(found)); });
+}
+
+void ScanActions::take(const QString& place, Found found) {
+  if (!found.study)
+    return choose(place, found.series);
+  if (!workspace_.perform(document::openStudy(*std::move(found.study))))
+    return;
+  settings_.setValue(kFolderKey, QFileInfo(place).absolutePath());
+  opened();
 }
 
 void ScanActions::choose(const QString& place, const std::vector<medical_io::ScanSeries>& series) {
@@ -276,10 +292,8 @@ void ScanActions::read(const QString& place, const medical_io::ScanOptions& opti
       });
 }
 
-void ScanActions::opened() {
-  const auto item = workspace_.state().scan;
-  if (!item)
-    return;
+/// Shows new images with their own level, width and places.
+void ScanActions::showFromHere() {
   const bool alone = workspace_.document().organs().empty();
   view_.change([alone](ViewState& view) {
     const ScanLook before = view.scan;
@@ -289,6 +303,16 @@ void ScanActions::opened() {
     view.scan.warped = before.warped;
   });
   Q_EMIT layoutChosen();
+}
+
+void ScanActions::opened() {
+  const auto item = workspace_.state().scan;
+  const auto study = workspace_.state().study;
+  if (!item && !study)
+    return;
+  showFromHere();
+  if (study)
+    return reportScanFindings(study->study->findings, false);
   std::vector<Text> odd;
   bool partly = false;
   for (const medical_io::ScanFinding& finding : item->scan->findings) {
@@ -313,13 +337,15 @@ void ScanActions::reportScanFindings(const std::vector<Text>& sentences, bool pa
   if (sentences.size() > kShownFindings)
     lines << tr("%n more: see Scan on the page of Explore.", nullptr,
                 static_cast<int>(sentences.size() - kShownFindings));
-  const document::ScanItem& item = *workspace_.state().scan;
-  const QString said = text(item.name) + QStringLiteral(": ") + lines.join(QLatin1Char('\n'));
+  const document::DocumentState& state = workspace_.state();
+  const QString said = text(state.study ? state.study->name : state.scan->name) + QStringLiteral(": ") +
+                       lines.join(QLatin1Char('\n'));
   if (!partly)
     return workspace_.note(said, 15);
-  workspace_.say({Message::Severity::warning,
-                  said,
-                  {{tr("Read other slices..."), [this, place = text(item.file.string())] { open(place); }}}});
+  workspace_.say(
+      {Message::Severity::warning,
+       said,
+       {{tr("Read other slices..."), [this, place = text(state.scan->file.string())] { open(place); }}}});
 }
 
 } // namespace viscera::app

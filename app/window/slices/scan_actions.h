@@ -3,10 +3,12 @@
 #include <QMenu>
 #include <QObject>
 
+#include <optional>
 #include <vector>
 
 #include "viscera/core/phrase.h"
 #include "viscera/document/scan_item.h"
+#include "viscera/document/study_item.h"
 #include "window/actions.h"
 #include "window/settings.h"
 #include "window/view/view_model.h"
@@ -32,9 +34,10 @@ public:
   const std::vector<const char*>& layouts() const { return layouts_; }
   const std::vector<const char*>& switches() const { return switches_; }
 
-  /// Reads a scan on a worker and adds it to the document; asks for the series if there are several.
+  /// Reads a scan or a cine study on a worker and adds it to the document; asks for the series if there are
+  /// several that are no study.
   void open(const QString& fileOrFolder);
-  /// Shows all of a scan that was just added to the document, and a message about its findings.
+  /// Shows all of a scan or study that was just added to the document, and a message about its findings.
   void opened();
   /// Shows a message about organs, just added, that do not fit the scan.
   void reportScanFit();
@@ -44,12 +47,20 @@ Q_SIGNALS:
   void layoutChosen();
 
 private:
+  /// What is at a place: a study, or series to choose from.
+  struct Found {
+    std::optional<document::StudyItem> study;
+    std::vector<medical_io::ScanSeries> series;
+  };
+
   void makeLayouts(Actions& actions);
   void makePresets(Actions& actions);
   void makeSwitches(Actions& actions);
   void chooseAndOpen(bool folder);
+  void take(const QString& place, Found found);
   void choose(const QString& place, const std::vector<medical_io::ScanSeries>& series);
   void read(const QString& place, const medical_io::ScanOptions& options);
+  void showFromHere();
   /// `partly`: the scan has not all slices of its series; others are offered.
   void reportScanFindings(const std::vector<Text>& sentences, bool partly);
   /// Adds a checkable action that is checked while the view has that choice.

@@ -30,7 +30,7 @@ constexpr double kLeastZoom = 0.1, kMostZoom = 100;
 SlicePanes::SlicePanes(Workspace& workspace, ViewModel& model, Picture& picture, ViewArea& area, QMenu& menu,
                        QObject* parent)
     : QObject(parent), workspace_(workspace), model_(model), picture_(picture), area_(area),
-      presenter_({}, translated) {
+      presenter_({}, translated), cine_(workspace, model) {
   presenter_.setDecimalMark(decimalMark());
   for (int i = 0; i < 3; ++i) {
     auto* widget = new SliceWidget;
@@ -89,6 +89,8 @@ void SlicePanes::connectWidget(int direction) {
 void SlicePanes::connectGrips(int direction) {
   SliceWidget* widget = widgets_[static_cast<std::size_t>(direction)];
   widget->setGripper([this, direction](const Eigen::Vector2d& pixel, Qt::KeyboardModifiers modifiers) {
+    if (cine_.shown()) // Handles and measurements lie on the slices of a scan.
+      return false;
     const auto taking = std::find_if(grips_.begin(), grips_.end(), [&](SliceGrip* grip) {
       return grip->press(direction, pixel, modifiers);
     });
@@ -109,7 +111,7 @@ void SlicePanes::connectGrips(int direction) {
 /// The first tool that would grab something there determines the cursor.
 void SlicePanes::hover(int direction, const std::optional<Eigen::Vector2d>& pixel) {
   std::optional<Qt::CursorShape> shape;
-  for (SliceGrip* grip : grips_) {
+  for (SliceGrip* grip : cine_.shown() ? std::vector<SliceGrip*>() : grips_) {
     const auto its = grip->hover(direction, shape ? std::nullopt : pixel);
     shape = shape ? shape : its;
   }
@@ -146,7 +148,7 @@ void SlicePanes::setTheme(const Theme& theme) {
 /// Without anything to slice the 3D view is alone; the chosen layout returns with the next organ or scan.
 void SlicePanes::arrange() {
   const document::DocumentState& document = workspace_.state();
-  if (!document.scan && document.organs->empty())
+  if (!document.scan && !document.study && document.organs->empty())
     return area_.arrange(true, {});
   const std::string& layout = model_.state().scan.layout;
   const auto directions = medical_io::sliceDirections();
@@ -185,16 +187,30 @@ void SlicePanes::bringUpToDate() {
       warping = presentation::warpingOf(workspace_.warp());
     const ViewState view = picture_.state(); // With what is selected.
     presentation::SliceScene scene{workspace_.state(), workspace_.live(), view};
-    scene.warping = warping ? &*warping : nullptr;
-    scene.measuring = &measuring_;
-    scene.activeHandle = picture_.view().handles()->GetActiveHandle();
-    presenter_.update(scene, shown);
+    if (cine_.shown())
+      cine_.update(scene, shown);
+    else
+      updateScan(scene, shown, warping ? &*warping : nullptr);
     for (const presentation::SlicePane& pane : shown) {
-      widget(pane.direction).setPicture(presenter_.picture(pane.direction));
+      widget(pane.direction)
+          .setPicture(cine_.shown() ? cine_.picture(pane.direction) : presenter_.picture(pane.direction));
       read(pane.direction, cursor_[static_cast<std::size_t>(pane.direction)]);
     }
   });
   Q_EMIT changed();
+}
+
+void SlicePanes::updateScan(presentation::SliceScene scene, const std::vector<presentation::SlicePane>& shown,
+                            const presentation::Warping* warping) {
+  scene.warping = warping;
+  scene.measuring = &measuring_;
+  scene.activeHandle = picture_.view().handles()->GetActiveHandle();
+  presenter_.update(scene, shown);
+}
+
+/// Of what a pane shows now.
+const medical_io::SliceFrame& SlicePanes::frame(int direction) const {
+  return cine_.shown() ? cine_.frame(direction) : presenter_.frame(direction);
 }
 
 void SlicePanes::followWarp() {
@@ -204,6 +220,8 @@ void SlicePanes::followWarp() {
 }
 
 void SlicePanes::moveCross(int direction, const Eigen::Vector2d& pixel) {
+  if (cine_.shown())
+    return;
   const int axis = medical_io::sliceDirections()[static_cast<std::size_t>(direction)].axis;
   Vec3 place = presenter_.frame(direction).at(pixel.x(), pixel.y());
   place[axis] = presentation::focusOf(workspace_.state(), model_.state().scan)[axis];
@@ -211,6 +229,8 @@ void SlicePanes::moveCross(int direction, const Eigen::Vector2d& pixel) {
 }
 
 void SlicePanes::scroll(int direction, double steps) {
+  if (cine_.shown())
+    return cine_.scroll(direction, steps);
   const int axis = medical_io::sliceDirections()[static_cast<std::size_t>(direction)].axis;
   const double towards = axis == 2 ? 1 : -1; // LPS: z grows to the head; front and right are negative.
   Vec3 place = presentation::focusOf(workspace_.state(), model_.state().scan);
@@ -221,10 +241,11 @@ void SlicePanes::scroll(int direction, double steps) {
 }
 
 void SlicePanes::dragWindow(const QPointF& by) {
-  if (!workspace_.state().scan)
+  if (!workspace_.state().scan && !cine_.shown())
     return;
   const medical_io::ValueWindow now =
-      presentation::windowOf(*workspace_.state().scan->scan, model_.state().scan);
+      cine_.shown() ? cine_.window()
+                    : presentation::windowOf(*workspace_.state().scan->scan, model_.state().scan);
   model_.change([&](ViewState& view) {
     view.scan.level = now.level + now.width * by.y() / kWindowReach;
     view.scan.width = std::max(kLeastWidth, now.width * std::exp2(by.x() / kWindowReach));
@@ -232,8 +253,8 @@ void SlicePanes::dragWindow(const QPointF& by) {
 }
 
 void SlicePanes::pan(int direction, const QPointF& by) {
-  const medical_io::SliceFrame& frame = presenter_.frame(direction);
-  const double mm = frame.right.norm() * widget(direction).devicePixelRatioF();
+  const medical_io::SliceFrame& now = frame(direction);
+  const double mm = now.right.norm() * widget(direction).devicePixelRatioF();
   model_.change([&](ViewState& view) {
     presentation::SliceFraming& framing = view.scan.framings[static_cast<std::size_t>(direction)];
     framing.rightMm -= mm * by.x();
@@ -243,9 +264,9 @@ void SlicePanes::pan(int direction, const QPointF& by) {
 
 /// The place at `around` stays there.
 void SlicePanes::zoom(int direction, double factor, const Eigen::Vector2d& around) {
-  const medical_io::SliceFrame& frame = presenter_.frame(direction);
-  const double mm = frame.right.norm();
-  const Eigen::Vector2d middle(0.5 * (frame.width - 1), 0.5 * (frame.height - 1));
+  const medical_io::SliceFrame& now = frame(direction);
+  const double mm = now.right.norm();
+  const Eigen::Vector2d middle(0.5 * (now.width - 1), 0.5 * (now.height - 1));
   model_.change([&](ViewState& view) {
     presentation::SliceFraming& framing = view.scan.framings[static_cast<std::size_t>(direction)];
     const double zoom = std::clamp(framing.zoom * factor, kLeastZoom, kMostZoom);
@@ -269,10 +290,11 @@ void SlicePanes::read(int direction, const std::optional<Eigen::Vector2d>& pixel
   SliceWidget& shown = widget(direction);
   if (!pixel)
     return shown.setReading({});
-  const presentation::SliceReading reading = presenter_.read(direction, *pixel);
+  const presentation::SliceReading reading =
+      cine_.shown() ? cine_.read(direction, *pixel) : presenter_.read(direction, *pixel);
   QStringList parts;
   if (reading.value) {
-    const std::string& unit = workspace_.state().scan->scan->unit;
+    const std::string unit = cine_.shown() ? std::string() : workspace_.state().scan->scan->unit;
     parts << (formatNumber(*reading.value, 0) + QLatin1Char(' ') + text(unit)).trimmed();
     if (reading.folded)
       parts << tr("folded by the pose: estimated");

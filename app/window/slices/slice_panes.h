@@ -8,6 +8,7 @@
 
 #include "viscera/presentation/presenter.h"
 #include "viscera/presentation/slice_presenter.h"
+#include "window/slices/cine_panes.h"
 #include "window/slices/slice_grip.h"
 #include "window/slices/slice_widget.h"
 #include "window/view/view_area.h"
@@ -20,9 +21,10 @@ namespace viscera::app {
 
 class Picture;
 
-/// Manages the three slices beside the 3D view, and handles the mouse on them by changing the view's state.
-/// As with `Picture`, every change of the document, of its organs and of that state only marks the slices as
-/// out of date; they are brought up to date once, before the next frame or when something reads them.
+/// Manages the three slices beside the 3D view, of the scan or of a cine study, and handles the mouse on them
+/// by changing the view's state. As with `Picture`, every change of the document, of its organs and of that
+/// state only marks the slices as out of date; they are brought up to date once, before the next frame or
+/// when something reads them.
 class SlicePanes final : public QObject {
   Q_OBJECT
 
@@ -55,6 +57,8 @@ public:
 
   /// Marks the slices as out of date and schedules the rendering of those that are visible.
   void markOutdated();
+  /// The slices of a cine study; the panes show them while the document has one.
+  const CinePanes& cine() const { return cine_; }
   /// Moves a slice by so many of the scan's voxels, towards head, front and right.
   void scroll(int direction, double steps);
 
@@ -65,6 +69,8 @@ Q_SIGNALS:
 
 private:
   void bringUpToDate();
+  void updateScan(presentation::SliceScene scene, const std::vector<presentation::SlicePane>& shown,
+                  const presentation::Warping* warping);
   void connectWidget(int direction);
   void connectGrips(int direction);
   void hover(int direction, const std::optional<Eigen::Vector2d>& pixel);
@@ -77,6 +83,7 @@ private:
   void isolate(int direction);
   void read(int direction, const std::optional<Eigen::Vector2d>& pixel);
   std::vector<presentation::SlicePane> panes() const;
+  const medical_io::SliceFrame& frame(int direction) const;
 
   Workspace& workspace_;
   ViewModel& model_;
@@ -84,6 +91,7 @@ private:
   ViewArea& area_;
   std::array<SliceWidget*, 3> widgets_{};
   presentation::SlicePresenter presenter_;
+  CinePanes cine_;
   bool outdated_ = true;
   std::array<std::optional<Eigen::Vector2d>, 3> cursor_;
   std::vector<SliceGrip*> grips_;

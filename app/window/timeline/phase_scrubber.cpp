@@ -120,10 +120,36 @@ void PhaseScrubber::paintEvent(QPaintEvent*) {
   painter.setPen(Qt::NoPen);
   painter.setBrush(ink);
   painter.drawEllipse(QPointF(x, area.top() - 1), 4, 4);
+  paintEnds(painter, area);
   paintNames(painter, area);
   paintGroups(painter, area);
   if (!course_.empty())
     paintMarks(painter, area);
+}
+
+void PhaseScrubber::setEnds(const std::optional<heart::CycleEnds>& ends) {
+  if (ends_ == ends)
+    return;
+  ends_ = ends;
+  update();
+}
+
+/// In the strip, so that names and handle keep their places.
+void PhaseScrubber::paintEnds(QPainter& painter, const QRectF& area) const {
+  if (!ends_)
+    return;
+  const auto paint = [&](double fraction, const QString& words) {
+    const double x = area.left() + fraction * area.width();
+    const double wide = painter.fontMetrics().horizontalAdvance(words);
+    painter.setPen(QPen(palette().color(QPalette::Highlight), 1, Qt::DashLine));
+    painter.drawLine(QPointF(x, area.top()), QPointF(x, area.bottom()));
+    painter.setPen(palette().color(QPalette::WindowText));
+    const double left = x + 3 + wide <= area.right() ? x + 3 : x - 3 - wide;
+    painter.drawText(QRectF(left, area.top(), wide + 1, area.height()), Qt::AlignCenter | Qt::TextDontClip,
+                     words);
+  };
+  paint(ends_->diastole, tr("ED"));
+  paint(ends_->systole, tr("ES"));
 }
 
 void PhaseScrubber::paintPhases(QPainter& painter, const QRectF& area) const {

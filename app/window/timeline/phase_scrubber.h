@@ -2,8 +2,10 @@
 
 #include <QWidget>
 
+#include <optional>
 #include <vector>
 
+#include "viscera/heart/heart_numbers.h"
 #include "viscera/sequences/sequence.h"
 
 namespace viscera::app {
@@ -22,6 +24,9 @@ public:
   /// Sets the way of the waves; empty: the names of the phases are shown.
   void setCourse(std::vector<sequences::NamedPlace> course);
   void setMarks(std::vector<sequences::TravellingMark> marks);
+  /// Marks the ends of diastole and systole over the strip; none: there are no marks.
+  void setEnds(const std::optional<heart::CycleEnds>& ends);
+  const std::optional<heart::CycleEnds>& ends() const { return ends_; }
   /// `fraction` of the cycle in [0, 1].
   void setFraction(double fraction);
   double fraction() const { return fraction_; }
@@ -67,6 +72,7 @@ private:
   void paintPhases(QPainter& painter, const QRectF& area) const;
   void paintNames(QPainter& painter, const QRectF& area) const;
   void paintGroups(QPainter& painter, const QRectF& area) const;
+  void paintEnds(QPainter& painter, const QRectF& area) const;
   void paintMarks(QPainter& painter, const QRectF& area) const;
 
   /// Phases of one group beside each other.
@@ -82,6 +88,7 @@ private:
   std::vector<sequences::NamedPlace> course_;
   std::vector<sequences::TravellingMark> marks_;
   double fraction_ = 0;
+  std::optional<heart::CycleEnds> ends_;
 };
 
 /// The name of the phase, and when it begins and ends in a cycle of that length.

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "viscera/heart/beating_heart.h"
 #include "window/language.h"
@@ -55,13 +56,13 @@ TimelineBar::TimelineBar(Playback& playback, Actions& actions, QWidget* parent)
   setAttribute(Qt::WA_StyledBackground);
   addTo(actions);
   auto* row = makeLayout<QHBoxLayout>(this, 4, {8, 4, 12, 4});
-  addButton("to_start", tr("To the start of the cycle (Home)"), &Playback::toStart);
-  addButton("step_back", tr("One frame back (,)"), [this] { playback_.step(-1); });
-  play_ = addButton("play", tr("Play or pause (Space)"), &Playback::toggle);
+  addButton("to_start", tr("To the start of the cycle (Home)"), [this] { seek(0); });
+  addButton("step_back", tr("One frame back (,)"), [this] { step(-1); });
+  play_ = addButton("play", tr("Play or pause (Space)"), [this] { toggle(); });
   play_->setIconSize(QSize(24, 24));
   play_->setObjectName(QStringLiteral("playButton"));
-  addButton("step_forward", tr("One frame forward (.)"), [this] { playback_.step(1); });
-  loop_ = addButton("loop", tr("Repeat the cycle (L)"), &Playback::setLooping);
+  addButton("step_forward", tr("One frame forward (.)"), [this] { step(1); });
+  loop_ = addButton("loop", tr("Repeat the cycle (L)"), [this](bool on) { setLooping(on); });
   loop_->setCheckable(true);
   row->addSpacing(8);
   addRate();
@@ -77,7 +78,7 @@ TimelineBar::TimelineBar(Playback& playback, Actions& actions, QWidget* parent)
   phase_->setObjectName(QStringLiteral("phase"));
   row->addSpacing(8);
   row->addWidget(phase_);
-  connect(scrubber_, &PhaseScrubber::scrubbed, &playback, &Playback::seek);
+  connect(scrubber_, &PhaseScrubber::scrubbed, this, &TimelineBar::seek);
   connect(&playback, &Playback::stateChanged, this, &TimelineBar::sync);
   connect(&playback, &Playback::advanced, this, &TimelineBar::syncInstant);
   connect(&playback, &Playback::stillPoseChanged, this, &TimelineBar::syncInstant);
@@ -86,28 +87,26 @@ TimelineBar::TimelineBar(Playback& playback, Actions& actions, QWidget* parent)
 
 void TimelineBar::addTo(Actions& actions) {
   loopAction_ = actions.addToggle("play.loop", {tr("&Repeat"), "loop", {Qt::Key_L}, tr("Repeat the cycle")},
-                                  true, [this](bool on) { playback_.setLooping(on); });
+                                  true, [this](bool on) { setLooping(on); });
   transport_ = {
-      actions.add("play.toggle", {tr("&Play or pause"), "play", {Qt::Key_Space}, {}},
-                  [this] { playback_.toggle(); }),
-      actions.add("play.start", {tr("To the &start"), "to_start", {Qt::Key_Home}, {}},
-                  [this] { playback_.toStart(); }),
+      actions.add("play.toggle", {tr("&Play or pause"), "play", {Qt::Key_Space}, {}}, [this] { toggle(); }),
+      actions.add("play.start", {tr("To the &start"), "to_start", {Qt::Key_Home}, {}}, [this] { seek(0); }),
       actions.add("play.back", {tr("One frame &back"), "step_back", {Qt::Key_Comma}, {}},
-                  [this] { playback_.step(-1); }),
+                  [this] { step(-1); }),
       actions.add("play.forward", {tr("One frame &forward"), "step_forward", {Qt::Key_Period}, {}},
-                  [this] { playback_.step(1); }),
+                  [this] { step(1); }),
       actions.add("play.backFinely",
                   {tr("A fine step bac&k"),
                    "step_back",
                    {tr("Shift+,"), Qt::Key_Less},
                    tr("Go back by ten milliseconds in a heartbeat, by one frame in other sequences")},
-                  [this] { playback_.stepFinely(-1); }),
+                  [this] { step(-1, true); }),
       actions.add("play.forwardFinely",
                   {tr("A fine step for&ward"),
                    "step_forward",
                    {tr("Shift+."), Qt::Key_Greater},
                    tr("Go forward by ten milliseconds in a heartbeat, by one frame in other sequences")},
-                  [this] { playback_.stepFinely(1); }),
+                  [this] { step(1, true); }),
       loopAction_};
 }
 
@@ -115,7 +114,7 @@ template <typename Clicked>
 QToolButton* TimelineBar::addButton(const char* iconName, const QString& tip, Clicked clicked) {
   auto* button = makeIconButton(iconName, tip, this, 20);
   layout()->addWidget(button);
-  connect(button, &QToolButton::clicked, &playback_, clicked);
+  connect(button, &QToolButton::clicked, this, clicked);
   return button;
 }
 
@@ -150,14 +149,16 @@ void TimelineBar::addRate() {
 void TimelineBar::sync() {
   const sequences::Sequence* sequence = playback_.sequence();
   for (QAction* action : transport_)
-    action->setEnabled(sequence);
-  setEnabled(sequence);
+    action->setEnabled(sequence || ofStudy());
+  setEnabled(sequence || ofStudy());
   scrubber_->setCourse(sequence ? sequence->course() : std::vector<sequences::NamedPlace>());
   speed_->setCurrentIndex(speed_->findData(playback_.player().speed()));
   if (sequence)
     syncSequence(*sequence);
   else
     clearSequence();
+  if (ofStudy())
+    syncStudy();
 }
 
 void TimelineBar::syncSequence(const sequences::Sequence& sequence) {
@@ -206,6 +207,61 @@ void TimelineBar::clearSequence() {
   phase_->setToolTip({});
 }
 
+/// The study has no rate of its own to choose: its cycle is that of the patient.
+void TimelineBar::syncStudy() {
+  const QString line = tr("The images of the cine study: there is no motion yet");
+  for (QWidget* widget : std::initializer_list<QWidget*>{rate_, rateSlider_}) {
+    widget->setEnabled(false);
+    widget->setToolTip(line);
+  }
+  scrubber_->setPhases({{tr("Cine study").toStdString(), 0, 1}}, study_->periodSeconds());
+  scrubber_->setFraction(study_->fraction());
+  play_->setIcon(icon(study_->playing() ? "pause" : "play"));
+  loop_->setChecked(study_->loop());
+  loopAction_->setChecked(study_->loop());
+  phase_->setText(tr("%1 s").arg(formatNumber(study_->fraction() * study_->periodSeconds(), 2)));
+}
+
+void TimelineBar::toggle() {
+  ofStudy() ? study_->toggle() : playback_.toggle();
+}
+
+void TimelineBar::seek(double fraction) {
+  ofStudy() ? study_->seek(fraction) : playback_.seek(fraction);
+}
+
+/// A picture of the study is its finest step.
+void TimelineBar::step(int frames, bool finely) {
+  if (ofStudy())
+    return study_->step(frames);
+  finely ? playback_.stepFinely(frames) : playback_.step(frames);
+}
+
+void TimelineBar::setLooping(bool looping) {
+  if (study_)
+    study_->setLooping(looping);
+  playback_.setLooping(looping);
+}
+
+void TimelineBar::follow(const ViewModel& view, StudyPlayer& study, const VolumeMonitor& volumes) {
+  study_ = &study;
+  connect(&study, &StudyPlayer::stateChanged, this, &TimelineBar::sync);
+  const auto markEnds = [this, &view, &volumes] {
+    const auto line = volumes.measuredLine();
+    scrubber_->setEnds(line ? volumes.ends(*line, view.state().cycleEnds) : std::nullopt);
+  };
+  connect(&view, &ViewModel::changed, this, [this, &view, markEnds] {
+    setSignsShown(view.state().beatSigns);
+    if (ofStudy())
+      syncStudy();
+    markEnds();
+  });
+  for (const auto signal :
+       {&VolumeMonitor::updated, &VolumeMonitor::linesChanged, &VolumeMonitor::chosenChanged})
+    connect(&volumes, signal, this, markEnds);
+  sync();
+}
+
 void TimelineBar::syncInstant() {
   const live::Player& player = playback_.player();
   if (const sequences::Sequence* sequence = playback_.sequence())
@@ -251,8 +307,8 @@ void TimelineBar::leaveOut() {
 }
 
 void TimelineBar::setSignsShown(bool shown) {
-  signsShown_ = shown;
-  syncSigns();
+  if (std::exchange(signsShown_, shown) != shown) // A study that plays changes the view with every frame.
+    syncSigns();
 }
 
 /// Only the textbook's beat has them; a circulation draws its own. What is shown has the whole window laid

@@ -7,6 +7,9 @@
 #include "window/timeline/beat_strip.h"
 #include "window/timeline/phase_scrubber.h"
 #include "window/timeline/playback.h"
+#include "window/timeline/study_player.h"
+#include "window/timeline/volume_monitor.h"
+#include "window/view/view_model.h"
 
 class QAction;
 class QComboBox;
@@ -32,8 +35,10 @@ public:
   /// "play.backFinely", "play.forwardFinely". Both have to live longer.
   TimelineBar(Playback& playback, Actions& actions, QWidget* parent = nullptr);
 
-  /// Shows electrocardiogram, sounds and valves of a textbook's beat.
-  void setSignsShown(bool shown);
+  /// Shows electrocardiogram, sounds and valves of a textbook's beat while the view wants them, and plays the
+  /// cine study while there is one and no motion. Both have to live longer.
+  /// Marks the ends of diastole and systole of a measured motion.
+  void follow(const ViewModel& view, StudyPlayer& study, const VolumeMonitor& volumes);
 
   /// Without what a narrow bar leaves out.
   QSize minimumSizeHint() const override;
@@ -49,12 +54,21 @@ private:
   void sync();
   void syncSequence(const sequences::Sequence& sequence);
   void clearSequence();
+  void syncStudy();
+  /// Whether the timeline is the study's.
+  bool ofStudy() const { return study_ && study_->leads(); }
+  void toggle();
+  void seek(double fraction);
+  void step(int frames, bool finely = false);
+  void setLooping(bool looping);
+  void setSignsShown(bool shown);
   void syncInstant();
   void syncSigns();
   int widthWith(int strip, bool slider, bool phase) const;
   void leaveOut();
 
   Playback& playback_;
+  StudyPlayer* study_ = nullptr;    ///< Null until `follow`.
   std::vector<QAction*> transport_; ///< Usable while there is a sequence.
   QAction* loopAction_ = nullptr;
   QToolButton* play_ = nullptr;

@@ -373,4 +373,39 @@ std::optional<heart::CardiacIndices> VolumeMonitor::indices(std::size_t line) co
   return heart::cardiacIndices(curve.milliliters, playbackOf(line).player().ratePerMinute());
 }
 
+std::optional<std::size_t> VolumeMonitor::measuredLine() const {
+  std::optional<std::size_t> first;
+  for (std::size_t line = 0; line < lines_.size(); ++line) {
+    const bool measured = lines_[line].side == 0 && lines_[line].cavity && measured_ &&
+                          measured_->surfaceOf(lines_[line].organ) && !cycle(line).milliliters.empty();
+    if (measured && line == chosenLine())
+      return line;
+    if (measured && !first)
+      first = line;
+  }
+  return first;
+}
+
+std::optional<heart::CycleEnds> VolumeMonitor::ends(std::size_t line, const heart::ChosenEnds& chosen) const {
+  const Curve curve = cycle(line);
+  return curve.milliliters.empty()
+             ? std::nullopt
+             : std::optional(heart::cycleEnds(curve.fractions, curve.milliliters, chosen));
+}
+
+std::vector<heart::HeartNumber> VolumeMonitor::numbers(std::size_t line, const heart::ChosenEnds& chosen,
+                                                       double bodySurfaceM2) const {
+  const Curve curve = cycle(line);
+  if (!lines_[line].cavity || curve.milliliters.empty())
+    return {};
+  std::vector<std::pair<std::string, double>> organs;
+  for (const Line& organ : lines_)
+    organs.emplace_back(organ.label, organ.restMl);
+  const bool left = anatomy::chamberNamed(lines_[line].label) == anatomy::kLeftVentricle;
+  return heart::heartNumbers(
+      heart::cardiacIndicesAt(heart::cycleEnds(curve.fractions, curve.milliliters, chosen), curve.fractions,
+                              curve.milliliters, playbackOf(line).player().ratePerMinute()),
+      left ? heart::muscleGrams(organs) : std::nullopt, bodySurfaceM2);
+}
+
 } // namespace viscera::app

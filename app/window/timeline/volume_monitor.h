@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "viscera/heart/clinical_numbers.h"
+#include "viscera/heart/heart_numbers.h"
 #include "viscera/live/cycle_curves.h"
 #include "viscera/live/motion_copy.h"
 #include "viscera/scene/color_map.h"
@@ -94,6 +95,14 @@ public:
   bool beats(std::size_t line) const;
   /// The normal ranges of a line for that person; ranges for a beating heart only if `beats`.
   std::vector<heart::NormalRange> normals(std::size_t line, const anatomy::Person& person) const;
+  /// The cavity of a measured motion whose beat the timeline shows: the chosen one, or the first; none while
+  /// its cycle is not known.
+  std::optional<std::size_t> measuredLine() const;
+  /// The ends of diastole and systole of a line, found or chosen; none while its cycle is not known.
+  std::optional<heart::CycleEnds> ends(std::size_t line, const heart::ChosenEnds& chosen) const;
+  /// The numbers of a cavity at those ends, indexed by that body surface (m2; 0: not); empty as above.
+  std::vector<heart::HeartNumber> numbers(std::size_t line, const heart::ChosenEnds& chosen,
+                                          double bodySurfaceM2) const;
   /// How the walls of the first view's heart move over the cycle; none for other organs, and while the cycle
   /// is being measured.
   std::optional<heart::WallMotion> wall() const;

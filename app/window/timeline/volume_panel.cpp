@@ -38,6 +38,7 @@ constexpr int kLeastTileWidth = 148;
 constexpr int kTileMargin = 4;
 constexpr int kTileGap = 8; ///< Between two columns.
 constexpr int kLineSwatch = 10;
+constexpr double kEndMark = 0.12;       ///< Of the chart's height, for the ends of diastole and systole.
 constexpr int kVolumeChartHeight = 160; ///< Below the tabs.
 enum { kChartTab, kTableTab };
 
@@ -508,6 +509,11 @@ void VolumePanel::placeCursor() {
   if (cycleDrawn() && playback_.showing())
     if (const auto place = chart_->placeOf(playback_.player().fraction() * cycleLength()))
       marks.lines.push_back({place->x, place->low, place->high});
+  const auto line = cycleDrawn() && !monitor_.hasSecond() ? monitor_.measuredLine() : std::nullopt;
+  if (const auto ends = line ? monitor_.ends(*line, view_.state().cycleEnds) : std::nullopt)
+    for (const double end : {ends->diastole, ends->systole})
+      if (const auto place = chart_->placeOf(end * cycleLength()))
+        marks.lines.push_back({place->x, place->low, place->low + kEndMark * (place->high - place->low)});
   cursor_->setMarks(std::move(marks));
 }
 

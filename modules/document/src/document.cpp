@@ -7,6 +7,7 @@
 
 #include "viscera/core/phrase.h"
 #include "viscera/document/scan_item.h"
+#include "viscera/document/study_item.h"
 
 namespace viscera::document {
 namespace {
@@ -60,7 +61,8 @@ bool identical(const DocumentState& a, const DocumentState& b) {
          sameBits(a.rig->restPositions(), b.rig->restPositions()) && sameBits(*a.pose, *b.pose) &&
          a.system->id == b.system->id && a.system->parameters.all() == b.system->parameters.all() &&
          *a.keySequence == *b.keySequence && *a.measurements == *b.measurements &&
-         *a.stressMarks == *b.stressMarks && *a.circulation == *b.circulation && identical(a.scan, b.scan);
+         *a.stressMarks == *b.stressMarks && *a.circulation == *b.circulation && identical(a.scan, b.scan) &&
+         identical(a.study, b.study);
 }
 
 bool atRest(const DocumentState& state) {

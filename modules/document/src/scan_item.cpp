@@ -121,6 +121,7 @@ Command openScan(ScanItem item) {
   auto shared = std::make_shared<const ScanItem>(std::move(item));
   return {name, [shared](DocumentState state, IdSource&) {
             state.scan = shared;
+            state.study = nullptr;
             return state;
           }};
 }

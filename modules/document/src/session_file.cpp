@@ -11,6 +11,7 @@
 #include "organ_source.h"
 #include "session_json.h"
 #include "session_scan.h"
+#include "session_study.h"
 #include "stored_surface.h"
 #include "stored_text.h"
 #include "viscera/core/atomic_file.h"
@@ -198,7 +199,7 @@ public:
     reader_.takeObject(root,
                        {"format", "version", "coordinateSystem", "units", "surfaces", "recovers", "organs",
                         "rig", "system", "recording", "measurements", "stressMarks", "circulation", "scan",
-                        "view"},
+                        "study", "view"},
                        "");
     SessionContents& contents = opened_.contents;
     const std::string surfaces = reader_.textOf(root, "surfaces", "");
@@ -223,6 +224,8 @@ public:
     placeMeasurements();
     if (root.contains("scan"))
       readSessionScan(reader_, root.at("scan"), folder_, alsoIn_, opened_, progress_);
+    if (root.contains("study"))
+      readSessionStudy(reader_, root.at("study"), folder_, alsoIn_, opened_, progress_);
     reader_.requireValid(contents.state, cheap);
     for (const std::string& key : reader_.unknownKeys())
       opened_.warnings.push_back(
@@ -519,6 +522,12 @@ void writeSession(const fs::path& file, const SessionContents& contents, Progres
     root["scan"] = sessionScanJson(*state.scan, contents.embedScan, folder);
   else if (!contents.missingScan.empty())
     root["scan"] = contents.missingScan;
+  if (state.study)
+    root["study"] = sessionStudyJson(*state.study, folder);
+  else if (!contents.missingStudy.empty())
+    root["study"] = contents.missingStudy;
+  if (root.contains("study") && namesNoFolders(contents, contents.embedScan))
+    forgetFolders(root["study"]);
   if (root.contains("scan") && namesNoFolders(contents, contents.embedScan))
     forgetFolders(root["scan"]);
   root["view"] = contents.view;

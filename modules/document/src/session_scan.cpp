@@ -19,10 +19,10 @@ fs::path lastNameOf(const fs::path& place) {
   return place.has_filename() ? place.filename() : place.parent_path().filename();
 }
 
-/// Relative to the session file, where it was, beside the session file, in the folders `alsoIn`, which may be
-/// the scan's own: the first that is there.
-std::optional<fs::path> findScan(const fs::path& relative, const fs::path& absolute, const fs::path& folder,
-                                 const std::vector<fs::path>& alsoIn) {
+} // namespace
+
+std::optional<fs::path> findImage(const fs::path& relative, const fs::path& absolute, const fs::path& folder,
+                                  const std::vector<fs::path>& alsoIn) {
   const fs::path name = lastNameOf(absolute);
   std::vector<fs::path> places = {folder / relative, absolute, folder / name};
   for (const fs::path& also : alsoIn) {
@@ -36,8 +36,6 @@ std::optional<fs::path> findScan(const fs::path& relative, const fs::path& absol
       return absolutePath(place).lexically_normal();
   return std::nullopt;
 }
-
-} // namespace
 
 ordered_json sessionScanJson(const ScanItem& item, bool inside, const fs::path& folder) {
   std::error_code error;
@@ -81,7 +79,7 @@ void readSessionScan(SessionReader& reader, const ordered_json& item, const fs::
     options.phase = static_cast<int>(reader.wholeOf(item.at("phase"), "scan.phase"));
   if (inside) {
     auto scan = std::make_shared<const medical_io::Scan>(scanFrom(reader, item.at("image"), "scan.image"));
-    const auto file = absolute.empty() ? std::nullopt : findScan(relative, absolute, folder, alsoIn);
+    const auto file = absolute.empty() ? std::nullopt : findImage(relative, absolute, folder, alsoIn);
     const bool nameAlone = !absolute.empty() && absolute.is_relative();
     const fs::path was = nameAlone ? (folder / lastNameOf(absolute)).lexically_normal() : absolute;
     // Saved by its file's name, it has the hash by which a change of that file is noticed.
@@ -95,7 +93,7 @@ void readSessionScan(SessionReader& reader, const ordered_json& item, const fs::
     opened.contents.missingScan = item;
     opened.warnings.push_back(phrase("%1: %2", name, problem));
   };
-  const auto file = findScan(relative, absolute, folder, alsoIn);
+  const auto file = findImage(relative, absolute, folder, alsoIn);
   if (!file)
     return missing(phrase("the scan %1 is not there any more (put it beside the session and open that again)",
                           absolute.string()));

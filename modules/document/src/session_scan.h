@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <vector>
 
 #include <nlohmann/json.hpp>
@@ -17,6 +18,13 @@ namespace viscera::document {
 /// than 1 GB.
 nlohmann::ordered_json sessionScanJson(const ScanItem& item, bool inside,
                                        const std::filesystem::path& folder);
+
+/// The place of a scan or study of a session: relative to the session file in `folder`, where it was, beside
+/// the session file, in the folders `alsoIn`, which may be its own: the first that is there.
+std::optional<std::filesystem::path> findImage(const std::filesystem::path& relative,
+                                               const std::filesystem::path& absolute,
+                                               const std::filesystem::path& folder,
+                                               const std::vector<std::filesystem::path>& alsoIn);
 
 /// Removes the folders from the paths in a scan's record, so that only the name of its file or folder stays.
 void forgetFolders(nlohmann::ordered_json& scan);

@@ -7,6 +7,7 @@
 #include <variant>
 
 #include "viscera/document/scan_item.h"
+#include "viscera/document/study_item.h"
 #include "viscera/document/validate.h"
 
 namespace viscera::document {
@@ -48,6 +49,15 @@ std::size_t bytesOf(const medical_io::Scan& scan) {
       scan.samples);
 }
 
+/// At most what its decoded pictures take.
+std::size_t bytesOf(const medical_io::CineStudy& study) {
+  std::size_t bytes = 0;
+  for (const medical_io::CineSlice& slice : study.slices)
+    bytes += slice.fractions.size() * sizeof(float) * static_cast<std::size_t>(slice.geometry.rows) *
+             static_cast<std::size_t>(slice.geometry.columns);
+  return std::min(bytes, medical_io::CineOptions().keptBytes);
+}
+
 /// Roughly what `after` holds in memory that `before` does not; of scans, which may be larger than all the
 /// rest, what `before` held, as the present one would be in memory without a step, too.
 std::size_t newBytes(const DocumentState& before, const DocumentState& after) {
@@ -79,6 +89,8 @@ std::size_t newBytes(const DocumentState& before, const DocumentState& after) {
     bytes += sizeof(CirculationChoice);
   if (before.scan && !(after.scan && after.scan->scan == before.scan->scan))
     bytes += bytesOf(*before.scan->scan);
+  if (before.study && !(after.study && after.study->study == before.study->study))
+    bytes += bytesOf(*before.study->study);
   return bytes;
 }
 

@@ -2,7 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <set>
+#include <utility>
 #include <vector>
+
+#include "viscera/core/error.h"
+#include "viscera/document/study_item.h"
+#include "viscera/presentation/cine_presenter.h"
+#include "viscera/presentation/cine_view.h"
 
 #include "slice_values.h"
 
@@ -25,25 +33,74 @@ medical_io::SliceFrame wholeSlice(const medical_io::SliceDirection& direction, c
   return medical_io::frameAround(direction, center, mm, pixels(across), pixels(up));
 }
 
+/// A picture of a study as it was recorded, pixel on pixel.
+std::optional<scene::StandingSlices::Slice> standing(const medical_io::CineSlice& slice, double fraction,
+                                                     const medical_io::ValueWindow& window, Threads threads) {
+  const auto phase = cinePhase(slice, fraction);
+  if (!phase)
+    return std::nullopt;
+  try {
+    const auto image = slice.image(*phase);
+    const medical_io::CineGeometry& place = slice.geometry;
+    medical_io::ValueImage values;
+    values.width = place.columns;
+    values.height = place.rows;
+    for (Eigen::Index row = image->rows() - 1; row >= 0; --row) // The first row of a texture is the lowest.
+      values.values.insert(values.values.end(), image->data() + row * image->cols(),
+                           image->data() + (row + 1) * image->cols());
+    scene::StandingSlices::Slice shown;
+    shown.corner = place.at(-0.5, place.rows - 0.5);
+    shown.right = place.columns * place.betweenColumns * place.row;
+    shown.up = -place.rows * place.betweenRows * place.column;
+    shown.width = place.columns;
+    shown.height = place.rows;
+    medical_io::greyOf(values, window, 0, shown.grey, threads);
+    return shown;
+  } catch (const DataError&) {
+    return std::nullopt;
+  }
+}
+
 } // namespace
 
 void StandingPicture::update(const Scene& scene) {
   const ScanLook& look = scene.view.scan;
-  if (!look.standing || !scene.state.scan) {
+  if (!look.standing || !(scene.state.scan || scene.state.study)) {
     if (made_)
       slices_.show({});
     made_.reset();
     return;
   }
-  Made made{scene.state.scan, look, {}};
+  Made made{scene.state.scan, scene.state.study, look, {}};
   made.look.framings = {};
   made.look.layout.clear();
-  const bool warped = look.warped && scene.warping;
-  if (warped)
+  if (scene.state.scan && look.warped && scene.warping)
     made.warped = scene.warping->revision;
   if (made == made_)
     return;
   made_ = made;
+  slices_.show(scene.state.study ? studySlices(scene) : scanSlices(scene));
+}
+
+/// Slices that two panes show stand once.
+std::vector<scene::StandingSlices::Slice> StandingPicture::studySlices(const Scene& scene) {
+  const ScanLook& look = scene.view.scan;
+  const medical_io::CineStudy& study = *scene.state.study->study;
+  if (look.width <= 0 && proposedBy_ != scene.state.study) {
+    proposedBy_ = scene.state.study;
+    proposed_ = cineWindow(study);
+  }
+  const auto panes = cineSlices(study, look.cine);
+  std::vector<scene::StandingSlices::Slice> shown;
+  for (const std::size_t slice : std::set<std::size_t>(panes.begin(), panes.end()))
+    if (auto one = standing(study.slices[slice], look.cine.fraction, windowOf(look, proposed_), threads_))
+      shown.push_back(std::move(*one));
+  return shown;
+}
+
+std::vector<scene::StandingSlices::Slice> StandingPicture::scanSlices(const Scene& scene) const {
+  const ScanLook& look = scene.view.scan;
+  const bool warped = look.warped && scene.warping;
   const medical_io::Scan& scan = *scene.state.scan->scan;
   const Vec3 focus = focusOf(scene.state, look);
   const medical_io::ValueWindow window = windowOf(scan, look);
@@ -66,7 +123,7 @@ void StandingPicture::update(const Scene& scene) {
     values.shade(window, slice.grey, threads_);
     shown.push_back(std::move(slice));
   }
-  slices_.show(shown);
+  return shown;
 }
 
 } // namespace viscera::presentation

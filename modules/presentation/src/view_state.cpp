@@ -207,6 +207,19 @@ struct Codec<std::array<SliceFraming, 3>> {
 };
 
 template <class Visit>
+void visitFields(Visit& visit, CineLook& look) {
+  visit("first", look.slices[0]);
+  visit("second", look.slices[1]);
+  visit("third", look.slices[2]);
+  visit("fraction", look.fraction);
+  visit.afterReading([&] {
+    for (int& slice : look.slices)
+      slice = std::max(slice, -1);
+    look.fraction = within(look.fraction, 0, 1, 0);
+  });
+}
+
+template <class Visit>
 void visitFields(Visit& visit, ScanLook& look) {
   visit("layout", look.layout);
   visit.where(look.width > 0, "level", look.level);
@@ -220,6 +233,7 @@ void visitFields(Visit& visit, ScanLook& look) {
   visit("bent", look.warped);
   visit("focus", look.focus);
   visit("framings", look.framings);
+  visit.where(!(look.cine == CineLook()), "cine", look.cine);
   visit.afterReading([&] {
     if (look.focus && !(look.focus->cwiseAbs().maxCoeff() < kFar))
       look.focus.reset();
@@ -298,6 +312,17 @@ void visitFields(Visit& visit, anatomy::Person& person) {
   visit.afterReading([&] {
     person.bodySurfaceM2 =
         within(person.bodySurfaceM2, anatomy::kSmallestBodySurfaceM2, anatomy::kLargestBodySurfaceM2, 0);
+  });
+}
+
+template <class Visit>
+void visitFields(Visit& visit, heart::ChosenEnds& ends) {
+  visit("diastole", ends.diastole);
+  visit("systole", ends.systole);
+  visit.afterReading([&] {
+    for (std::optional<double>* end : {&ends.diastole, &ends.systole})
+      if (*end && !(**end >= 0 && **end <= 1))
+        end->reset();
   });
 }
 
@@ -381,6 +406,7 @@ void visitFields(Visit& visit, ViewState& view) {
   visit("cut", view.cut);
   visit.where(!view.organsSeen.empty(), "organsSeen", view.organsSeen);
   visit("person", view.person);
+  visit.where(!(view.cycleEnds == heart::ChosenEnds()), "cycleEnds", view.cycleEnds);
   visit("selection", view.selection);
   visit("motions", view.motions);
   visit("playing", view.playing);

@@ -1,12 +1,17 @@
 #include <algorithm>
 #include <cctype>
+#include <optional>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "pictures.h"
 #include "sections.h"
+#include "viscera/anatomy/part.h"
 #include "viscera/core/error.h"
 #include "viscera/core/text.h"
 #include "viscera/heart/clinical_numbers.h"
+#include "viscera/heart/heart_numbers.h"
 #include "viscera/live/cycle_curves.h"
 #include "viscera/live/motion_runner.h"
 #include "viscera/live/session_motion.h"
@@ -91,7 +96,8 @@ std::string ejectionRange(const Line& line) {
 }
 
 /// Of ventricles; without rows when there is none.
-Table indicesTable(const std::vector<Line>& lines, double rate) {
+Table indicesTable(const std::vector<Line>& lines, const live::CycleCurves& curves,
+                   const heart::ChosenEnds& chosen, double rate) {
   Table table;
   table.head = {said("Ventricle"),          said("EDV (ml)"), said("ESV (ml)"),
                 said("Stroke volume (ml)"), said("EF (%)"),   said("EF of healthy people"),
@@ -101,11 +107,41 @@ Table indicesTable(const std::vector<Line>& lines, double rate) {
     const bool positive = *std::min_element(line.milliliters.begin(), line.milliliters.end()) > 0;
     if (!line.ejects() || !positive)
       continue;
-    const heart::CardiacIndices indices = heart::cardiacIndices(line.milliliters, rate);
+    const heart::CardiacIndices indices =
+        heart::cardiacIndicesAt(heart::cycleEnds(curves.fractions, line.milliliters, chosen),
+                                curves.fractions, line.milliliters, rate);
     table.rows.push_back({titleOf(*line.organ), fixed(indices.endDiastolicMl, 1),
                           fixed(indices.endSystolicMl, 1), fixed(indices.strokeVolumeMl, 1),
                           fixed(100 * indices.ejectionFraction, 1), ejectionRange(line),
                           fixed(indices.cardiacOutputLPerMinute, 2)});
+  }
+  return table;
+}
+
+/// The same for each square metre of body surface, and the mass of the muscle; without rows when neither is
+/// known.
+Table indexedTable(const std::vector<Line>& lines, const live::CycleCurves& curves,
+                   const presentation::ViewState& view, double rate) {
+  Table table;
+  table.head = {said("Ventricle"), said("Number"), said("Value"), said("Per m2 of body surface")};
+  table.numbers = {false, false, true, true};
+  std::vector<std::pair<std::string, double>> organs;
+  for (const Line& line : lines)
+    organs.emplace_back(line.organ->name, line.organ->restVolumeMm3 / kMm3PerMl);
+  const std::optional<double> muscle = heart::muscleGrams(organs);
+  for (const Line& line : lines) {
+    const bool positive = *std::min_element(line.milliliters.begin(), line.milliliters.end()) > 0;
+    if (!line.ejects() || !positive)
+      continue;
+    const bool left = anatomy::chamberNamed(line.organ->name) == anatomy::kLeftVentricle;
+    const heart::CycleEnds ends = heart::cycleEnds(curves.fractions, line.milliliters, view.cycleEnds);
+    for (const heart::HeartNumber& number :
+         heart::heartNumbers(heart::cardiacIndicesAt(ends, curves.fractions, line.milliliters, rate),
+                             left ? muscle : std::nullopt, view.person.bodySurfaceM2))
+      if (number.perM2 || number.id == "mass")
+        table.rows.push_back({titleOf(*line.organ), inWords(number.name),
+                              fixed(number.value, number.digits) + ' ' + number.unit,
+                              number.perM2 ? fixed(*number.perM2, number.digits) : "-"});
   }
   return table;
 }
@@ -173,10 +209,16 @@ Section motionSection(const ReportSource& source, Threads threads, Progress& pro
     return section;
   section.blocks.push_back(volumeChart(lines, curves, runner.periodSeconds()));
   section.blocks.push_back(volumeTable(lines));
-  Table indices = indicesTable(lines, rate);
+  // Chosen ends are those of a measured motion, which is a sequence of keys.
+  presentation::ViewState view = source.view;
+  if (source.sequence->keys().empty())
+    view.cycleEnds = {};
+  Table indices = indicesTable(lines, curves, view.cycleEnds, rate);
   if (indices.rows.empty())
     return section;
   section.blocks.push_back(std::move(indices));
+  if (Table indexed = indexedTable(lines, curves, view, rate); !indexed.rows.empty())
+    section.blocks.push_back(std::move(indexed));
   for (const Line& line : lines)
     for (const heart::NormalRange& range : line.ranges)
       if (range.quantity == heart::NormalRange::Quantity::ejectionPercent)

@@ -138,6 +138,23 @@ TEST(Report, GivesAnEjectionFractionToVentriclesOnlyAndKeepsThePose) {
   EXPECT_EQ(sectionOf(ofBall, "Strain"), nullptr);
 }
 
+TEST(Report, GivesTheNumbersOfAVentricleForEachSquareMetreAndAtTheChosenEnds) {
+  ReportedSession session({"Ball", "LV"});
+  session.record();
+  report::ReportSource source = session.source();
+  source.sequence = document::sequenceOf(session.document.keySequence(), session.document.rig());
+  source.view.person.bodySurfaceM2 = 2;
+  source.view.cycleEnds.systole = 0; // At rest, where the volume is not the smallest.
+  const std::vector<report::Table> tables = tablesOf(*sectionOf(session.report(source), "Motion"));
+  ASSERT_EQ(tables.size(), 3u);
+  const std::string rest = fixed(session.document.organ(session.organ(1))->restVolumeMm3 / 1000, 1);
+  EXPECT_EQ(tables[1].rows[0][2], rest);
+  ASSERT_EQ(tables[2].rows.size(), 4u) << "an ejection fraction has no size";
+  EXPECT_EQ(tables[2].rows[1][1], "end-systolic volume");
+  EXPECT_EQ(tables[2].rows[1][2], rest + " ml");
+  EXPECT_EQ(tables[2].rows[1][3], fixed(session.document.organ(session.organ(1))->restVolumeMm3 / 2000, 1));
+}
+
 TEST(Report, CountsTheKeysOfARecordedCycleAndNamesItsEnds) {
   ReportedSession session;
   session.record();

@@ -19,6 +19,7 @@
 namespace viscera::document {
 
 struct ScanItem;
+struct StudyItem;
 
 using OrganList = std::vector<std::shared_ptr<const Organ>>;
 
@@ -28,8 +29,8 @@ struct SystemChoice {
   coordinates::ParameterValues parameters;
 };
 
-/// The state of a document, which is everything that is saved and undone, in nine immutable parts that
-/// states share with one another: a copy costs nine pointers, and a state that is kept (by the undo stack,
+/// The state of a document, which is everything that is saved and undone, in ten immutable parts that
+/// states share with one another: a copy costs ten pointers, and a state that is kept (by the undo stack,
 /// by a worker that saves) never changes.
 ///
 /// It does not contain the view: the selection (`Selection`), the camera, the mode, the time of a sequence.
@@ -42,7 +43,8 @@ struct DocumentState {
   std::shared_ptr<const MeasurementList> measurements;  ///< In the order in which they were made. Never null.
   std::shared_ptr<const StressMarks> stressMarks;       ///< Probes and lines in stress maps. Never null.
   std::shared_ptr<const CirculationChoice> circulation; ///< How the heart is moved. Never null.
-  std::shared_ptr<const ScanItem> scan; ///< The image beside the organs (scan_item.h); null: there is none.
+  std::shared_ptr<const ScanItem> scan;   ///< The image beside the organs (scan_item.h); null: there is none.
+  std::shared_ptr<const StudyItem> study; ///< Images over the cycle (study_item.h); null: there are none.
 
   /// An empty document.
   DocumentState();
@@ -77,6 +79,7 @@ struct Change {
   bool stressMarks() const { return before.stressMarks != after.stressMarks; }
   bool circulation() const { return before.circulation != after.circulation; }
   bool scan() const { return before.scan != after.scan; }
+  bool study() const { return before.study != after.study; }
 };
 
 /// The open document: its state, and a signal for changes of it. Any holder may read it; only an `UndoStack`

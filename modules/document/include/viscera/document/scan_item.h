@@ -55,7 +55,7 @@ std::optional<ScanItemOrLabels> openImage(const std::filesystem::path& file, Pro
 /// phases; none for any other file or scan. Reads headers. Throws as `medical_io::listScans`.
 std::optional<int> phaseOfLabels(const std::filesystem::path& file, const ScanItem* scan, Progress& progress);
 
-/// Opens a scan in the document, in place of the present one.
+/// Opens a scan in the document, in place of the present one and of a cine study.
 Command openScan(ScanItem item);
 
 /// Removes the scan from the document. Throws `UsageError` when there is none.

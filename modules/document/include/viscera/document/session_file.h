@@ -43,6 +43,8 @@ struct SessionContents {
   /// The record of a scan that was not found: written again as it was unless `state` has another scan. Else
   /// null.
   nlohmann::ordered_json missingScan = {};
+  /// The same of a cine study.
+  nlohmann::ordered_json missingStudy = {};
   /// The session file that these contents belong to, when they are a recovery file's; empty else.
   std::filesystem::path recovers;
 };

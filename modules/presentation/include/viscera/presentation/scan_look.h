@@ -17,6 +17,15 @@ struct SliceFraming {
   bool operator==(const SliceFraming&) const = default;
 };
 
+/// What is shown of a cine study.
+struct CineLook {
+  /// The study's slice in each of the three panes beside the 3D view; -1: the one that `cineSlices` proposes.
+  std::array<int, 3> slices{-1, -1, -1};
+  double fraction = 0; ///< Of the cycle, [0, 1]; every slice shows the phase nearest to it.
+
+  bool operator==(const CineLook&) const = default;
+};
+
 /// How the scan is shown: window and level, places of the slices, thickness and others.
 struct ScanLook {
   /// The layout of the window's middle: "3d" alone, "four" views at once, or one slice alone by the id of its
@@ -33,6 +42,7 @@ struct ScanLook {
   bool standing = false;     ///< The slices also stand in the 3D view.
   bool warped = false;       ///< The scan is deformed by the pose.
   std::array<SliceFraming, 3> framings; ///< Of the directions in their order.
+  CineLook cine;                        ///< While the document has a study in place of a scan.
 
   bool operator==(const ScanLook&) const = default;
 };

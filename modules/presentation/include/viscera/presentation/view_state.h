@@ -12,6 +12,7 @@
 #include "viscera/core/arrays.h"
 #include "viscera/document/circulation_choice.h"
 #include "viscera/document/ids.h"
+#include "viscera/heart/heart_numbers.h"
 #include "viscera/live/session_motion.h"
 #include "viscera/live/strain_reading.h"
 #include "viscera/presentation/heart_signs.h"
@@ -188,6 +189,7 @@ struct ViewState {
   OrgansSeen organsSeen; ///< Set while a slide is shown; the document does not change.
   /// Whose normal ranges are shown: of one sex, since those of both shade nearly all of a chart.
   anatomy::Person person{anatomy::Sex::women, 0};
+  heart::ChosenEnds cycleEnds; ///< Of a measured motion, where the user has chosen them.
 
   SelectionState selection;
   std::vector<MotionChoice> motions;
