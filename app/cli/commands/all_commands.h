@@ -24,6 +24,7 @@ std::unique_ptr<Command> segmentCommand();
 std::unique_ptr<Command> probeCommand();
 std::unique_ptr<Command> measureCommand();
 std::unique_ptr<Command> warpCommand();
+std::unique_ptr<Command> phantomCommand();
 std::unique_ptr<Command> renderCommand();
 std::unique_ptr<Command> propertiesCommand();
 std::unique_ptr<Command> reproduceCommand();
