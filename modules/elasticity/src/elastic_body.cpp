@@ -71,7 +71,7 @@ ElasticBody::ElasticBody(QuadraticMesh mesh, std::shared_ptr<const Material> mat
       const Eigen::Matrix3d jacobian = nodes * reference;
       const double determinant = jacobian.determinant();
       if (!(determinant > 0))
-        throw DataError(phrase("tetrahedron %1 is turned around or has no volume", t));
+        throw DataError(misuse("tetrahedron %1 is turned around or has no volume", t));
       samples_.push_back({reference * jacobian.inverse(), point.weight * determinant / 6});
       volume_ += samples_.back().weight;
     }

@@ -23,12 +23,12 @@ void requireThere(const ElasticBody& body, const Loads& loads) {
   for (const Prescribed& one : loads.prescribed)
     if (one.node < 0 || one.node >= body.mesh().nodes.rows() || one.axis < 0 || one.axis > 2 ||
         !std::isfinite(one.displacementMm))
-      throw DataError(phrase("the displacement of node %1 cannot be prescribed", one.node));
+      throw DataError(misuse("the displacement of node %1 cannot be prescribed", one.node));
   for (const Pressure& pressure : loads.pressures)
     for (const Face& face : pressure.faces)
       if (face.tetrahedron < 0 || face.tetrahedron >= body.mesh().tetrahedra.rows() || face.opposite < 0 ||
           face.opposite > 3)
-        throw DataError(phrase("face %1 of tetrahedron %2 does not exist", face.opposite, face.tetrahedron));
+        throw DataError(misuse("face %1 of tetrahedron %2 does not exist", face.opposite, face.tetrahedron));
 }
 
 /// Newton's method in load steps.
@@ -143,7 +143,7 @@ private:
 } // namespace
 
 NoEquilibrium::NoEquilibrium(double reached)
-    : DataError(phrase("no equilibrium is found beyond %1 % of the load", inFixed(100 * reached, 0)), {},
+    : DataError(diagnostic("no equilibrium is found beyond %1 % of the load", inFixed(100 * reached, 0)), {},
                 "move the handles less far, or hold more of the body"),
       reached_(reached) {}
 

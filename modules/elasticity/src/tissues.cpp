@@ -37,8 +37,8 @@ const Tissue& tissueNamed(std::string_view name) {
       return tissue;
     known += (known.empty() ? "" : ", ") + std::string(tissue.name);
   }
-  throw UsageError(phrase("the stiffness of %1 is not known", std::string(name)), {},
-                   phrase("choose one of %1, or give Young's modulus", known));
+  throw UsageError(diagnostic("the stiffness of %1 is not known", std::string(name)), {},
+                   diagnostic("choose one of %1, or give Young's modulus", known));
 }
 
 double vonMisesKpa(const Material& material, const Eigen::Matrix3d& f) {
