@@ -191,10 +191,10 @@ private:
     std::string words = fixed(youngKpa_.value_or(0), 2) + " kPa";
     if (!material_.empty()) {
       const elasticity::Tissue& tissue = elasticity::tissueNamed(material_);
-      material = {{"name", tissue.name},
+      material = {{"name", std::string(tissue.name)},
                   {"youngKpa", tissue.youngKpa},
-                  {"measure", tissue.measure},
-                  {"doi", tissue.doi}};
+                  {"measure", std::string(tissue.measure)},
+                  {"doi", std::string(tissue.doi)}};
       words = material_ + ", " + fixed(tissue.youngKpa, 2) + " kPa (doi:" + std::string(tissue.doi) + ")";
     }
     const TissueStress stress = stressOf(organ.body(), solution.state);
