@@ -13,6 +13,7 @@
 #include "viscera/deformation/tetrahedralise.h"
 #include "viscera/deformation/witness_interpolation.h"
 #include "viscera/geometry/decimate_surface.h"
+#include "viscera/geometry/split_edges.h"
 #include "viscera/geometry/surface_check.h"
 
 namespace viscera::elasticity {
@@ -23,6 +24,10 @@ constexpr double kTetrahedra = 8.5, kTriangleArea = 0.433;
 constexpr int kFewestTriangles = 60;
 /// TetGen's tetrahedra are smaller than the largest volume that it is given by about this factor.
 constexpr double kBelowLargest = 0.5;
+/// Longer edges of a surface than so many of a tetrahedron are halved, up to so many times the triangles:
+/// TetGen keeps the triangles of a surface as they are.
+constexpr double kLongEdge = 1.6;
+constexpr int kMostSplit = 2;
 /// TetGen refuses some simplified surfaces; each further attempt has twice the triangles.
 constexpr int kAttempts = 4;
 
@@ -52,9 +57,10 @@ deformation::WitnessMesh filled(const geometry::TriangleMesh& surface, const Org
       deformation::TetrahedraOptions tetgen;
       tetgen.maxVolumeMm3 = volume / std::max(1, options.tetrahedra) / kBelowLargest;
       tetgen.timeLimitSeconds = options.timeLimitSeconds;
-      return deformation::tetrahedralise(
-          simplified ? geometry::decimateClosedSurface(surface, triangles, progress) : surface, tetgen,
-          progress);
+      const geometry::TriangleMesh fitting =
+          simplified ? geometry::decimateClosedSurface(surface, triangles, progress)
+                     : geometry::splitLongEdges(surface, kLongEdge * edge, kMostSplit * triangles);
+      return deformation::tetrahedralise(fitting, tetgen, progress);
     } catch (const deformation::TetrahedraError& error) {
       refusal = error;
       if (!simplified || error.reason() != deformation::TetrahedraError::Reason::refused)
@@ -75,6 +81,35 @@ EdgeNodes edgeNodesOf(const QuadraticMesh& mesh) {
       nodes[{low, high}] = mesh.tetrahedra(t, 4 + e);
     }
   return nodes;
+}
+
+/// The node of the skin that is nearest to each handle, `handles x 3`.
+Points feetOf(const ElasticOrgan& organ, const Points& handles) {
+  const Points& nodes = organ.body().mesh().nodes;
+  Points feet(handles.rows(), 3);
+  for (Eigen::Index h = 0; h < handles.rows(); ++h) {
+    const auto distance = [&](std::int32_t node) { return (nodes.row(node) - handles.row(h)).squaredNorm(); };
+    feet.row(h) = nodes.row(*std::min_element(organ.skin().begin(), organ.skin().end(),
+                                              [&](auto a, auto b) { return distance(a) < distance(b); }));
+  }
+  return feet;
+}
+
+/// Moved handles, then those at rest that grip: no patch is held within `clear` of a moved one, where the
+/// tissue would tear.
+std::vector<Eigen::Index> grippingHandles(const Points& rest, const Points& pose, const Points& feet,
+                                          GripOptions::Others others, double clear) {
+  std::vector<Eigen::Index> gripping;
+  for (Eigen::Index h = 0; h < rest.rows(); ++h)
+    if (pose.row(h) != rest.row(h))
+      gripping.push_back(h);
+  const std::vector<Eigen::Index> moved = gripping;
+  for (Eigen::Index h = 0; h < rest.rows() && others == GripOptions::Others::held; ++h)
+    if (pose.row(h) == rest.row(h) && std::all_of(moved.begin(), moved.end(), [&](Eigen::Index m) {
+          return (feet.row(h) - feet.row(m)).norm() >= clear;
+        }))
+      gripping.push_back(h);
+  return gripping;
 }
 
 } // namespace
@@ -124,28 +159,20 @@ Grips gripsOf(const ElasticOrgan& organ, const Points& rest, const Points& pose,
   constexpr std::size_t kFewestNodes = 3; // They hold a body against turning.
   const Points& nodes = organ.body().mesh().nodes;
   const double radius = options.radius * boundsOf(nodes).diagonal();
-  std::map<std::int32_t, std::pair<double, Eigen::Index>> owners; // Of each node: distance and handle.
+  const Points feet = feetOf(organ, rest);
   Grips grips;
-  for (Eigen::Index h = 0; h < rest.rows(); ++h) {
-    const bool moves = pose.row(h) != rest.row(h);
-    if (!moves && options.others == GripOptions::Others::free)
-      continue;
-    const auto nearestTo = [&](const auto& place) {
-      return *std::min_element(organ.skin().begin(), organ.skin().end(), [&](auto a, auto b) {
-        return (nodes.row(a) - place).squaredNorm() < (nodes.row(b) - place).squaredNorm();
-      });
-    };
-    const Eigen::RowVector3d foot = nodes.row(nearestTo(rest.row(h)));
+  std::map<std::int32_t, std::pair<double, Eigen::Index>> owners; // Of each node: distance and handle.
+  for (const Eigen::Index h : grippingHandles(rest, pose, feet, options.others, 2 * radius)) {
     std::vector<std::pair<double, std::int32_t>> near;
     for (const std::int32_t node : organ.skin())
-      near.push_back({(nodes.row(node) - foot).norm(), node});
+      near.push_back({(nodes.row(node) - feet.row(h)).norm(), node});
     std::sort(near.begin(), near.end());
     for (std::size_t i = 0; i < near.size() && (i < kFewestNodes || near[i].first <= radius); ++i) {
       const auto [entry, added] = owners.try_emplace(near[i].second, near[i].first, h);
       if (!added && near[i].first < entry->second.first)
         entry->second = {near[i].first, h};
     }
-    ++(moves ? grips.moved : grips.held);
+    ++(pose.row(h) != rest.row(h) ? grips.moved : grips.held);
     grips.dragMm = std::max(grips.dragMm, (pose.row(h) - rest.row(h)).norm());
   }
   if (grips.moved == 0)

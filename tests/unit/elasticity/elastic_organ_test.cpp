@@ -95,6 +95,20 @@ TEST_F(ElasticBall, FollowsAsAWholeWhereOthersAreFree) {
   EXPECT_LT((moved(grips).rowwise() - Eigen::RowVector3d(8, 0, 0)).cwiseAbs().maxCoeff(), 1e-6);
 }
 
+TEST_F(ElasticBall, HoldsNothingBesideAMovedPatch) {
+  Points rest(7, 3), pose;
+  rest << handles(), 1.5 * handles().row(0); // Farther out above the same place.
+  pose = rest;
+  pose(6, 1) += 5;
+  const Grips grips = gripsOf(*organ_, rest, pose, {});
+  EXPECT_EQ(grips.moved, 1);
+  EXPECT_EQ(grips.held, 5);
+  int moving = 0;
+  for (const Prescribed& one : grips.prescribed)
+    moving += one.displacementMm == 5;
+  EXPECT_GE(moving, 3);
+}
+
 TEST_F(ElasticBall, HasNoGripsWhereNoHandleMoves) {
   EXPECT_THROW(gripsOf(*organ_, handles(), handles(), {}), DataError);
 }

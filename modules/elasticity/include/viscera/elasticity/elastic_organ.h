@@ -13,7 +13,7 @@ namespace viscera::elasticity {
 
 /// The tetrahedra of an organ.
 struct OrganOptions {
-  int tetrahedra = 1500;        ///< About so many; the surface is simplified to fit.
+  int tetrahedra = 600;         ///< About so many; the surface is simplified to fit.
   double timeLimitSeconds = 60; ///< Of TetGen.
 };
 
@@ -21,8 +21,9 @@ struct OrganOptions {
 /// thread-safe.
 class ElasticOrgan {
 public:
-  /// Simplifies `surface` (closed, mm, LPS), fills it by TetGen and makes the tetrahedra quadratic, with
-  /// straight edges. Throws what `deformation::tetrahedralise` throws, and `DataError` for an open surface.
+  /// Simplifies `surface` (closed, mm, LPS) or halves its long edges, fills it by TetGen and makes the
+  /// tetrahedra quadratic, with straight edges. Throws what `deformation::tetrahedralise` throws, and
+  /// `DataError` for an open surface.
   ElasticOrgan(const geometry::TriangleMesh& surface, const OrganOptions& options,
                std::shared_ptr<const Material> material, Progress& progress);
 
@@ -62,8 +63,9 @@ struct Grips {
 
 /// The nodes of the skin near each handle, prescribed to move as the handle does. A patch is what of the skin
 /// is no farther from the place of the skin that is nearest to the handle than `radius`, three nodes at
-/// least; a node of several belongs to the nearest. `rest` and `pose` are `handles x 3` mm. Throws
-/// `DataError` when no handle moves. O(handles x skin).
+/// least; a node of several belongs to the nearest. No patch is held whose middle is less than two radii from
+/// a moved one. `rest` and `pose` are `handles x 3` mm. Throws `DataError` when no handle moves. O(handles x
+/// skin).
 Grips gripsOf(const ElasticOrgan& organ, const Points& rest, const Points& pose, const GripOptions& options);
 
 } // namespace viscera::elasticity
