@@ -36,8 +36,8 @@ struct LocalState {
 /// An elastic body: quadratic displacements and linear, continuous pressures on tetrahedra (Taylor and Hood
 /// 1973, doi:10.1016/0045-7930(73)90027-3), which do not lock when the material hardly changes its volume.
 /// The mixed energy is the integral of `W(F) + g (J - 1)^2 / 2 + p (J - 1) - p^2 / (2 (bulk - g))` over the
-/// body at rest. A part g of the bulk modulus, as large as the shear modulus, works on displacements alone: it
-/// keeps J near 1 between the corners, too, and the stiffness of the displacements positive (Olshanskii et
+/// body at rest. A part g of the bulk modulus, as large as the shear modulus, works on displacements alone:
+/// it keeps J near 1 between the corners, too, and the stiffness of the displacements positive (Olshanskii et
 /// al. 2009, doi:10.1016/j.cma.2009.09.005, for fluids). Without g the exact solution is the same. Immutable,
 /// thread-safe.
 class ElasticBody {
