@@ -15,6 +15,7 @@ std::unique_ptr<Command> handlesCommand();
 std::unique_ptr<Command> bindCommand();
 std::unique_ptr<Command> deformCommand();
 std::unique_ptr<Command> stressCommand();
+std::unique_ptr<Command> elasticityCommand();
 std::unique_ptr<Command> playCommand();
 std::unique_ptr<Command> circulateCommand();
 std::unique_ptr<Command> trackCommand();

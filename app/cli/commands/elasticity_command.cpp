@@ -1,0 +1,225 @@
+#include "cli/commands/all_commands.h"
+
+#include <algorithm>
+#include <chrono>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "cli/bound_input.h"
+#include "cli/listing.h"
+#include "cli/number_bounds.h"
+#include "viscera/core/error.h"
+#include "viscera/deformation/bind_organ.h"
+#include "viscera/deformation/tetrahedralise.h"
+#include "viscera/elasticity/elastic_organ.h"
+#include "viscera/elasticity/tissues.h"
+#include "viscera/medical_io/surface_file.h"
+
+namespace viscera::app::cli {
+namespace {
+
+constexpr const char* kHeld = "held";
+
+/// The value below which a part of the sorted numbers lies.
+double quantile(const std::vector<double>& sorted, double part) {
+  return sorted[static_cast<std::size_t>(part * static_cast<double>(sorted.size() - 1))];
+}
+
+/// How far the elastic organ's surface is from the one of the handles' pose.
+struct Difference {
+  double medianMm = 0, p95Mm = 0, maxMm = 0;
+};
+
+Difference differenceOf(const Points& elastic, const Points& posed) {
+  const Values distances = (elastic - posed).rowwise().norm();
+  std::vector<double> sorted(distances.begin(), distances.end());
+  std::sort(sorted.begin(), sorted.end());
+  return {quantile(sorted, 0.5), quantile(sorted, 0.95), sorted.back()};
+}
+
+/// The von Mises stress of the tissue over its volume at rest, kPa.
+struct TissueStress {
+  double mean = 0, p95 = 0, max = 0;
+};
+
+TissueStress stressOf(const elasticity::ElasticBody& body, const Values& state) {
+  std::vector<std::pair<double, double>> samples; // Stress and volume.
+  TissueStress stress;
+  for (Eigen::Index t = 0; t < body.mesh().tetrahedra.rows(); ++t)
+    for (const elasticity::LocalState& at : body.statesOf(t, state)) {
+      samples.emplace_back(elasticity::vonMisesKpa(body.material(), at.gradient), at.weightMm3);
+      stress.mean += samples.back().first * at.weightMm3 / body.volumeMm3();
+    }
+  std::sort(samples.begin(), samples.end());
+  stress.max = samples.back().first;
+  double volume = 0;
+  for (const auto& [value, part] : samples)
+    if ((volume += part) <= 0.95 * body.volumeMm3())
+      stress.p95 = value;
+  return stress;
+}
+
+/// `viscera elasticity`: the organ as an elastic body that the handles grip, beside the pose of the handles.
+class ElasticityCommand final : public Command {
+public:
+  std::string name() const override { return "elasticity"; }
+  std::string summary() const override {
+    return "Compare a pose with an elastic organ that the handles grip";
+  }
+  std::vector<OutputOption> outputs() const override { return {{"--output"}}; }
+
+  void addOptions(CLI::App& options) override {
+    input_.addTo(options, true);
+    CLI::Option* young = options
+                             .add_option("--young", youngKpa_,
+                                         "Young's modulus of the tissue; without it and --material there "
+                                         "are displacements only, which do not depend on it")
+                             ->type_name("KPA")
+                             ->check(above(0));
+    options
+        .add_option("--material", material_,
+                    "A tissue whose stiffness is published: liver, kidney, spleen, pancreas, stomach")
+        ->type_name("NAME")
+        ->excludes(young);
+    options.add_option("--poisson", poisson_, "Poisson's ratio; 0.5 would be incompressible")
+        ->type_name("NU")
+        ->check(between(0.01, 0.4999))
+        ->capture_default_str();
+    options
+        .add_option("--others", others_,
+                    "What becomes of the organ's surface at handles that the pose leaves at rest: held or "
+                    "free")
+        ->check(CLI::IsMember({kHeld, "free"}))
+        ->type_name("HOW")
+        ->capture_default_str();
+    options.add_option("--tetrahedra", organOptions_.tetrahedra, "About how many tetrahedra the organ has")
+        ->type_name("N")
+        ->check(wholeBetween(50, 20'000))
+        ->capture_default_str();
+    options.add_option("-o,--output", output_, "Surface file for the organ as elasticity moves it")
+        ->type_name("FILE");
+  }
+
+  Outcome run(CommandContext& context) override {
+    const auto begin = std::chrono::steady_clock::now();
+    Outcome outcome;
+    const BoundInput input = input_.read(context, outcome.warnings);
+    Points posed;
+    deformation::bindOrgan(*input.system, input.handles, input.organ.mesh->points,
+                           deformation::withTetgen(input.options), context.progress)
+        ->deform(input.pose, posed, context.threads);
+    const elasticity::ElasticOrgan organ(*input.organ.mesh, organOptions_, material(), context.progress);
+    elasticity::GripOptions gripOptions;
+    if (others_ != kHeld)
+      gripOptions.others = elasticity::GripOptions::Others::free;
+    const elasticity::Grips grips =
+        elasticity::gripsOf(organ, input.handles.positions, input.pose, gripOptions);
+    elasticity::SolveOptions solve;
+    solve.threads = context.threads;
+    const elasticity::StaticSolution solution =
+        elasticity::solveStatic(organ.body(), {grips.prescribed, {}}, solve, context.progress);
+    const Points elastic = input.organ.mesh->points + organ.atSurface(solution.displacements);
+    tell(input, organ, grips, solution, differenceOf(elastic, posed), outcome);
+    if (!output_.empty()) {
+      medical_io::writeSurface(output_, {elastic, input.organ.mesh->triangles, input.organ.mesh->colors},
+                               {.name = input.organ.name});
+      outcome.json["file"] = output_;
+    }
+    outcome.json["seconds"] = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    outcome.warnings.insert(outcome.warnings.end(), input.organ.warnings.begin(), input.organ.warnings.end());
+    outcome.json["warnings"] = outcome.warnings;
+    return outcome;
+  }
+
+private:
+  bool stated() const { return youngKpa_ || !material_.empty(); }
+
+  std::shared_ptr<const elasticity::Material> material() const {
+    // Without a stated one the modulus is arbitrary: it scales forces, and no displacement.
+    const double young =
+        !material_.empty() ? elasticity::tissueNamed(material_).youngKpa : youngKpa_.value_or(1);
+    return std::make_shared<const elasticity::NeoHookean>(young, poisson_);
+  }
+
+  void tell(const BoundInput& input, const elasticity::ElasticOrgan& organ, const elasticity::Grips& grips,
+            const elasticity::StaticSolution& solution, const Difference& difference,
+            Outcome& outcome) const {
+    const double perCent = 100 / grips.dragMm;
+    outcome.json = {{"organ", input.organ.name},
+                    {"system", input.system->id()},
+                    {"tetrahedra", organ.body().mesh().tetrahedra.rows()},
+                    {"others", others_},
+                    {"patches", {{"moved", grips.moved}, {"held", grips.held}}},
+                    {"poisson", poisson_},
+                    {"dragMm", grips.dragMm},
+                    {"differenceMm",
+                     {{"median", difference.medianMm}, {"p95", difference.p95Mm}, {"max", difference.maxMm}}},
+                    {"differencePercentOfDrag",
+                     {{"median", perCent * difference.medianMm},
+                      {"p95", perCent * difference.p95Mm},
+                      {"max", perCent * difference.maxMm}}},
+                    {"volumeRatio", {{"min", solution.smallestJacobian}, {"max", solution.largestJacobian}}},
+                    {"loadSteps", solution.loadSteps},
+                    {"iterations", solution.iterations}};
+    Listing listing;
+    listing.add("elastic organ", std::to_string(organ.body().mesh().tetrahedra.rows()) + " tetrahedra")
+        .add("grips", std::to_string(grips.moved) + " moved, " +
+                          (others_ == kHeld ? std::to_string(grips.held) + " held" : "all others free"))
+        .add("largest drag", fixed(grips.dragMm, 2) + " mm")
+        .add("difference", fixed(difference.medianMm, 2) + " mm (median), 95 % below " +
+                               fixed(difference.p95Mm, 2) + " mm, at most " + fixed(difference.maxMm, 2) +
+                               " mm")
+        .add("of the drag", fixed(perCent * difference.medianMm, 1) + " % (median), 95 % below " +
+                                fixed(perCent * difference.p95Mm, 1) + " %, at most " +
+                                fixed(perCent * difference.maxMm, 1) + " %")
+        .add("volume ratio",
+             fixed(solution.smallestJacobian, 3) + " to " + fixed(solution.largestJacobian, 3));
+    if (stated())
+      tellStress(organ, solution, outcome, listing);
+    outcome.text = listing.text();
+  }
+
+  /// Pascals, which exist only of a stated material.
+  void tellStress(const elasticity::ElasticOrgan& organ, const elasticity::StaticSolution& solution,
+                  Outcome& outcome, Listing& listing) const {
+    nlohmann::ordered_json material = {{"youngKpa", youngKpa_.value_or(0)}};
+    std::string words = fixed(youngKpa_.value_or(0), 2) + " kPa";
+    if (!material_.empty()) {
+      const elasticity::Tissue& tissue = elasticity::tissueNamed(material_);
+      material = {{"name", std::string(tissue.name)},
+                  {"youngKpa", tissue.youngKpa},
+                  {"measure", std::string(tissue.measure)},
+                  {"doi", std::string(tissue.doi)}};
+      words = material_ + ", " + fixed(tissue.youngKpa, 2) + " kPa (doi:" + std::string(tissue.doi) + ")";
+    }
+    const TissueStress stress = stressOf(organ.body(), solution.state);
+    outcome.json["material"] = material;
+    outcome.json["energyMj"] = solution.energyMj;
+    outcome.json["vonMisesKpa"] = {{"mean", stress.mean}, {"p95", stress.p95}, {"max", stress.max}};
+    listing.add("Young's modulus", words)
+        .add("elastic energy", fixed(solution.energyMj, 3) + " mJ")
+        .add("von Mises stress", fixed(stress.mean, 3) + " kPa on average, 95 % below " +
+                                     fixed(stress.p95, 3) + ", at most " + fixed(stress.max, 3));
+  }
+
+  BoundInputOptions input_;
+  std::optional<double> youngKpa_;
+  std::string material_;
+  double poisson_ = 0.49;
+  std::string others_ = kHeld;
+  elasticity::OrganOptions organOptions_;
+  std::string output_;
+};
+
+} // namespace
+
+std::unique_ptr<Command> elasticityCommand() {
+  return std::make_unique<ElasticityCommand>();
+}
+
+} // namespace viscera::app::cli

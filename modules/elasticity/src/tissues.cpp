@@ -1,0 +1,53 @@
+#include "viscera/elasticity/tissues.h"
+
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include <Eigen/LU>
+
+#include "viscera/core/error.h"
+
+namespace viscera::elasticity {
+namespace {
+
+constexpr std::array<Tissue, 5> kTissues = {{
+    {"liver", 6.27, "shear stiffness 2.09 +- 0.22 kPa, magnetic resonance elastography, 41 healthy adults",
+     "10.1002/jmri.24084"},
+    {"kidney", 5.0, "Young's modulus of the cortex 5.0 +- 2.9 kPa, shear-wave ultrasound, healthy adults",
+     "10.2214/AJR.10.5449"},
+    {"spleen", 2.9, "Young's modulus 2.9 +- 1.8 kPa, shear-wave ultrasound, healthy adults",
+     "10.2214/AJR.10.5449"},
+    {"pancreas", 4.8, "Young's modulus 4.8 +- 3 kPa, shear-wave ultrasound, healthy adults",
+     "10.2214/AJR.10.5449"},
+    {"stomach", 1.911, "quasistatic shear modulus 0.637 kPa, a table of values from the literature",
+     "10.1088/1361-6560/ab5010"},
+}};
+
+} // namespace
+
+std::span<const Tissue> tissues() {
+  return kTissues;
+}
+
+const Tissue& tissueNamed(std::string_view name) {
+  std::string known;
+  for (const Tissue& tissue : kTissues) {
+    if (tissue.name == name)
+      return tissue;
+    known += (known.empty() ? "" : ", ") + std::string(tissue.name);
+  }
+  throw UsageError(diagnostic("the stiffness of %1 is not known", std::string(name)), {},
+                   diagnostic("choose one of %1, or give Young's modulus", known));
+}
+
+double vonMisesKpa(const Material& material, const Eigen::Matrix3d& f) {
+  const double j = f.determinant();
+  if (!(j > 0))
+    return std::numeric_limits<double>::quiet_NaN();
+  const Eigen::Matrix3d stress = material.respond(f).stress * f.transpose() / j;
+  const Eigen::Matrix3d deviator = stress - stress.trace() / 3 * Eigen::Matrix3d::Identity();
+  return std::sqrt(1.5) * deviator.norm();
+}
+
+} // namespace viscera::elasticity
