@@ -46,7 +46,7 @@ public:
   /// Adds its options and arguments, tied to its own members. Called once, before `run`.
   virtual void addOptions(CLI::App& options) = 0;
 
-  /// Its options and arguments for what it writes.
+  /// The command's options and arguments for what it writes.
   virtual std::vector<OutputOption> outputs() const { return {}; }
 
   /// Runs the command. Throws `Error`; leaves no half-written file.

@@ -55,7 +55,7 @@ std::optional<SessionReference> sessionReference(const std::string& text);
 document::Organ organInput(const std::string& organ, const sample_organs::SampleLibrary& samples,
                            Progress& progress);
 
-/// As above, but all surfaces of a sample organ or of a file, and all labels of a label map, when none is
+/// The same with all surfaces of a sample organ or of a file, and all labels of a label map, when none is
 /// named.
 std::vector<document::Organ> organInputs(const std::string& organ,
                                          const sample_organs::SampleLibrary& samples, Progress& progress);

@@ -41,7 +41,7 @@ struct PlayedSequence {
   std::unique_ptr<workbench::Workbench> bench;
   std::vector<PlayedSurface> surfaces; ///< The first organs of the document, the outer surface first.
   std::vector<Text> warnings;          ///< About the files that were read.
-  /// Of the sample heart: whether two further organs come last, hidden, only to be measured: its chambers
+  /// Whether two further organs of the sample heart come last, hidden, only to be measured: its chambers
   /// from outside, without vessels, and the left ventricle from outside.
   bool hasWalls = false;
   /// Whether a session is played: with its locks, at its rate, and where a volume cannot be kept the organs

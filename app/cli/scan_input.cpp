@@ -24,7 +24,7 @@ std::string spacingText(const Vec3& spacing) {
 }
 
 std::string_view nameOf(medical_io::ScanFinding::Kind kind) {
-  // In the order of the enumeration.
+  // Names in the order of the enumeration.
   static constexpr std::array<std::string_view, 10> kNames = {
       "missing-slice", "doubled-slice", "uneven-spacing", "tilt",      "order",
       "mixed-sizes",   "damaged",       "other",          "part-read", "resampled"};

@@ -49,7 +49,7 @@ ordered_json measurementsJson(const document::DocumentState& state) {
   return list;
 }
 
-/// From a side that is asked for, a view that cannot be read is as at first.
+/// A view that cannot be read is as at first where a side is asked for.
 presentation::ViewState viewOf(const document::OpenedSession& opened, bool fromSide) {
   try {
     return presentation::viewFromJson(opened.contents.view, *opened.contents.state.circulation);

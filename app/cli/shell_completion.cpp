@@ -95,7 +95,7 @@ std::string bashCases(const CLI::App& app, const std::string& command, const Val
   return text;
 }
 
-/// For the inside of '[...]' and ':...:' of zsh's _arguments, between single quotes.
+/// Writes for the inside of '[...]' and ':...:' of zsh's _arguments, between single quotes.
 std::string zshText(const std::string& text) {
   std::string result;
   for (const char c : text) {

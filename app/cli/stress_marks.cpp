@@ -18,7 +18,7 @@ using nlohmann::ordered_json;
 
 constexpr const char* kProbe = "--probe";
 constexpr const char* kProfile = "--profile";
-/// Of the mesh's diagonal: a place on the skin counts as tissue in spite of rounding.
+/// Part of the mesh's diagonal: a place on the skin counts as tissue in spite of rounding.
 constexpr double kOnSkin = 1e-9;
 
 /// The values at a point; null if it lies in no tissue.

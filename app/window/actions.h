@@ -41,7 +41,7 @@ public:
   void sync();
   /// Asserts that it exists.
   QAction* operator[](const char* id) const;
-  /// In the order in which they were added.
+  /// All actions in the order in which they were added.
   const std::vector<QAction*>& all() const { return order_; }
 
 private:

@@ -27,7 +27,7 @@ BindingMessages::BindingMessages(Workspace& workspace, MessageBar* bar, QObject*
   }));
 }
 
-/// Its offers end with it.
+/// The offers of a message end with it.
 BindingMessages::~BindingMessages() {
   if (bar_ && !shown_.isEmpty())
     bar_->retract(shown_);

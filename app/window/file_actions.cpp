@@ -22,7 +22,7 @@
 namespace viscera::app {
 namespace {
 
-/// Of the diagonal of an organ.
+/// Part of the diagonal of an organ.
 constexpr double kSamePlace = 1e-3;
 
 bool sameBox(const Bounds& a, const Bounds& b) {
@@ -30,7 +30,7 @@ bool sameBox(const Bounds& a, const Bounds& b) {
   return (a.low - b.low).cwiseAbs().maxCoeff() <= most && (a.high - b.high).cwiseAbs().maxCoeff() <= most;
 }
 
-/// Of organs in one box: whether it is one organ twice, by its name or by every vertex.
+/// Whether organs in one box are one organ twice, by its name or by every vertex.
 bool isTwice(const document::Organ& a, const document::Organ& b) {
   if (a.mesh == b.mesh || a.name == b.name)
     return true;
@@ -57,7 +57,7 @@ bool hasSeveralScans(const std::filesystem::path& place, Progress& progress) {
   return series.size() > 1 || (series.size() == 1 && series.front().phases > 1);
 }
 
-/// Those of the files that are there; all of them where none is.
+/// The files that are there; all of them where none is.
 QStringList thoseThere(const QStringList& files) {
   QStringList there;
   std::copy_if(files.begin(), files.end(), std::back_inserter(there),

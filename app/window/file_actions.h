@@ -80,7 +80,7 @@ Q_SIGNALS:
   void scanOpened();
   /// There are several series of scans at a place, to choose from; none was opened.
   void scansFound(const QString& place);
-  /// These files were checked, and nothing was found.
+  /// Nothing was found in the files that were checked.
   void foundNothingOdd(const QStringList& files);
   void recentFilesChanged();
 

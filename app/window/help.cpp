@@ -73,7 +73,7 @@ void Help::openGuide() {
                section == kSections.end() ? QString() : QLatin1String(section->second));
 }
 
-/// Of the handles that can be moved, the one in front is bright.
+/// The one in front of the handles that can be moved is bright.
 void Help::startTask() {
   const auto& handles = parts_.workspace.document().rig().handles;
   Vec3 middle = Vec3::Zero();

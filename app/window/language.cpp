@@ -72,7 +72,7 @@ InstalledLanguage::InstalledLanguage(const QString& code) : code_(code) {
   };
   if (code == QLatin1String(kEnglish))
     return;
-  // Of Qt's own dialogs, where Qt has them here; ours come first.
+  // Add those of Qt's own dialogs, where Qt has them here; ours come first.
   install(std::make_unique<QTranslator>(), QStringLiteral("qtbase_") + code,
           QLibraryInfo::location(QLibraryInfo::TranslationsPath));
   const QString folder = QStringLiteral(":/viscera/translations");

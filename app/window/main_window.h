@@ -85,7 +85,7 @@ public:
   void setMode(const std::string& id) { modes_->choose(id); }
   void setTheme(ThemeKind kind);
   void showWelcome(bool shown);
-  /// For tests: replaces the dialog that asks whether to close the window while these files are being
+  /// Replaces, for tests, the dialog that asks whether to close the window while these files are being
   /// written.
   void setUnwrittenQuestion(std::function<bool(const QStringList& names)> question) {
     unwrittenQuestion_ = std::move(question);

@@ -59,7 +59,7 @@ void giveLetters(const QWidget& menu) {
     action->setText(label);
   }
 }
-/// In menus an icon stands for one command, and a tick for what is on: a second command with the same icon
+/// An icon stands for one command in menus, and a tick for what is on: a second command with the same icon
 /// has none there, and neither has what can be on or off, since Qt draws an icon in place of the tick.
 void giveIcons(const QList<QAction*>& entries, QSet<QString>& taken) {
   for (QAction* action : entries) {

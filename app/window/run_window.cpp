@@ -41,7 +41,7 @@ constexpr double kPlayedSeconds = 2.64; ///< Ends in the ejection at 75 beats a 
 constexpr int kLongestWait = 180000;    ///< ms, for a sample organ that has to be made first.
 constexpr int kSettle = 400;            ///< ms, for what the window still has to draw.
 
-/// Without a display Qt would abort the program.
+/// Qt would abort the program where there is no display.
 bool displayThere() {
 #if defined(Q_OS_LINUX)
   if (!qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM"))

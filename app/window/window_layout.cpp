@@ -30,7 +30,7 @@ constexpr int kWidthForRight = 1200;
 constexpr int kWidthForLeft = 1280;
 constexpr int kDockedChartHeight = 176; ///< Three rows of tiles: a heart and its four cavities.
 constexpr int kHandlesHeight = 260;
-/// Of the column of organs and handles: the organs have more.
+/// Part of the column of organs and handles: the organs have more.
 constexpr double kHandlesPart = 0.42;
 /// Half a screen of 1366 x 768 pixels, as at twice the scale, is a little larger. What panels ask for does
 /// not keep the window from becoming as small: they fold.
@@ -175,7 +175,7 @@ void WindowLayout::showPanels() {
     dock->setVisible(isWanted(*dock) && !folded_.contains(dock));
 }
 
-/// By the user, or else by the mode.
+/// Asks the user's choice, or else the mode.
 bool WindowLayout::isWanted(const QDockWidget& dock) const {
   const std::map<QString, bool> useful = {{QStringLiteral("organs"), true},
                                           {QStringLiteral("handles"), useful_.handles},
@@ -190,7 +190,7 @@ std::vector<WindowLayout::FoldingGroup> WindowLayout::foldingGroups() const {
   const FoldingGroup lists{{organs_, handles_}, kPartOfView};
   const FoldingGroup charts{{charts_}, kPartOfView};
   const FoldingGroup page{{properties_}, kPartBesidePage};
-  // Who works with handles has more use for their list than for the chart.
+  // A user who works with handles has more use for their list than for the chart.
   return useful_.handles ? std::vector<FoldingGroup>{charts, lists, page}
                          : std::vector<FoldingGroup>{lists, charts, page};
 }
@@ -307,7 +307,7 @@ void WindowLayout::watchWindow(const QEvent& event) {
   }
 }
 
-/// In a window that is narrower than the one of the wish a panel gets its part of it.
+/// A panel gets its part of a window that is narrower than the one of the wish.
 int WindowLayout::widthOf(const Width& wish) const {
   return std::min(wish.panel, wish.panel * window_.width() / wish.window);
 }
@@ -348,7 +348,7 @@ void WindowLayout::keepHeights() {
     });
 }
 
-/// Without the height that a table beside the charts has taken for itself.
+/// The height without what a table beside the charts has taken for itself.
 int WindowLayout::heightOf(const QDockWidget& dock) const {
   return &dock == charts_ ? chartsBefore_.value_or(charts_->height()) : dock.height();
 }

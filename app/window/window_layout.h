@@ -53,7 +53,7 @@ public:
   void hideImports();
   /// Shows the panels that this mode needs or that the user has shown in it.
   void follow(const Mode& mode);
-  /// With `bare` only the view is shown: no panels, menus, modes and status bar.
+  /// Shows only the view with `bare`: no panels, menus, modes and status bar.
   void setBare(bool bare);
   bool bare() const { return bare_; }
 
@@ -78,7 +78,7 @@ private:
     std::vector<QDockWidget*> panels;
     double part; ///< Of the window: while the view has less than this part, the panels fold.
   };
-  /// In the order in which they fold: first the panels that the mode needs least.
+  /// Groups in the order in which they fold: first the panels that the mode needs least.
   std::vector<FoldingGroup> foldingGroups() const;
   QSet<QDockWidget*> withoutRoom() const;
   double partOfView(const QSet<QDockWidget*>& folded) const;

@@ -21,7 +21,7 @@ Workspace::Workspace(coordinates::Registry registry, QObject* parent)
     : QObject(parent), undo_(document_), registry_(std::move(registry)), jobs_(mailbox()),
       live_(document_, registry_, jobs_), stress_(document_, registry_, live_, jobs_),
       warp_(document_, live_, registry_, jobs_), selection_(document_) {
-  // Its offer would undo another step.
+  // The offer would undo another step.
   stepsFollowed_ = undo_.onChange([this] {
     if (!told_.isEmpty() && undo_.position() != toldAt_)
       retract(std::exchange(told_, {}));

@@ -125,7 +125,7 @@ QString asSentence(const Text& text);
 QString formatChange(const live::OrganVolume& volume);
 QString formatRelativeChange(const live::OrganVolume& volume);
 
-/// From UTF-8 and back.
+/// Converts from UTF-8 and back.
 inline QString text(const std::string& utf8) {
   return QString::fromStdString(utf8);
 }

@@ -21,7 +21,7 @@ using Weights = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::Row
 
 constexpr std::size_t kAlignment = 64; ///< Alignment of the data in the file, as the format requires.
 
-/// Of a file in NumPy's own format, version 1.0:
+/// The header of a file in NumPy's own format, version 1.0:
 /// https://numpy.org/doc/stable/reference/generated/numpy.lib.format.html
 std::string header(Eigen::Index rows, Eigen::Index cols) {
   static_assert(std::endian::native == std::endian::little, "the header below says little-endian");

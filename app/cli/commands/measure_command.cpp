@@ -119,7 +119,7 @@ private:
     throw UsageError("there is no organ of that name", "--from " + name, "the organs are: " + names);
   }
 
-  /// Of all pairs, or of one organ with all others.
+  /// Distances of all pairs, or of one organ with all others.
   ordered_json distances(const std::vector<PosedSurface>& surfaces, const OrganGroup& group, Listing& listing,
                          Progress& progress) const {
     const std::size_t count = surfaces.size();

@@ -310,7 +310,7 @@ private:
     sequences::VolumeRecord atKeys;  ///< Of a key sequence: at its keys, which frames may miss.
     live::CycleCurves cycle;         ///< The whole cycle, so that no extreme depends on the frames.
     std::optional<Walls> walls;      ///< Of the sample heart.
-    /// Of a session: where its locked volumes could not be kept first, in words; else empty.
+    /// Where a session's locked volumes could not be kept first, in words; else empty.
     std::string obstacle = {};
     std::vector<std::string> signs = {}; ///< That are drawn.
 
@@ -467,7 +467,7 @@ private:
     outcome.json["ejectionFraction"] = nullptr;
     const int ventricle = ventricleOf(played);
     for (std::size_t i = 0; i < played.surfaces.size(); ++i) {
-      // Of a key sequence its keys are what was measured: the numbers are those of `viscera track`.
+      // The keys of a key sequence are what was measured: the numbers are those of `viscera track`.
       const bool hasKeys = measured.atKeys.rows() > 0;
       const std::vector<double> values = hasKeys ? measured.atKeys.column(i) : measured.of(i);
       const bool isVentricle = static_cast<int>(i) == ventricle;

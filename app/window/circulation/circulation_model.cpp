@@ -163,8 +163,8 @@ CirculationModel::ShownBeat CirculationModel::shownBeat() const {
   return {followed_.sequence, playback_.player().fraction(), playback_.player().playing()};
 }
 
-/// For a worker. The heart must be able to take the shape in which it will be drawn first; where it beats on,
-/// others as well: it would stand still while the time goes on.
+/// Works on a worker. The heart must be able to take the shape in which it will be drawn first; where it
+/// beats on, others as well: it would stand still while the time goes on.
 std::shared_ptr<const heart::CourseHeartbeat> CirculationModel::ShownBeat::similar(const Shown& shown) const {
   if (!beat)
     return nullptr;

@@ -147,7 +147,7 @@ QWidget* Comparison::makeSecondPane() {
   auto* column = makeLayout<QVBoxLayout>(pane, 0);
   secondHeader_ = new SideHeader(2, pane);
   fillHeader(*secondHeader_);
-  // As high as each other, the views show one organ in one size.
+  // Views of one height show one organ in one size.
   connect(secondHeader_, &SideHeader::heightChanged, this,
           [this](int height) { first_.area.setHeaderHeight(height); });
   column->addWidget(secondHeader_);
@@ -468,7 +468,7 @@ void Comparison::syncMotion() {
     setSecondRate(known->second);
 }
 
-/// At the first view's rate, or at that of a session.
+/// Takes the first view's rate, or that of a session.
 void Comparison::takeSample(const QString& name) {
   what_ = presentation::Compared::What::sample;
   sample_ = name;
@@ -524,7 +524,7 @@ QString Comparison::titleOf(const Workspace& workspace, const Playback& playback
   return organs.empty() ? tr("No organ yet") : inWords(presentation::labelOf(*organs.front()));
 }
 
-/// As long as the header names the present one.
+/// The phases as long as the header names the present one.
 QStringList Comparison::phasesOf(const Playback& playback) {
   QStringList names;
   if (playback.sequence() && playback.showing())

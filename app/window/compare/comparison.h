@@ -74,7 +74,7 @@ public:
 
   void setTheme(const Theme& theme);
 
-  /// Of the second view; only while `on`.
+  /// The parts of the second view; only while `on`.
   Workspace& workspace();
   Playback& playback();
   ViewWidget& view();

@@ -39,7 +39,7 @@ SideHeader::SideHeader(int number, QWidget* parent)
   phase_->setObjectName(QStringLiteral("muted"));
   phase_->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Preferred);
   volumes_->setObjectName(QStringLiteral("sideVolumes"));
-  // They have what the title and the phase leave.
+  // The volumes have what the title and the phase leave.
   volumes_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   row_->addWidget(badge);
   row_->addWidget(title_);

@@ -9,7 +9,7 @@
 namespace viscera::app {
 namespace {
 
-/// In the order of a reader; those of resources/guide/guide.qrc.
+/// Pages in the order of a reader; those of resources/guide/guide.qrc.
 constexpr std::array kPages = {"user_guide",     "tutor_guide", "patient_motion",   "file_formats",
                                "sample_organs",  "sequences",   "circulation",      "stress",
                                "coordinates",    "lessons",     "reference_values", "glossary",

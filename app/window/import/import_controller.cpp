@@ -15,7 +15,7 @@ namespace {
 
 constexpr const char* kImportSlot = "import";
 constexpr double kGlass = 0.5, kSolid = 1;
-/// As a fraction of the diagonal: for a smaller difference the camera does not move.
+/// Part of the diagonal: the camera does not move for a smaller difference.
 constexpr double kElsewhere = 0.01;
 const Vec3 kRemoved(0.85, 0.15, 0.1);
 
@@ -114,7 +114,7 @@ void ImportController::preview() {
   previewed_ = box;
 }
 
-/// In red, while the organ that it is a part of becomes glass.
+/// Shows the part in red, while the organ around it becomes glass.
 void ImportController::addRemoved(std::vector<presentation::TransientSurface>& surfaces) const {
   const auto& mesh = draft_.organs.at(fromOrgan_).mesh;
   const auto limit = medical_io::fragmentLimit(removal_.substr(removal_.find('=') + 1));

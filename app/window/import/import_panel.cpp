@@ -33,7 +33,7 @@ std::vector<std::size_t> byUrgency(const document::ImportDraft& draft) {
 /// More organs than that can be filtered, and good ones take one line.
 constexpr std::size_t kMany = 6;
 
-/// In the list of findings, before those that organs have in common.
+/// Rows of the list of findings before those that organs have in common.
 enum { kEveryOrgan, kToCheck, kFirstShared };
 
 QString summaryOf(const document::ImportDraft& draft) {

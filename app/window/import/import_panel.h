@@ -35,7 +35,7 @@ Q_SIGNALS:
   void accepted();
   void cancelled();
   void repairRequested(const std::vector<std::size_t>& organs, const std::string& repair);
-  /// As `OrganCheck::previewRequested`.
+  /// The same as `OrganCheck::previewRequested`.
   void previewRequested(std::size_t organ, const std::string& repair);
   void revertRequested(std::size_t organ);
   void includedChanged(const std::vector<std::size_t>& organs, bool included);

@@ -28,7 +28,7 @@ class FindingLine final : public QWidget {
   Q_OBJECT
 
 public:
-  /// With `asks`, the buttons of repairs that ask for a value first end with three dots.
+  /// Ends, with `asks`, the buttons of repairs that ask for a value first with three dots.
   explicit FindingLine(const medical_io::Finding& finding, QWidget* parent = nullptr, bool asks = false);
 
 Q_SIGNALS:
@@ -40,7 +40,7 @@ class OrganCheck final : public QFrame {
   Q_OBJECT
 
 public:
-  /// Which facts are shown about an organ.
+  /// The facts that are shown about an organ.
   struct Detail {
     bool file = false;  ///< Its file's name.
     bool size = true;   ///< A doubt about its size; false where the panel shows it for all organs together.

@@ -17,7 +17,7 @@
 namespace viscera::app {
 namespace {
 
-/// Its style sheet knows the button that stands out by its name.
+/// The style sheet knows the button that stands out by its name.
 void setPrimary(QPushButton* button, bool on) {
   button->setProperty("primary", on);
   button->style()->unpolish(button);

@@ -187,7 +187,7 @@ QString LectureScreen::rowOf(int side, const QString& phase) const {
   return parts.join(QStringLiteral("   "));
 }
 
-/// In the phase with the longest name, in pixels of that type.
+/// The row of the phase with the longest name, in pixels of that type.
 int LectureScreen::widestRow(int side, const QFontMetrics& type) const {
   const Playback* playback = playbackOf(side);
   if (!playback || !playback->player().showing())

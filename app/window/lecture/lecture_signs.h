@@ -32,7 +32,7 @@ public:
   void fitInto(int screenHeight, int room);
 
 Q_SIGNALS:
-  /// It needs another height.
+  /// The signs need another height.
   void wantedChanged();
 
 private:

@@ -35,7 +35,7 @@ DeformMode::DeformMode(const ModeParts& parts, Actions& actions)
        tr("In Deform mode, rings turn and cubes scale the selected handles (at least two)")},
       &presentation::ViewState::gizmo);
   makeMirrorActions(actions);
-  // Their keys mean something else in other modes.
+  // The keys mean something else in other modes.
   actions.enableWhile({"handles.gizmo", "mirror.next"}, [this] { return parts_.view.state().shown.tools; });
 }
 

@@ -143,7 +143,7 @@ void PlayMode::makeValvesAction(Actions& actions) {
   });
 }
 
-/// Of both views; empty where one of them can draw valves.
+/// The reason of both views; empty where one of them can draw valves.
 QString PlayMode::whyNoValves() const {
   const auto tells = [](const Playback& playback) {
     const sequences::Sequence* sequence = playback.sequence();

@@ -88,7 +88,7 @@ private:
   void syncStrain();
   void syncSegments();
   bool segmentsWanted() const;
-  /// For a movie; null where none are shown.
+  /// Serves a movie; null where none are shown.
   std::function<presentation::SurfaceMap(double seconds)> segmentsOverTime(const StrainModel* strain,
                                                                            const Playback& playback) const;
   void makeValvesAction(Actions& actions);

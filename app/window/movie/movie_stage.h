@@ -36,7 +36,7 @@ public:
     std::function<presentation::SurfaceMap(double seconds)> segments;
   };
 
-  /// For pictures of this size.
+  /// Sets the stage for pictures of this size.
   MovieStage(const Source& source, const QSize& size, bool caption);
 
   /// Poses the organs at `seconds` of the sequence, as the window would show them; organs without one stay as

@@ -140,7 +140,7 @@ std::vector<document::OrganId> OrganMenu::withHiddenColors() const {
   return organs;
 }
 
-/// Of the chosen ones that have a volume.
+/// Asks the chosen ones that have a volume.
 bool OrganMenu::allLocked() const {
   bool any = false;
   for (const document::OrganId id : chosen_()) {

@@ -163,7 +163,7 @@ void OrganPanel::addTo(Actions& actions) {
       {"organ.showOnly", "organ.hide", "organ.showAll", "organ.find", "organ.rename", "organ.remove"},
       [this] { return !workspace_.document().organs().empty(); });
   menu_->addTo(actions);
-  // Which actions are enabled depends on all selected rows.
+  // All selected rows decide which actions are enabled.
   connect(list_, &QTreeWidget::itemSelectionChanged, &actions, [this, &actions] {
     if (!updating_)
       actions.sync();
@@ -453,7 +453,7 @@ void OrganPanel::updateVolumes() {
     leaveNumbersOut();
 }
 
-/// Without a signal for each number: Qt would measure the texts of all rows at each.
+/// Sends no signal for each number: Qt would measure the texts of all rows at each.
 void OrganPanel::writeVolumes() {
   const QSignalBlocker quiet(list_->model());
   for (const auto& organ : workspace_.document().organs()) {

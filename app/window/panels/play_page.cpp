@@ -136,7 +136,7 @@ void PlayPage::makeTable() {
   normal_->setObjectName(QStringLiteral("normalRanges"));
 }
 
-/// Of a heart that keeps its own motion: its volumes choose the circulation.
+/// The volumes of a heart that keeps its own motion choose the circulation.
 void PlayPage::makePatientCirculation(Workspace& workspace) {
   patient_ = new QPushButton(tr("Circulation of this heart"), this);
   patient_->setObjectName(QStringLiteral("patientCirculation"));
@@ -280,7 +280,7 @@ void PlayPage::syncWalls() {
   }
 }
 
-/// Of the left ventricle, which drives the body; else of the first cavity.
+/// Shows the left ventricle, which drives the body; else the first cavity.
 void PlayPage::syncIndices() {
   const auto& lines = volumes_.lines();
   std::size_t best = lines.size();

@@ -21,7 +21,7 @@ QFont changeFont(const QFont& font) {
   return small;
 }
 
-/// As Qt leaves it free beside the texts of items.
+/// The room that Qt leaves beside the texts of items.
 int besideText(const QStyle& style, const QWidget* widget) {
   return style.pixelMetric(QStyle::PM_FocusFrameHMargin, nullptr, widget) + 1;
 }

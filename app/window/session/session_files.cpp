@@ -250,7 +250,7 @@ void SessionFiles::takeContents(const document::SessionContents& contents, const
   Q_EMIT changed();
 }
 
-/// Those of the view are as they were saved.
+/// The slides of the view are as they were saved.
 void SessionFiles::takeSlides() {
   seenSlides_ = savedSlides_ = view_.slides();
   onUndo();

@@ -74,7 +74,7 @@ public:
   /// Called when the program ends and all changes are saved or discarded.
   void endCleanly();
 
-  /// For tests: replaces the dialog that asks about unsaved changes.
+  /// Replaces, for tests, the dialog that asks about unsaved changes.
   void setQuestion(std::function<Answer(const QString& name)> question) { question_ = std::move(question); }
 
 Q_SIGNALS:

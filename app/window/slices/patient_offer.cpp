@@ -73,7 +73,7 @@ void PatientOffer::offer(const std::filesystem::path& image, const std::filesyst
   const QString said =
       scan ? tr("The scan %2 has the same voxels as %1.").arg(fileNameOf(image), fileNameOf(found))
            : tr("The label map %2 has the same voxels as %1.").arg(fileNameOf(image), fileNameOf(found));
-  // It takes the place of a message that names the files that did not open.
+  // The offer takes the place of a message that names the files that did not open.
   const QString unopened = files_.unopenedBeside(image);
   workspace_.say({unopened.isEmpty() ? Message::Severity::info : Message::Severity::error,
                   unopened.isEmpty() ? said : unopened + QLatin1Char('\n') + said,

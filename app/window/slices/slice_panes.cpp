@@ -145,7 +145,7 @@ void SlicePanes::setTheme(const Theme& theme) {
   markOutdated(); // Texts are placed by their size.
 }
 
-/// Without anything to slice the 3D view is alone; the chosen layout returns with the next organ or scan.
+/// The 3D view is alone where nothing can be sliced; the chosen layout returns with the next organ or scan.
 void SlicePanes::arrange() {
   const document::DocumentState& document = workspace_.state();
   if (!document.scan && !document.study && document.organs->empty())

@@ -18,7 +18,7 @@
 namespace viscera::app {
 namespace {
 
-/// Of the whole job: until the space is bound, and until the scan is written.
+/// Parts of the whole job: until the space is bound, and until the scan is written.
 constexpr double kBound = 0.1, kScanWritten = 0.7;
 
 /// All that a worker needs.

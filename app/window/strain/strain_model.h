@@ -115,9 +115,9 @@ private:
   bool running_ = false;
   Basis gaugeOf_;
   std::shared_ptr<const live::StrainGauge> gauge_; ///< Null: none was made for `gaugeOf_`.
-  /// Of an earlier basis: its tetrahedra serve where only the axes are others.
+  /// The gauge of an earlier basis: its tetrahedra serve where only the axes are others.
   std::shared_ptr<const live::StrainGauge> lastGauge_;
-  bool refused_ = false;                           ///< Whether none can be made for it.
+  bool refused_ = false; ///< Whether none can be made for it.
   Reading cycle_, pose_;
   std::optional<live::MotionCause> cycleOf_; ///< Also of a cycle that could not be measured.
   std::shared_ptr<const Points> poseOf_;     ///< The document's, which `pose_` was read from.

@@ -67,7 +67,7 @@ void ProbeCard::sync() {
   position_->setText(tr("At rest %1 mm").arg(placeInWords(at)));
   for (std::size_t i = 0; i < values_.size(); ++i) {
     const live::StressQuantityDescription& quantity = live::stressQuantities()[i];
-    // Over a cycle each value is an extreme of its own instant, and says so.
+    // Each value over a cycle is an extreme of its own instant, and says so.
     names_[i]->setText(inWords(model_.peakShown() ? quantity.peakName : quantity.name));
     const double value = live::quantityAt(map, quantity.quantity, point);
     if (quantity.quantity == live::StressQuantity::folded)

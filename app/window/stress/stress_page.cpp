@@ -57,8 +57,8 @@ QString nameOf(live::WitnessOrigin origin) {
   return {};
 }
 
-/// From an organ to the nearest handle at rest, mm, where that is far for the size of the organ: then hardly
-/// anything moves it. None where a handle is near, and without handles, which is another matter.
+/// The way from an organ to the nearest handle at rest, mm, where that is far for the size of the organ: then
+/// hardly anything moves it. None where a handle is near, and without handles, which is another matter.
 std::optional<double> gapToHandles(const document::Organ& organ, const document::Rig& rig) {
   constexpr double kFar = 0.5; // Of the organ's diagonal.
   const Bounds box = boundsOf(organ.mesh->points);

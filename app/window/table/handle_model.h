@@ -42,7 +42,7 @@ public:
   Qt::ItemFlags flags(const QModelIndex& index) const override;
   bool setData(const QModelIndex& index, const QVariant& value, int role) override;
 
-  /// These rows as text: tabulators between cells, a line a row, numbers with all their digits.
+  /// Writes the rows as text: tabulators between cells, a line a row, numbers with all their digits.
   QString textOf(const std::vector<int>& rows) const;
 
 Q_SIGNALS:

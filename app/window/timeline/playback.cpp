@@ -188,7 +188,7 @@ void Playback::offerOwnHandles() {
   workspace_.say(message);
 }
 
-/// It names the present sequence.
+/// The offer names the present sequence.
 void Playback::retractOffer() {
   if (!otherHandles_.isEmpty())
     workspace_.retract(std::exchange(otherHandles_, {}));

@@ -34,9 +34,9 @@ public:
     live::MotionRecipe recipe;
   };
 
-  /// For the first view. `clock` returns seconds; tests and pictures pass a clock of their own.
+  /// Serves the first view. `clock` returns seconds; tests and pictures pass a clock of their own.
   Playback(Workspace& workspace, live::Player::Clock clock, QObject* parent = nullptr);
-  /// For another view, in the time of `first`.
+  /// Serves another view, in the time of `first`.
   Playback(Workspace& workspace, Playback& first, QObject* parent = nullptr);
 
   /// Adds a sequence for an organ and makes it the present one; `motions` lists it while that organ is in the

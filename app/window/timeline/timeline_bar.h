@@ -40,7 +40,7 @@ public:
   /// Marks the ends of diastole and systole of a measured motion.
   void follow(const ViewModel& view, StudyPlayer& study, const VolumeMonitor& volumes);
 
-  /// Without what a narrow bar leaves out.
+  /// The least size, without what a narrow bar leaves out.
   QSize minimumSizeHint() const override;
 
 protected:

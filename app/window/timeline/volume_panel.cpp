@@ -272,7 +272,7 @@ void VolumePanel::showNormalsOfChosen() {
     setNormalsOf(line);
 }
 
-/// Of the first view, the line whose volume is prescribed; behind the last one when none is.
+/// The line of the first view whose volume is prescribed; behind the last one when none is.
 std::size_t VolumePanel::prescribedLine() const {
   const auto& volume = playback_.player().runner().prescribed();
   const auto& lines = monitor_.lines();
@@ -416,7 +416,7 @@ QString VolumePanel::normalsText() const {
   return normalsForms().value(0);
 }
 
-/// From all that is known to the name of the source.
+/// Forms from all that is known to the name of the source.
 QStringList VolumePanel::normalsForms() const {
   if (normalsOf_ >= monitor_.lines().size())
     return {};
@@ -503,7 +503,7 @@ void VolumePanel::draw() {
   placeCursor();
 }
 
-/// Of a cycle. Of what went by, the cursor is the end of the curves and drawn with them.
+/// Places that of a cycle. Of what went by, the cursor is the end of the curves and drawn with them.
 void VolumePanel::placeCursor() {
   ChartCursor::Marks marks;
   if (cycleDrawn() && playback_.showing())
@@ -517,12 +517,12 @@ void VolumePanel::placeCursor() {
   cursor_->setMarks(std::move(marks));
 }
 
-/// On the chart's axis: seconds, or parts of the cycle in per cent.
+/// The length on the chart's axis: seconds, or parts of the cycle in per cent.
 double VolumePanel::cycleLength() const {
   return monitor_.hasSecond() ? kPercent : std::max(playback_.player().periodSeconds(), 1e-3);
 }
 
-/// Of two views the curves lie over one another by their part of the cycle, whatever their rates.
+/// The curves of two views lie over one another by their part of the cycle, whatever their rates.
 void VolumePanel::drawCycle() {
   take(nullptr);
   drawnCycles_ = monitor_.cycles();

@@ -64,14 +64,14 @@ private:
   };
 
   QWidget* makeTiles();
-  /// As wide as the longest detail in the language of the window.
+  /// The width of the longest detail in the language of the window.
   int tileWidth() const;
   void makeChart();
   void rebuild();
   /// Whether `rebuild` has followed the monitor's lines; another observer of these may show the panel before.
   bool followsLines() const { return tiles_.size() == monitor_.lines().size(); }
   void refresh();
-  /// As `refresh`, without drawing the same cycle again.
+  /// Refreshes without drawing the same cycle again.
   void refreshIfNew();
   /// Updates what follows every frame: the numbers and the cursor.
   void followFrame();

@@ -342,7 +342,7 @@ void MeasuredMotion::clearView() {
   picture_.setMap(std::nullopt);
 }
 
-/// Of label maps a worker makes it, and the picture follows when it is there.
+/// A worker makes that of label maps, and the picture follows when it is there.
 const live::MeasuredPhase* MeasuredMotion::measured(std::size_t phase) {
   if (phases_[phase])
     return phases_[phase].get();

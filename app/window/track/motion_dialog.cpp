@@ -86,7 +86,7 @@ MotionDialog::MotionDialog(Workspace& workspace, MeasuredMotion& measured, Setti
   sync();
 }
 
-/// As high as what is in it: sentences wrap, and parts come and go.
+/// Keeps the dialog as high as what is in it: sentences wrap, and parts come and go.
 bool MotionDialog::event(QEvent* event) {
   const bool handled = QDialog::event(event);
   if (event->type() == QEvent::LayoutRequest || event->type() == QEvent::Show)
@@ -286,7 +286,7 @@ void MotionDialog::sync() {
   start_->setText(finding_ ? tr("Working...") : tr("Find the motion"));
   start_->setToolTip(lacks);
   missing_->setText(lacks);
-  // Without a series, or with one image, another label shows the reason.
+  // Another label shows the reason where there is no series, or one image.
   missing_->setVisible(!lacks.isEmpty() && !contents_.items.empty() && contents_.phases != 1);
 }
 

@@ -11,7 +11,7 @@ Framing::Framing(Workspace& workspace, ViewModel& view, QObject* parent)
     if (change.organs())
       onOrgans();
   }));
-  // Who chooses another organ, or another mode, moves the camera himself.
+  // A user who chooses another organ, or another mode, moves the camera himself.
   subscriptions_.push_back(workspace.selection().onChange([this] { seen_ = seen(); }));
   // Other parts of the view may be another one already while a change is being told.
   connect(&view, &ViewModel::changed, this, [this] {

@@ -22,7 +22,7 @@ HandleController::HandleController(Workspace& workspace, PoseEditor& poses, cons
   listenToHandles();
   listenToGizmo();
   connect(&poses, &PoseEditor::gestureChanged, this, &HandleController::showConstraint);
-  // For example after a change of the mode: cancels the drag.
+  // Cancel the drag, for example after a change of the mode.
   connect(&model, &ViewModel::changed, this, [this] {
     if (dragging() && !(shown() == grabbed_))
       cancelDrag();

@@ -38,7 +38,7 @@ OrganPointer::OrganPointer(const Parts& parts, QMenu* menu, QObject* parent)
   connect(&view_, &ViewWidget::menuWanted, this, &OrganPointer::openMenu);
 }
 
-/// In a view of another size organs are elsewhere, and the place of the mouse in it is not known.
+/// Organs are elsewhere in a view of another size, and the place of the mouse in it is not known.
 bool OrganPointer::eventFilter(QObject* watched, QEvent* event) {
   if (event->type() == QEvent::Resize || event->type() == QEvent::Move)
     hover(std::nullopt);

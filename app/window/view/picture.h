@@ -49,8 +49,8 @@ public:
   void setTransientSurfaces(std::vector<presentation::TransientSurface> transient, bool alone = false);
   /// Sets measured surfaces to show beside the organs that move through them.
   void setMeasured(std::vector<presentation::TransientSurface> surfaces);
-  /// For a second view: whether its document holds the first view's organs, whose ids the view's state uses;
-  /// a slide then applies to both views.
+  /// Says of a second view whether its document holds the first view's organs, whose ids the view's state
+  /// uses; a slide then applies to both views.
   void setOfSameOrgans(bool same);
   /// Shows numbers on the organs instead of the map chosen in the view's state; empty: shows that map.
   void setMap(std::optional<presentation::SurfaceMap> map);

@@ -103,7 +103,7 @@ void ViewActions::makeShading(Actions& actions) {
   actions.onSync([this, action] { action->setChecked(shading_->wanted()); });
 }
 
-/// These settings are for inspecting a mesh. Sessions do not keep them, so that no lecture opens with edges.
+/// The settings are for inspecting a mesh. Sessions do not keep them, so that no lecture opens with edges.
 void ViewActions::makeMeshLook(Actions& actions) {
   const auto add = [&](const char* id, const Actions::Description& description, bool scene::MeshLook::*part) {
     actions.addToggle(id, description, false, [this, part](bool on) {

@@ -226,8 +226,8 @@ bool ViewWidget::hasClickHandler() const {
   return std::any_of(clickTakers_.begin(), clickTakers_.end(), [](const auto& takes) { return takes(); });
 }
 
-/// On the orientation cube, where the first press has moved the camera, and while a function of
-/// `addClickTaker` returns true, a double click is handled as a second press, also by the event filters of
+/// A double click on the orientation cube, where the first press has moved the camera, or while a function of
+/// `addClickTaker` returns true, is handled as a second press, also by the event filters of
 /// this widget.
 void ViewWidget::mouseDoubleClickEvent(QMouseEvent* event) {
   if (event->button() == Qt::LeftButton && !orientationSideAt(event->localPos()) && !hasClickHandler()) {

@@ -6,7 +6,7 @@
 namespace viscera::app {
 namespace {
 
-/// Of the view's height: as the camera frames an organ.
+/// Part of the view's height: as the camera frames an organ.
 constexpr double kPictureOfView = 0.8;
 constexpr int kStartMargin = 28, kStartLine = 24; ///< px around the picture at the start, and for the name.
 

@@ -111,7 +111,7 @@ void WelcomeCard::fit() {
   Q_EMIT heightTaken(heightIn(room.width()));
 }
 
-/// As high as the card is in a view of that width.
+/// The height of the card in a view of that width.
 int WelcomeCard::heightIn(int width) const {
   return layout()->totalHeightForWidth(std::min(width - kBesideCard, layout()->totalSizeHint().width()));
 }

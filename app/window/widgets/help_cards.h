@@ -31,7 +31,7 @@ Q_SIGNALS:
   void taskRequested();
   void tourRequested();
   void closed();
-  /// It is there and so high, or is gone (0).
+  /// The card is there and so high, or is gone (0).
   void heightTaken(int pixels);
 
 protected:

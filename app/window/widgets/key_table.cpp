@@ -19,7 +19,7 @@ int lineWidth(const QLabel& label) {
   return label.fontMetrics().size(Qt::TextSingleLine, label.text()).width() + 2;
 }
 
-/// That of its longest word.
+/// The width of its longest word.
 int leastWidth(const QLabel& label) {
   return label.minimumSizeHint().width();
 }

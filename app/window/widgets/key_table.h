@@ -18,7 +18,7 @@ public:
   /// Keys and their meaning, in the order in which they are read.
   explicit KeyTable(const std::vector<std::pair<QString, QString>>& rows, QWidget* parent = nullptr);
 
-  /// In two columns, with each meaning on a line.
+  /// The size in two columns, with each meaning on a line.
   QSize sizeHint() const override;
   QSize minimumSizeHint() const override;
   bool hasHeightForWidth() const override { return true; }

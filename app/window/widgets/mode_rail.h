@@ -19,7 +19,7 @@ public:
   /// `modes` has all of them, and has to live longer.
   explicit ModeRail(ModeController& modes, QWidget* parent = nullptr);
 
-  /// With the words, whether they are there now or not.
+  /// The size with the words, whether they are there now or not.
   QSize sizeHint() const override;
   QSize minimumSizeHint() const override;
 

@@ -243,7 +243,7 @@ std::vector<NewOrgan> labelBatch(medical_io::LabelMap map, const std::filesystem
   std::vector<Organ> organs = organsFrom(map, std::move(surfaces), file);
   std::vector<NewOrgan> batch;
   for (std::size_t i = 0; i < organs.size(); ++i) {
-    // By the label and not by the name: a file may call another organ "LV".
+    // The label decides and not the name: a file may call another organ "LV".
     const bool cavity =
         joined && std::any_of(heart->cavities.begin(), heart->cavities.end(),
                               [&](const auto& one) { return one.segment == options.segments[i]; });

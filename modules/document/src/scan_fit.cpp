@@ -22,7 +22,7 @@ constexpr double kSameVoxel = 0.01;
 constexpr double kInsidePart = 0.5;
 constexpr std::size_t kNamed = 3;
 
-/// Its voxels and the middle of all of them.
+/// Says the voxels and the middle of all of them.
 Text described(const std::array<int, 3>& size, const Eigen::Affine3d& indexToLps) {
   const Vec3 spacing = indexToLps.linear().colwise().norm();
   const Vec3 middle = indexToLps * (0.5 * Vec3(size[0] - 1, size[1] - 1, size[2] - 1));

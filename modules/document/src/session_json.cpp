@@ -162,7 +162,7 @@ namespace {
 /// Always written: without it a session is of a time when atria were smaller.
 constexpr auto kAtriumSaid = "laV0";
 
-/// By how much the unstressed volumes of the atria were smaller in sessions that do not state them, ml; the
+/// Ml by which the atria's unstressed volumes were smaller in sessions that do not state them; the
 /// blood in the loop and the pericardium's room were smaller by as much, so that their pressures are those of
 /// today.
 constexpr double kSmallerLeftAtriumMl = 15, kSmallerRightAtriumMl = 25;

@@ -14,7 +14,7 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::ordered_json;
 
-/// Of a file, or of a folder that may be written with a slash at its end.
+/// The name of a file, or of a folder that may be written with a slash at its end.
 fs::path lastNameOf(const fs::path& place) {
   return place.has_filename() ? place.filename() : place.parent_path().filename();
 }

@@ -37,7 +37,7 @@ constexpr const char* kTypeName<std::uint32_t> = "uint32";
 template <>
 constexpr const char* kTypeName<float> = "float32";
 
-/// As in the file; the numbers of `ScanFinding::Kind`.
+/// Names in the file, by the numbers of `ScanFinding::Kind`.
 constexpr std::array<const char*, 10> kKinds = {"missing slice", "doubled slice", "uneven spacing", "tilt",
                                                 "order",         "mixed sizes",   "damaged",        "other",
                                                 "part read",     "resampled"};

@@ -234,7 +234,7 @@ Values BoundOrgan::weightsAt(Eigen::Index vertex, const std::vector<document::Ha
   const auto& ids = boundTo->ids;
   Values weights = Values::Zero(static_cast<Eigen::Index>(handles.size()));
   for (std::size_t row = 0; row < handles.size(); ++row) {
-    // As a rule the organ is bound to the handles in the order that they have.
+    // The organ is, as a rule, bound to the handles in the order that they have.
     const auto at = row < ids.size() && ids[row] == handles[row].id
                         ? ids.begin() + static_cast<std::ptrdiff_t>(row)
                         : std::find(ids.begin(), ids.end(), handles[row].id);

@@ -88,9 +88,9 @@ public:
   /// Whether `volume` measures nothing.
   bool volumeKnown() const { return !deformer || !organ->closed() || deformer->volumeKnown(); }
   Values influence(document::HandleId handle) const;
-  /// As `LiveBinding::weightsAt`, for handles of the document.
+  /// The same as `LiveBinding::weightsAt`, for handles of the document.
   Values weightsAt(Eigen::Index vertex, const std::vector<document::Handle>& handles) const;
-  /// As `PosedOrgans::bound`.
+  /// The same as `PosedOrgans::bound`.
   const deformation::Deformer* bound() const;
 
   /// Takes a result that was made for `of`.
@@ -133,7 +133,7 @@ struct BoundOrgans {
   /// Poses all organs in `shownPose`, in one parallel loop.
   void poseAll(bool interactive);
   void poseOne(BoundOrgan& organ);
-  /// As `PosedOrgans::volume`.
+  /// The same as `PosedOrgans::volume`.
   OrganVolume volume(document::OrganId id);
 
 private:

@@ -173,7 +173,7 @@ struct CirculatingHeart::Parts {
 
 namespace {
 
-/// Of the time that the heart takes, what the organ takes when nothing is cached.
+/// Part of the heart's time that the organ takes when nothing is cached.
 constexpr double kOrganPart = 0.8;
 
 } // namespace

@@ -14,7 +14,7 @@
 namespace viscera::live {
 namespace {
 
-/// As parts of the organ's diagonal: a landmark may lie that far outside the surface, and two of them that
+/// Parts of the organ's diagonal: a landmark may lie that far outside the surface, and two of them that
 /// near to each other.
 constexpr double kOutside = 0.1;
 constexpr double kAtOnePlace = 0.05;
@@ -22,10 +22,10 @@ constexpr double kAtOnePlace = 0.05;
 /// Points of the centreline that are kept: enough for its bends, few enough to be smooth.
 constexpr int kLinePoints = 15;
 constexpr int kSmoothings = 3;
-/// Of the organ's diagonal: points of the line lie that deep inside where there is room.
+/// Part of the organ's diagonal: points of the line lie that deep inside where there is room.
 constexpr double kLeastLineDepth = 0.02;
 
-/// Of the length: the line leads at least that far beyond the pylorus, so that rings fit around it.
+/// Part of the length: the line leads at least that far beyond the pylorus, so that rings fit around it.
 constexpr double kBeyondPylorus = 0.035;
 
 Text millimeters(double mm) {
@@ -176,7 +176,7 @@ Vec3 LandmarkFinder::drawnInside(const Vec3& place) const {
     return place;
   const Vec3 wall = distance_->nearest(place);
   const Vec3 away = (depth(place) < 0 ? Vec3(place - wall) : Vec3(wall - place)).stableNormalized();
-  // As deep as the organ is thick there, at most.
+  // Go at most as deep as the organ is thick there.
   for (double step = deep; step > 0.1 * deep; step *= 0.7)
     if (depth(wall + step * away) < -0.7 * step)
       return wall + step * away;

@@ -19,7 +19,7 @@ constexpr double kExpectedBindingSeconds = 30e-9;
 
 using State = BindingStatus::State;
 
-/// Whose pose is shown.
+/// The owner of the pose that is shown.
 enum class Shown { document, rest, given };
 
 } // namespace

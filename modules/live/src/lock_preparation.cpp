@@ -47,8 +47,8 @@ void LockPreparation::want(std::vector<LockedSurface> surfaces, const VolumeLock
   using Lock = std::shared_ptr<const VolumeLock>;
   jobs_.submit<Lock>("Preparing the volume lock", slot_, work,
                      [weak = weak_from_this()](JobResult<Lock> result) {
-                       // Without a value the surfaces themselves are passed over; a motion says what is wrong
-                       // with them.
+                       // The surfaces themselves are passed over where there is no value; a motion says what
+                       // is wrong with them.
                        const auto alive = weak.lock();
                        if (alive && result.value)
                          alive->ready_ = std::move(*result.value);

@@ -12,7 +12,7 @@ namespace {
 
 /// A motion with a gradient this much smaller than the surface cannot change the volume.
 constexpr double kNoInfluence = 1e-12;
-/// As good as rounding allows; more steps would follow noise.
+/// The best that rounding allows; more steps would follow noise.
 constexpr double kRoundingOfVolume = 1e-13;
 constexpr int kMostSteps = 12;
 /// Fractions of the way to a target that are tried if all of it is too much.

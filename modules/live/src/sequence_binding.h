@@ -27,14 +27,14 @@ public:
   MovedVolume(std::shared_ptr<const geometry::TriangleMesh> mesh, const Points& restHandles,
               const document::SystemChoice& system, Threads threads);
 
-  /// With the handles at `pose` (`n x 3`), ml. May be called from several threads.
+  /// The volume with the handles at `pose` (`n x 3`), ml. May be called from several threads.
   double at(const Points& pose) const;
   /// The surface itself with the handles at `pose`.
   geometry::TriangleMesh surfaceAt(const Points& pose) const;
 
   const coordinates::Binding& binding() const { return *binding_; }
 
-  /// With the handles at `pose + x direction`, as a cubic in x, ml: `sequences::VolumeAlong`.
+  /// The volume with the handles at `pose + x direction`, as a cubic in x, ml: `sequences::VolumeAlong`.
   std::array<double, 4> along(const Points& pose, const Points& direction) const;
 
 private:

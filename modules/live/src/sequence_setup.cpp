@@ -17,7 +17,7 @@ namespace {
 
 using sample_organs::SampleLibrary;
 
-/// Of the time that a heart with its beat takes, what the organ takes when nothing is cached.
+/// Part of the time of a heart with its beat that the organ takes when nothing is cached.
 constexpr double kHeartPart = 0.8;
 
 /// The cavities of its heart hold what the cycle says.

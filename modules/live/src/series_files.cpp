@@ -55,7 +55,7 @@ std::vector<fs::path> filesIn(const fs::path& folder) {
   return files;
 }
 
-/// By the last number in the name, then by the name: `_2` before `_10`.
+/// Sorts by the last number in the name, then by the name: `_2` before `_10`.
 bool earlier(const fs::path& a, const fs::path& b) {
   const auto one = seriesName(a.filename()), other = seriesName(b.filename());
   return std::pair(one.second.value_or(0), a.filename()) < std::pair(other.second.value_or(0), b.filename());

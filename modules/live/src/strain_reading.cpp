@@ -350,7 +350,7 @@ std::vector<int> segmentsAround(const strain::HeartGauge& heart, const Points& a
   return found;
 }
 
-/// Which organs are the surfaces of the heart.
+/// The organs that are the surfaces of the heart.
 struct ChosenOrgans {
   std::size_t left = 0;
   std::optional<std::size_t> right, outer, atrium;

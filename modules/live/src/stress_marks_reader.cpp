@@ -3,7 +3,7 @@
 namespace viscera::live {
 
 namespace {
-/// Of the mesh's diagonal: a place on the skin counts as tissue in spite of rounding.
+/// Part of the mesh's diagonal: a place on the skin counts as tissue in spite of rounding.
 constexpr double kOnSkin = 1e-9;
 } // namespace
 

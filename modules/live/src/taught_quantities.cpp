@@ -117,7 +117,7 @@ private:
         "from the valves' plane on, papillary muscles counted as cavity");
   }
 
-  /// On the surfaces, by vertices that are followed through the beat.
+  /// Measures on the surfaces, by vertices that are followed through the beat.
   void addWalls(const Played& beat) {
     const MovedVolume left = beat.surface("lv"), right = beat.surface("rv"), outer = beat.surface("outer");
     const auto pointsOf = [](const MovedVolume& surface, const Points& pose) {

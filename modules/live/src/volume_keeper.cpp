@@ -72,7 +72,7 @@ std::shared_ptr<VolumeLock>
 VolumeKeeper::lockOf(const std::vector<std::shared_ptr<const document::Organ>>& organs) {
   if (organs.empty())
     return nullptr;
-  // Which triangles meet where takes longer to find out than a frame lasts: one lock takes it from the other.
+  // The adjacency of triangles takes longer to find than a frame lasts: one lock takes it from the other.
   // A motion that is under way keeps the lock, and with it the targets, that it began with.
   std::vector<LockedSurface> surfaces = surfacesOf(organs);
   if (!preparation_) {
@@ -107,7 +107,7 @@ bool VolumeKeeper::anyMarked(const std::vector<int>& rows) const {
   });
 }
 
-/// Those that the user marked and that are free, else all that are free.
+/// The handles that the user marked and that are free, else all that are free.
 std::vector<int> VolumeKeeper::compensating(const std::vector<int>& moving) const {
   std::vector<int> free;
   const auto& handles = state_.rig->handles;

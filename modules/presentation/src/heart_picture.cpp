@@ -157,7 +157,7 @@ bool HeartPicture::isCavity(document::OrganId organ) const {
                                 [&](const auto& cavity) { return cavity->id == organ; });
 }
 
-/// Of the longest part that stays of a vessel with each name, the middle: at rest, so that names stay in one
+/// The middle of the longest part that stays of a vessel with each name: at rest, so that names stay in one
 /// place while the heart beats.
 std::vector<HeartPicture::VesselName> HeartPicture::vesselNames(const scene::CutPlane& plane) const {
   if (!opened_)

@@ -106,11 +106,11 @@ struct Presenter::Parts {
   StandingPicture standing;
 
   LabelChoice labelled; ///< Whose names are written.
-  /// Of the hulls that are drawn.
+  /// Rig of the hulls that are drawn.
   std::shared_ptr<const document::Rig> hullRig;
   std::shared_ptr<const document::SystemChoice> hullSystem;
   std::optional<scene::LayoutParts> hullParts;
-  /// Of the influences that are drawn: what they depend on.
+  /// What the influences that are drawn depend on.
   document::HandleId influenceOf;
   std::map<document::OrganId, std::shared_ptr<const Points>> influenceBound;
   SurfaceMap influence;
@@ -209,7 +209,7 @@ std::optional<LegendText> Presenter::Parts::stressLegend(const Scene& scene) con
   if (!scene.view.shown.stress || !stress.drawn() || !scene.stressLegend)
     return std::nullopt;
   const live::StressQuantityDescription& quantity = live::describe(values.quantity());
-  // On the map of folded tissue that has a value, and its colour.
+  // Folded tissue has a value on its own map, and its colour.
   const bool marked = values.folded() > 0 && quantity.quantity != live::StressQuantity::folded;
   return LegendText{translate((values.peak() ? quantity.peakName : quantity.name).c_str()),
                     quantity.unit.empty() ? std::string() : translate(quantity.unit.c_str()),

@@ -29,7 +29,7 @@ public:
   void update(const document::DocumentState& state, const live::PosedOrgans& organs,
               const std::vector<geometry::Plane>& planes, bool rest);
 
-  /// In the document's order.
+  /// The organs in the document's order.
   const std::vector<Organ>& organs() const { return organs_; }
 
 private:

@@ -133,7 +133,7 @@ std::size_t endOfItem(const std::string& list, std::size_t from) {
   return std::min(list.find(", ", from), list.find("; ", from));
 }
 
-/// Its points as marks. Only those of the document can be grabbed.
+/// Adds the points as marks. Only those of the document can be grabbed.
 void markPoints(Sheet& sheet, const document::Measurement& measurement, const std::vector<Vec3>& places,
                 double reach, const Vec3& color, std::optional<std::size_t> item) {
   for (std::size_t i = 0; i < places.size(); ++i) {

@@ -9,7 +9,7 @@ namespace {
 /// Diagonal lines, white beside black so that they are seen on any tissue; device pixels.
 constexpr std::size_t kHatchPeriod = 8, kHatchWhite = 2, kHatchBlack = 3;
 
-/// Of the eight pixels around one: as many are folded, too, where it is hatched.
+/// So many of the eight pixels around one are folded, too, where it is hatched.
 constexpr int kFoldedAround = 3;
 
 bool isFolded(deformation::RestState state) {

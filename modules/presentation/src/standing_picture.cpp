@@ -17,7 +17,7 @@
 namespace viscera::presentation {
 namespace {
 
-/// Of a standing slice along its longer side; finer than the voxels it is not.
+/// Pixels of a standing slice along its longer side, which is never finer than the voxels.
 constexpr double kMostPixels = 512;
 
 /// A slice through the whole of the scan's box.

@@ -24,7 +24,7 @@ constexpr double kLowDegrees[] = {0.001, 0.002, 0.005, 0.01, 0.02, 0.05, 0.1, 0.
 /// The lower end stays while what would do is at most so many times as large.
 constexpr double kLowStays = 6;
 
-/// Of rounding: rad, and parts of the volume.
+/// Bound of rounding: rad, and parts of the volume.
 constexpr double kStill = 1e-5;
 
 bool strains(const deformation::StressMap& map) {

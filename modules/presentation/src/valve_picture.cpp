@@ -51,7 +51,7 @@ scene::ValveGlyph glyphOf(const heart::Leaflets& leaflets, int count) {
   return glyph;
 }
 
-/// As thick as the opening allows, as long as the blood is fast, and backwards where it flows back.
+/// The arrow is as thick as the opening allows, as long as the blood is fast, and points backwards with it.
 std::optional<scene::FlowArrow> arrowOf(const ValveRing& ring, const heart::ValveInstant& valve,
                                         const Vec3& color) {
   if (std::abs(valve.flowMlPerS) < kLeastFlow || !(valve.areaMm2 > 0))
@@ -133,7 +133,7 @@ void ValvePicture::update(const Scene& scene, const std::optional<scene::CutPlan
   drawn_ = std::move(moment);
 }
 
-/// Those whose muscle stays.
+/// The chords whose muscle stays.
 std::vector<Points> ValvePicture::chordsOf(HeartValve valve, const heart::Leaflets& leaflets,
                                            const ValveRing& ring, const Moment& moment,
                                            const Points& walls) const {

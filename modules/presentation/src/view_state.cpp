@@ -33,7 +33,7 @@ double within(double value, double low, double high, double otherwise) {
   return value >= low && value <= high ? value : otherwise;
 }
 
-/// Of unit length; the usual direction for a normal without any.
+/// The normal of unit length; the usual direction for one without any.
 Vec3 unit(const Vec3& normal) {
   return normal.norm() > kShortestNormal ? Vec3(normal.normalized()) : Vec3(Vec3::UnitY());
 }

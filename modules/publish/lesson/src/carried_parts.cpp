@@ -92,7 +92,7 @@ Fit fitOf(const Eigen::MatrixXd& gram, const Eigen::VectorXd& right, const std::
   return fit;
 }
 
-/// In whole steps whose sum is 1: the largest takes what rounding leaves.
+/// Rounds to whole steps whose sum is 1: the largest takes what rounding leaves.
 Eigen::VectorXd inSteps(Eigen::VectorXd weights) {
   weights = (weights / kCarriedStep).array().round() * kCarriedStep;
   Index largest = 0;

@@ -28,7 +28,7 @@ public:
   void poseAt(double fraction, double ratePerMinute, Points& pose);
   /// The vertices (and handles) in a pose of the rig, exactly.
   Points in(const Points& pose);
-  /// For `sampleMotion`.
+  /// The function that `sampleMotion` asks for.
   CarriersAt carriersAt();
 
 private:

@@ -14,10 +14,10 @@ class GltfBuffer {
 public:
   enum class Target { none, vertices = 34962, indices = 34963 };
 
-  /// In single precision, with the least and the largest of what is stored. Returns the accessor.
+  /// Adds single precision, with the least and the largest of what is stored. Returns the accessor.
   std::size_t addVectors(const Points& points, bool withBounds);
   std::size_t addNumbers(const std::vector<float>& numbers, bool withBounds);
-  /// As 16 bits where `vertexCount` allows it.
+  /// Adds 16 bits each where `vertexCount` allows it.
   std::size_t addIndices(const std::vector<std::int32_t>& indices, Eigen::Index vertexCount);
   /// Adds opaque colours, converted from sRGB to linear values, as glTF requires.
   std::size_t addColors(const Colors& colors);

@@ -10,7 +10,7 @@ namespace viscera::lesson {
 /// `Cancelled`.
 LessonTissue tissueOf(const Lesson& lesson, const LessonSource& source, Progress& progress, Threads threads);
 
-/// Its conduction system with the excitation at the plan's rates. Throws `Cancelled`.
+/// The heart's conduction system with the excitation at the plan's rates. Throws `Cancelled`.
 LessonConduction conductionOf(const Lesson& lesson, const LessonSource& source, Progress& progress,
                               Threads threads);
 

@@ -171,7 +171,7 @@ void addHandles(LessonPlan& plan, const document::Rig& rig, const LessonSpec& sp
       plan.handles.push_back(words.named(handle.label));
 }
 
-/// As far away as one has to be to see as much at 30 degrees.
+/// The distance from which one sees as much at 30 degrees.
 Eye eyeOf(const presentation::Camera& camera) {
   constexpr double kHalfAngle = std::numbers::pi / 12;
   const Vec3 back = camera.position - camera.focus;

@@ -30,7 +30,7 @@ QByteArray scriptOf(bool heart) {
   return script;
 }
 
-/// As a source of the policy: of the exact bytes between the tags.
+/// A source of the policy: of the exact bytes between the tags.
 QByteArray hashOf(const QByteArray& text) {
   return QCryptographicHash::hash(text, QCryptographicHash::Sha256).toBase64();
 }
@@ -63,7 +63,7 @@ std::string pageOf(const Lesson& lesson) {
       {"LESSON", QByteArray::fromStdString(json)},
       {"ARRAYS", QByteArray::fromStdString(deflated(packer.bytes())).toBase64()},
       {"SCRIPT", script}};
-  // In one pass, so that no value is searched for names.
+  // One pass searches no value for names.
   const QList<QByteArray> pieces = partOf(QStringLiteral("page.html")).split('@');
   QByteArray page;
   for (int i = 0; i < pieces.size(); ++i)

@@ -54,7 +54,7 @@ CourseEnd endOf(double rate, const CarriersAt& carriersAt) {
   return (ends[1] - ends[0]).cwiseAbs().maxCoeff() > kJumpMm ? CourseEnd::stops : CourseEnd::cycles;
 }
 
-/// Which rates are to be sampled: each that moves in another way than those before it.
+/// The rates to be sampled: each that moves in another way than those before it.
 void shareTracks(const std::vector<double>& rates, const CarriersAt& carriersAt, MotionSamples& motion) {
   constexpr std::array<double, 5> kTried = {0.07, 0.23, 0.41, 0.66, 0.89};
   std::vector<std::vector<Points>> known;

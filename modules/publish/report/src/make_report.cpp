@@ -48,7 +48,7 @@ std::string poseOf(const ReportSource& source) {
   return text + ", " + (moved == 0 ? said("at rest") : said("%1 of them moved", std::to_string(moved)));
 }
 
-/// As the window's sliders are called: "Locality" has a translation, the command line's "locality" has none.
+/// The name of the window's sliders: "Locality" has a translation, the command line's "locality" has none.
 std::string parameterName(const std::string& id) {
   std::string title = id;
   title[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(title[0])));
@@ -81,7 +81,7 @@ std::string readableDate(const std::string& date) {
   return known.isValid() ? QLocale().toString(known, QLocale::LongFormat).toStdString() : date;
 }
 
-/// Whose scan it is, and of when, where its file says that.
+/// Adds whose scan it is, and of when, where its file says that.
 void addPatient(const ReportSource& source, Table& table) {
   if (!source.state.scan)
     return;

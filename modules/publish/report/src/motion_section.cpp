@@ -95,7 +95,7 @@ std::string ejectionRange(const Line& line) {
   return "-";
 }
 
-/// Of ventricles; without rows when there is none.
+/// The table of ventricles; without rows when there is none.
 Table indicesTable(const std::vector<Line>& lines, const live::CycleCurves& curves,
                    const heart::ChosenEnds& chosen, double rate) {
   Table table;

@@ -26,7 +26,7 @@ constexpr Format kChart{1800, 640, 2.6};
 constexpr int kSidesInARow = 3;
 constexpr double kRoom = 0.04;
 
-/// On paper nothing stands behind the organs.
+/// The theme of paper, where nothing stands behind the organs.
 scene::Theme paper() {
   scene::Theme theme = scene::lightTheme();
   theme.backgroundTop = theme.backgroundBottom = Vec3::Ones();

@@ -89,7 +89,7 @@ std::vector<const Picture*> picturesOf(const Report& report) {
   return pictures;
 }
 
-/// In one line, without what no font draws.
+/// The text in one line, without what no font draws.
 QString printable(const std::string& text) {
   QString line;
   for (const QChar letter : QString::fromStdString(text))

@@ -113,7 +113,7 @@ public:
     return changed_.connect(std::move(observer));
   }
 
-  /// For objects derived from the document: called before the observers of a change, in the order of
+  /// Serves objects derived from the document: called before the observers of a change, in the order of
   /// connection (so an object is connected after those that it is derived from).
   [[nodiscard]] Subscription onDerive(std::function<void(const Change&)> bringUpToDate) {
     return derived_.connect(std::move(bringUpToDate));

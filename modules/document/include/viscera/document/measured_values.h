@@ -22,7 +22,7 @@ struct MeasuredValues {
                    ///< gap 0 where the surfaces touch or cross.
   double now = 0;  ///< With organs and tissue where they are given; of a region as at rest.
   std::vector<Vec3> places; ///< Where its points are now, mm, LPS.
-  /// For a region, if there is a scan: the statistics of its recorded values, without deformation by the
+  /// Statistics of a region, if there is a scan, of its recorded values, without deformation by the
   /// pose.
   std::optional<medical_io::RegionStatistics> region;
 };

@@ -122,7 +122,7 @@ public:
   /// Calls `observer` with every event of an organ, after a change of the document has updated everything
   /// that is derived from it. The event of a new organ has `replaced` and `status`.
   [[nodiscard]] Subscription onEvent(std::function<void(const LiveEvent&)> observer);
-  /// For objects derived from the shown pose: called when it has changed, before observers are notified.
+  /// Serves objects derived from the shown pose: called when it has changed, before observers are notified.
   [[nodiscard]] Subscription onDerive(std::function<void()> bringUpToDate);
 
 private:

@@ -18,7 +18,7 @@ struct MotionCause {
   std::uint64_t revision = 0; ///< Revision of the runner: sequence, rate and prescribed volume.
   std::shared_ptr<const document::Rig> rig;
   std::shared_ptr<const document::SystemChoice> system;
-  /// For each organ its identity, its surface, whether its volume is locked, and how it follows the handles.
+  /// Identity of each organ, its surface, whether its volume is locked, and how it follows the handles.
   std::vector<
       std::tuple<document::OrganId, std::shared_ptr<const geometry::TriangleMesh>, bool, document::Mobility>>
       organs;

@@ -29,8 +29,8 @@ struct SeriesRequest {
   /// Surfaces or label maps, one for each phase; or one folder of them; or one file with several phases.
   /// Several surfaces of a phase are distinguished by their files' names without the last number.
   std::vector<std::filesystem::path> inputs;
-  /// Of label maps; empty: their only label, or those of a heart. Of files of surfaces: those to use, without
-  /// labels; empty: all.
+  /// Surfaces of label maps; empty: their only label, or those of a heart. Or the files of surfaces to use,
+  /// without labels; empty: all.
   std::vector<LabelledSurface> surfaces;
   std::optional<double> periodSeconds; ///< Duration of one cycle; overrides the files.
   std::vector<double> seconds;         ///< One for each phase; overrides the files.
@@ -43,7 +43,7 @@ struct MotionSeries {
   std::vector<std::string> names; ///< Of the surfaces, the outer one first.
   std::size_t outer = 0;          ///< Index of the surface that contains the others.
   tracking::PhaseTimes times;
-  /// With the same triangles in all phases, one for each surface; else empty.
+  /// Series with the same triangles in all phases, one for each surface; else empty.
   std::vector<tracking::SurfaceSeries> corresponding;
   /// Surfaces without correspondence, `[phase][surface]`; else empty.
   std::vector<std::vector<std::shared_ptr<const geometry::TriangleMesh>>> meshes;

@@ -26,7 +26,7 @@ struct MovedOrgans {
   /// The measured points of each surface in each phase, `[organ][phase]`, where points correspond; else
   /// empty: the surfaces are where the handles move them.
   std::vector<std::vector<Points>> measured;
-  /// For each surface the row of each point of its file, as `tracking::SurfaceSeries::rowOfGiven`; may be
+  /// The row of each point of its file, by surface, as `tracking::SurfaceSeries::rowOfGiven`; may be
   /// empty.
   std::vector<std::vector<std::int32_t>> rowOfGiven;
   /// Whether material points are known; empty where the motion does not say.

@@ -47,7 +47,7 @@ struct PatientMotion {
   SequenceFile sequence;
   std::size_t outer = 0; ///< Index in `sequence.organs` of the surface that contains the others.
   std::vector<TrackedPhase> phases;
-  /// Of every cavity, or of the only surface, by its name.
+  /// Indices of every cavity, or of the only surface, by its name.
   std::map<std::string, heart::CardiacIndices> indices;
   /// The outer surface less its cavities in every phase, ml: tissue, as a check of the data. Empty for one
   /// surface.
@@ -74,7 +74,7 @@ PatientMotion trackMotion(const MotionSeries& series, const TrackOptions& option
 struct MeasuredPhase {
   /// mm LPS, one for each surface; never null.
   std::vector<std::shared_ptr<const geometry::TriangleMesh>> surfaces;
-  /// From the same surfaces or voxels; empty where points correspond.
+  /// Distances from the same surfaces or voxels; empty where points correspond.
   std::vector<std::shared_ptr<const tracking::SurfaceDistance>> distances;
 
   /// How far each vertex (`n x 3` mm, those of the motion's organ) of a surface is from what was measured,

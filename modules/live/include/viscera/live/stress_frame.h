@@ -29,7 +29,7 @@ struct StressSample {
 /// One cycle of a sequence as the poses that it gives the handles.
 struct PosedCycle {
   double periodSeconds = 0;
-  /// At a fraction of the cycle, [0, 1): `n x 3` mm, valid until the next call. For one thread.
+  /// The pose at a fraction of the cycle, [0, 1): `n x 3` mm, valid until the next call. For one thread.
   std::function<const Points&(double fraction)> poseAt;
 };
 
@@ -37,7 +37,7 @@ struct PosedCycle {
 struct CycleStress {
   double periodSeconds = 0;
   std::vector<StressSample> samples; ///< Of the witness points, evenly over the cycle, its end left out.
-  /// At every point of the mesh the largest rotational stress, the largest and the smallest stretch, and the
+  /// The largest rotational stress at every point of the mesh, the largest and the smallest stretch, and the
   /// volume ratio that is farthest from 1 (by its factor; one at most 0 before all others), each by itself.
   /// None unless it was asked for.
   std::optional<deformation::StressMap> peak;
@@ -75,7 +75,7 @@ struct StressFrame {
   document::OrganId organ; ///< None: there is no map to draw.
   std::shared_ptr<const deformation::WitnessMesh>
       mesh; ///< The witnesses at rest; null before they are sampled.
-  /// From the mesh's points to the organ's vertices; null as long as `mesh` is.
+  /// Carries from the mesh's points to the organ's vertices; null as long as `mesh` is.
   std::shared_ptr<const deformation::WitnessInterpolation> onSurface;
   std::shared_ptr<const Points> points;              ///< Of the mesh in the pose, `n x 3` mm; null unbound.
   std::shared_ptr<const deformation::StressMap> map; ///< At those points; null unbound.
@@ -99,7 +99,7 @@ public:
   StressCopy(StressFrame start, std::shared_ptr<const deformation::WitnessGradients> gradients,
              std::shared_ptr<const coordinates::Binding> positions);
 
-  /// In a pose (`n x 3` mm of the handles it was bound to). O(points x handles).
+  /// The frame of a pose (`n x 3` mm of the handles it was bound to). O(points x handles).
   const StressFrame& at(const Points& pose);
 
 private:

@@ -29,7 +29,7 @@ struct AskedVolume {
   double mm3 = 0;
 };
 
-/// Which handles make up for a locked volume while others are moved.
+/// The handles that make up for a locked volume while others are moved.
 enum class Others {
   asMarked,   ///< Those that the user marked; without any, the moved handles stay where the volume lets them.
   compensate, ///< The marked ones, else all free ones: the moved handles go exactly where they are sent.

@@ -40,7 +40,7 @@ struct GlobalStrain {
   const anatomy::Norm* norm = nullptr; ///< Its people, method and source; never null.
 };
 
-/// Those of the three that are known.
+/// The ones of the three that are known.
 std::vector<GlobalStrain> globalStrains(const live::StrainReading& reading);
 
 /// Curves of length strain (GLS, GCS) and of the strain across the wall (GRS) over the cycle, in per cent,

@@ -187,7 +187,7 @@ struct ViewState {
   ScanLook scan;
   OrganCut cut;
   OrgansSeen organsSeen; ///< Set while a slide is shown; the document does not change.
-  /// Whose normal ranges are shown: of one sex, since those of both shade nearly all of a chart.
+  /// The person whose normal ranges are shown: one sex, since those of both shade nearly all of a chart.
   anatomy::Person person{anatomy::Sex::women, 0};
   heart::ChosenEnds cycleEnds; ///< Of a measured motion, where the user has chosen them.
 

@@ -106,14 +106,14 @@ struct Lesson {
   double largestErrorMm = 0; ///< Of a vertex at any rate, at and between samples, as the page computes it.
 
   Eigen::Index vertexCount() const { return colors.rows(); }
-  /// Of all courses.
+  /// The instants of all courses.
   std::size_t instants() const;
 };
 
 /// How finely curves of volumes are drawn: instants spread evenly over the cycle.
 inline constexpr Eigen::Index kCurveSamples = 96;
 
-/// Of the electrocardiogram over a cycle.
+/// Samples of the electrocardiogram over a cycle.
 inline constexpr Eigen::Index kEcgSamples = 192;
 
 /// Steps to which a lesson's numbers are rounded.

@@ -30,7 +30,7 @@ struct LessonSource {
   std::optional<presentation::Camera> camera = {};           ///< The camera at the beginning.
   std::vector<presentation::Slide> slides = {};              ///< Views that the session keeps, in order.
   anatomy::Person person = presentation::ViewState().person; ///< Whose normal ranges are shown.
-  /// Of the sample heart that the lesson can cut open; null: it has no cut.
+  /// Tissue of the sample heart that the lesson can cut open; null: it has no cut.
   std::shared_ptr<const live::HeartTissue> tissue = {};
   /// The cut at the beginning; off, or without one: closed, and through four chambers when it is opened.
   presentation::OrganCut cut = {};
@@ -123,7 +123,7 @@ LessonPlan planLesson(const LessonSource& source, const LessonSpec& spec);
 /// these. Empty for other organs.
 LessonSpec readySpecFor(const LessonSource& source);
 
-/// At most `kMostRates` rates between a sequence's lowest and highest, its own among them, ascending.
+/// Offers at most `kMostRates` rates between a sequence's lowest and highest, its own among them, ascending.
 std::vector<double> offeredRates(const sequences::Sequence& sequence);
 
 /// One text of a lesson.

@@ -20,8 +20,8 @@ struct ScriptSource {
 
 /// A session as a script of shell commands.
 struct SessionScript {
-  /// For `sh`: files that it writes first (handles, pose, landmarks, a key sequence), the commands, and in
-  /// comments what no command can do.
+  /// Text for `sh`: files that it writes first (handles, pose, landmarks, a key sequence), the commands, and
+  /// in comments what no command can do.
   std::string text;
   std::vector<std::string> commands; ///< The lines that begin with `viscera`, in order.
 };
