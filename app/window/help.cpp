@@ -6,8 +6,8 @@
 #include <string>
 
 #include "window/guide/guide_window.h"
-#include "window/widgets/help_cards.h"
-#include "window/widgets/task_card.h"
+#include "window/guide/help_cards.h"
+#include "window/guide/task_card.h"
 
 namespace viscera::app {
 

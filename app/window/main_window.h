@@ -6,18 +6,18 @@
 #include <memory>
 #include <string>
 
-#include "window/actions.h"
-#include "window/file_actions.h"
-#include "window/handle_placer.h"
+#include "window/import/file_actions.h"
 #include "window/modes/mode_controller.h"
-#include "window/pose_editor.h"
-#include "window/sample_loader.h"
-#include "window/settings.h"
 #include "window/style/theme.h"
 #include "window/timeline/playback.h"
+#include "window/timeline/sample_loader.h"
 #include "window/timeline/volume_monitor.h"
+#include "window/view/pose_editor.h"
 #include "window/view/view_model.h"
-#include "window/workspace.h"
+#include "window/work/actions.h"
+#include "window/work/handle_placer.h"
+#include "window/work/settings.h"
+#include "window/work/workspace.h"
 
 namespace viscera::app {
 

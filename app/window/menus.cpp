@@ -9,10 +9,10 @@
 
 #include <algorithm>
 
-#include "window/language.h"
-#include "window/panels/coordinate_menu.h"
+#include "window/handles/coordinate_menu.h"
 #include "window/slices/scan_actions.h"
 #include "window/style/icon.h"
+#include "window/style/language.h"
 #include "window/widgets/panel_dock.h"
 
 namespace viscera::app {

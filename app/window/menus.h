@@ -2,10 +2,10 @@
 
 #include <QObject>
 
-#include "window/actions.h"
-#include "window/file_actions.h"
+#include "window/import/file_actions.h"
 #include "window/modes/mode_controller.h"
-#include "window/sample_loader.h"
+#include "window/timeline/sample_loader.h"
+#include "window/work/actions.h"
 
 class QMenu;
 class QMenuBar;

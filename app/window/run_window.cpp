@@ -17,16 +17,16 @@
 #include "viscera/core/error.h"
 #include "viscera/scene/text_font.h"
 #include "window/application.h"
-#include "window/heap.h"
 #include "window/import/import_controller.h"
-#include "window/language.h"
 #include "window/main_window.h"
 #include "window/modes/mode_controller.h"
 #include "window/session/exit_handler.h"
 #include "window/session/session_files.h"
+#include "window/style/language.h"
 #include "window/view/view_actions.h"
 #include "window/view/view_area.h"
 #include "window/widgets/first_picture.h"
+#include "window/work/heap.h"
 
 namespace viscera::app {
 namespace {

@@ -12,7 +12,7 @@
 #include <QLabel>
 #include <QPushButton>
 
-#include "window/language.h"
+#include "window/style/language.h"
 #include "window/widgets/elided_label.h"
 #include "window/widgets/ready_made.h"
 

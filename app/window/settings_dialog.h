@@ -2,8 +2,8 @@
 
 #include <QDialog>
 
-#include "window/actions.h"
-#include "window/settings.h"
+#include "window/work/actions.h"
+#include "window/work/settings.h"
 
 class QFormLayout;
 

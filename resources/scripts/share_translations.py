@@ -2,7 +2,7 @@
 """share_translations.py [FOLDER]
 
 Keeps one translation of one text. In viscera_*.ts, which lupdate makes, each class of the window has its own translations.
-The window looks up what its class does not translate in the contexts of names_*.ts (app/window/language.cpp). This script
+The window looks up what its class does not translate in the contexts of names_*.ts (app/window/style/language.cpp). This script
   - removes what has no words and is the same in every language: "%1 ml", "Ctrl+K", "stress.csv";
   - removes from viscera_*.ts what names_*.ts translates to the same, or what is not translated yet and stands there;
   - moves what two classes translate to the same into the context "viscera::app" of names_*.ts.

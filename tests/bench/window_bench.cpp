@@ -24,10 +24,10 @@
 #include "build_paths.h"
 #include "viscera/document/organ_commands.h"
 #include "viscera/heart/course_heartbeat.h"
-#include "window/modes/play_mode.h"
-#include "window/modes/stress_mode.h"
+#include "window/play/play_mode.h"
 #include "window/session/session_files.h"
 #include "window/strain/strain_model.h"
+#include "window/stress/stress_mode.h"
 #include "window/stress/stress_model.h"
 
 /// What a hand on the window waits for: from the event until the picture is drawn. Needs a display, such as

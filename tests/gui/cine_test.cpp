@@ -10,7 +10,7 @@
 
 #include "cine_pictures.h"
 #include "viscera/document/study_item.h"
-#include "window/file_actions.h"
+#include "window/import/file_actions.h"
 #include "window/slices/slice_panes.h"
 #include "window/timeline/phase_scrubber.h"
 #include "window/view/view_model.h"

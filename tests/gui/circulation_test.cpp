@@ -24,8 +24,8 @@
 #include "viscera/heart/course_heartbeat.h"
 #include "window/circulation/circulation_panel.h"
 #include "window/circulation/numbers_table.h"
-#include "window/language.h"
 #include "window/session/session_files.h"
+#include "window/style/language.h"
 #include "window/timeline/volume_panel.h"
 
 namespace viscera::tests {

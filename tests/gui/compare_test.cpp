@@ -19,10 +19,10 @@
 #include "viscera/document/rig_commands.h"
 #include "viscera/heart/heartbeat.h"
 #include "viscera/presentation/presenter.h"
-#include "window/binding_messages.h"
 #include "window/compare/side_header.h"
-#include "window/language.h"
+#include "window/style/language.h"
 #include "window/widgets/elided_label.h"
+#include "window/work/binding_messages.h"
 
 namespace viscera::tests {
 namespace {

@@ -5,7 +5,7 @@
 #include <QTreeWidget>
 
 #include "viscera/geometry/volume.h"
-#include "window/language.h"
+#include "window/style/language.h"
 
 namespace viscera::tests {
 namespace {

@@ -17,8 +17,8 @@
 #include "viscera/medical_io/label_map.h"
 #include "viscera/medical_io/scan.h"
 #include "viscera/medical_io/surface_file.h"
-#include "window/file_actions.h"
-#include "window/language.h"
+#include "window/import/file_actions.h"
+#include "window/style/language.h"
 #include "window_test.h"
 
 namespace viscera::tests {

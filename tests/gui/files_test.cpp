@@ -15,8 +15,8 @@
 #include "viscera/document/rig_commands.h"
 #include "viscera/medical_io/handle_file.h"
 #include "viscera/medical_io/surface_file.h"
-#include "window/settings.h"
 #include "window/view/view_area.h"
+#include "window/work/settings.h"
 
 namespace viscera::tests {
 namespace {

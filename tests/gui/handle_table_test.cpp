@@ -4,7 +4,7 @@
 #include <QLabel>
 
 #include "viscera/document/organ_commands.h"
-#include "window/table/handle_table.h"
+#include "window/handles/handle_table.h"
 #include "window_test.h"
 
 namespace viscera::tests {

@@ -16,7 +16,7 @@
 #include "viscera/medical_io/surface_file.h"
 #include "viscera/scene/region_hulls.h"
 #include "viscera/scene/vtkVisceraHandleSetRepresentation.h"
-#include "window/panels/position_box.h"
+#include "window/handles/position_box.h"
 #include "window/widgets/value_slider.h"
 
 namespace viscera::tests {

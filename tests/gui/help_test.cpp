@@ -22,11 +22,11 @@
 #include <vector>
 
 #include "window/guide/guide_window.h"
+#include "window/guide/help_cards.h"
+#include "window/guide/task_card.h"
 #include "window/settings_dialog.h"
 #include "window/widgets/first_picture.h"
-#include "window/widgets/help_cards.h"
 #include "window/widgets/pointing_frame.h"
-#include "window/widgets/task_card.h"
 
 namespace viscera::tests {
 namespace {

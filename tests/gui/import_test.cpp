@@ -31,13 +31,13 @@
 #include "viscera/medical_io/displacement_file.h"
 #include "viscera/medical_io/surface_file.h"
 #include "viscera/presentation/presenter.h"
-#include "window/export_actions.h"
-#include "window/file_actions.h"
+#include "window/export/export_actions.h"
 #include "window/import/arriving_surfaces.h"
+#include "window/import/file_actions.h"
 #include "window/import/import_controller.h"
 #include "window/import/import_panel.h"
 #include "window/import/repair_value_box.h"
-#include "window/language.h"
+#include "window/style/language.h"
 
 namespace viscera::tests {
 namespace {

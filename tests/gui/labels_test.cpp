@@ -25,13 +25,13 @@
 #include "window/compare/compared_system.h"
 #include "window/compare/comparison.h"
 #include "window/compare/side_header.h"
+#include "window/export/lesson_dialog.h"
+#include "window/export/lesson_export.h"
+#include "window/guide/help_cards.h"
 #include "window/import/import_controller.h"
-#include "window/language.h"
-#include "window/lesson/lesson_dialog.h"
-#include "window/lesson/lesson_export.h"
+#include "window/style/language.h"
 #include "window/track/motion_dialog.h"
 #include "window/widgets/elided_label.h"
-#include "window/widgets/help_cards.h"
 #include "window/widgets/system_combo.h"
 
 namespace viscera::tests {

@@ -17,14 +17,14 @@
 #include "viscera/document/organ_commands.h"
 #include "window/circulation/circulation_panel.h"
 #include "window/compare/comparison.h"
-#include "window/language.h"
 #include "window/lecture/lecture_signs.h"
 #include "window/lecture/slides.h"
-#include "window/modes/stress_mode.h"
+#include "window/modes/window_layout.h"
 #include "window/session/session_files.h"
+#include "window/stress/stress_mode.h"
+#include "window/style/language.h"
 #include "window/view/view_actions.h"
 #include "window/view/view_area.h"
-#include "window/window_layout.h"
 
 namespace viscera::tests {
 namespace {

@@ -9,9 +9,9 @@
 
 #include "play_fixture.h"
 #include "viscera/document/organ_commands.h"
+#include "window/export/lesson_dialog.h"
+#include "window/export/lesson_export.h"
 #include "window/lecture/slides.h"
-#include "window/lesson/lesson_dialog.h"
-#include "window/lesson/lesson_export.h"
 
 namespace viscera::tests {
 namespace {

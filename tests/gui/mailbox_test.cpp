@@ -1,4 +1,4 @@
-#include "window/mailbox.h"
+#include "window/work/mailbox.h"
 
 #include <QCoreApplication>
 

@@ -21,7 +21,7 @@
 #include "viscera/anatomy/part.h"
 #include "viscera/document/organ_commands.h"
 #include "viscera/scene/vtkVisceraHandleSetRepresentation.h"
-#include "window/panels/organ_panel.h"
+#include "window/organs/organ_panel.h"
 #include "window/view/picture.h"
 #include "window/widgets/value_slider.h"
 

@@ -13,8 +13,8 @@
 #include "viscera/document/measurement_commands.h"
 #include "viscera/document/organ_commands.h"
 #include "viscera/document/rig_commands.h"
-#include "window/export_actions.h"
-#include "window/modes/explore_mode.h"
+#include "window/export/export_actions.h"
+#include "window/organs/explore_mode.h"
 
 namespace viscera::tests {
 namespace {

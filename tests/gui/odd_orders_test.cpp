@@ -18,7 +18,7 @@
 #include "window/compare/comparison.h"
 #include "window/compare/difference_map.h"
 #include "window/key_sequence/fit_box.h"
-#include "window/modes/play_mode.h"
+#include "window/play/play_mode.h"
 #include "window/session/session_files.h"
 #include "window/widgets/page.h"
 

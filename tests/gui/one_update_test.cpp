@@ -15,7 +15,7 @@
 #include "viscera/medical_io/slice_frame.h"
 #include "viscera/scene/vtkVisceraHandleSetWidget.h"
 #include "window/compare/comparison.h"
-#include "window/modes/play_mode.h"
+#include "window/play/play_mode.h"
 #include "window/slices/scan_actions.h"
 #include "window/slices/slice_panes.h"
 #include "window/view/picture.h"

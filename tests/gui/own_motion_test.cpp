@@ -19,7 +19,7 @@
 #include "window/import/import_controller.h"
 #include "window/key_sequence/fit_box.h"
 #include "window/key_sequence/key_box.h"
-#include "window/modes/play_mode.h"
+#include "window/play/play_mode.h"
 #include "window/widgets/page.h"
 
 #include "beating_labels.h"

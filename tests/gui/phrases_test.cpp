@@ -26,8 +26,8 @@
 #include "viscera/document/rig_commands.h"
 #include "viscera/live/stress_quantity.h"
 #include "viscera/medical_io/plausible_size.h"
-#include "window/language.h"
 #include "window/movie/movie_plan.h"
+#include "window/style/language.h"
 #include "window/widgets/message_bar.h"
 #include "words.h"
 

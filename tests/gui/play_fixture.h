@@ -6,8 +6,8 @@
 
 #include <string>
 
-#include "window/modes/play_mode.h"
-#include "window/panels/curve_box.h"
+#include "window/play/curve_box.h"
+#include "window/play/play_mode.h"
 #include "window_test.h"
 
 namespace viscera::tests {

@@ -24,7 +24,7 @@
 #include "viscera/heart/cardiac_times.h"
 #include "viscera/presentation/view_state.h"
 #include "viscera/sample_organs/sample_organ.h"
-#include "window/panels/curve_box.h"
+#include "window/play/curve_box.h"
 #include "window/session/session_files.h"
 #include "window/timeline/phase_scrubber.h"
 #include "window/timeline/volume_panel.h"

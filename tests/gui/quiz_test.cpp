@@ -12,7 +12,7 @@
 #include "viscera/medical_io/surface_file.h"
 #include "viscera/presentation/presenter.h"
 #include "window/import/import_controller.h"
-#include "window/modes/explore_mode.h"
+#include "window/organs/explore_mode.h"
 #include "window_probe.h"
 
 namespace viscera::tests {

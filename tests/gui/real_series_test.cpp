@@ -11,7 +11,7 @@
 #include "build_paths.h"
 #include "viscera/document/key_sequence_commands.h"
 #include "viscera/document/rig_commands.h"
-#include "window/modes/play_mode.h"
+#include "window/play/play_mode.h"
 #include "window/session/session_files.h"
 #include "window/timeline/phase_scrubber.h"
 #include "window/view/view_area.h"

@@ -20,7 +20,7 @@
 #include "build_paths.h"
 #include "viscera/document/organ_commands.h"
 #include "window/movie/movie_plan.h"
-#include "window/panels/play_page.h"
+#include "window/play/play_page.h"
 #include "window_probe.h"
 
 namespace viscera::tests {

@@ -14,11 +14,11 @@
 #include "viscera/live/stress_files.h"
 #include "viscera/scene/tissue_actor.h"
 #include "viscera/scene/vtkVisceraCutPlaneRepresentation.h"
-#include "window/language.h"
-#include "window/modes/stress_mode.h"
-#include "window/report/report_export.h"
+#include "window/export/report_export.h"
 #include "window/session/session_files.h"
 #include "window/stress/stress_export.h"
+#include "window/stress/stress_mode.h"
+#include "window/style/language.h"
 
 namespace viscera::tests {
 namespace {

@@ -16,10 +16,10 @@
 
 #include "play_fixture.h"
 #include "signs/beat_drawing.h"
-#include "window/modes/stress_mode.h"
+#include "window/guide/help_cards.h"
+#include "window/stress/stress_mode.h"
 #include "window/timeline/phase_scrubber.h"
 #include "window/widgets/elided_label.h"
-#include "window/widgets/help_cards.h"
 
 /// How the window shares its room between the view and the panels.
 namespace viscera::tests {

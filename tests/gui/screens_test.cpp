@@ -7,7 +7,7 @@
 
 #include "screen_check.h"
 #include "viscera/document/rig_commands.h"
-#include "window/report/report_export.h"
+#include "window/export/report_export.h"
 #include "window/style/theme.h"
 #include "window_probe.h"
 #include "window_test.h"

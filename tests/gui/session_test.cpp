@@ -21,11 +21,11 @@
 #include "viscera/document/key_sequence_commands.h"
 #include "viscera/document/organ_commands.h"
 #include "viscera/document/rig_commands.h"
-#include "window/export_actions.h"
-#include "window/file_actions.h"
+#include "window/export/export_actions.h"
+#include "window/import/file_actions.h"
 #include "window/lecture/slides.h"
-#include "window/modes/stress_mode.h"
 #include "window/session/session_files.h"
+#include "window/stress/stress_mode.h"
 #include "window/widgets/new_file.h"
 
 namespace viscera::tests {

@@ -20,10 +20,10 @@
 #include "viscera/document/rig_commands.h"
 #include "viscera/document/scan_item.h"
 #include "viscera/scene/vtkVisceraHandleSetWidget.h"
-#include "window/language.h"
-#include "window/modes/explore_mode.h"
+#include "window/organs/explore_mode.h"
 #include "window/slices/scan_actions.h"
 #include "window/slices/slice_panes.h"
+#include "window/style/language.h"
 #include "window/view/picture.h"
 
 namespace viscera::tests {

@@ -12,7 +12,7 @@
 
 #include "viscera/document/rig_commands.h"
 #include "viscera/scene/vtkVisceraHandleSetRepresentation.h"
-#include "window/modes/stress_mode.h"
+#include "window/stress/stress_mode.h"
 #include "window_test.h"
 
 namespace viscera::tests {

@@ -9,7 +9,7 @@
 #include "viscera/document/organ_commands.h"
 #include "viscera/medical_io/surface_file.h"
 #include "window/import/import_controller.h"
-#include "window/language.h"
+#include "window/style/language.h"
 #include "window/view/cut_sight.h"
 #include "window/widgets/elided_check.h"
 #include "window/widgets/page.h"

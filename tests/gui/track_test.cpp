@@ -18,7 +18,7 @@
 #include "viscera/document/rig_commands.h"
 #include "viscera/geometry/winding_number.h"
 #include "viscera/scene/legend.h"
-#include "window/modes/play_mode.h"
+#include "window/play/play_mode.h"
 #include "window/session/session_files.h"
 
 namespace viscera::tests {

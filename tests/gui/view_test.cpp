@@ -28,8 +28,8 @@
 #include "viscera/document/rig_commands.h"
 #include "viscera/scene/picture.h"
 #include "viscera/scene/vtkVisceraHandleSetWidget.h"
+#include "window/guide/help_cards.h"
 #include "window/style/theme.h"
-#include "window/widgets/help_cards.h"
 #include "window_probe.h"
 
 namespace viscera::tests {

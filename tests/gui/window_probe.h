@@ -16,8 +16,8 @@
 #include "viscera/scene/vtkVisceraHandleSetRepresentation.h"
 #include "window/compare/comparison.h"
 #include "window/main_window.h"
-#include "window/modes/play_mode.h"
-#include "window/modes/stress_mode.h"
+#include "window/play/play_mode.h"
+#include "window/stress/stress_mode.h"
 #include "window/view/view_area.h"
 
 /// Reads what a window shows from its parts, so that tests of the whole window do not depend on its structure

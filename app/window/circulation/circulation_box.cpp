@@ -13,7 +13,7 @@
 #include "viscera/circulation/scenario.h"
 #include "viscera/document/circulation_commands.h"
 #include "window/circulation/numbers_table.h"
-#include "window/language.h"
+#include "window/style/language.h"
 #include "window/widgets/flow_layout.h"
 #include "window/widgets/page.h"
 #include "window/widgets/ready_made.h"

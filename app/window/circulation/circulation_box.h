@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "viscera/circulation/parameters.h"
-#include "window/actions.h"
 #include "window/circulation/circulation_model.h"
+#include "window/work/actions.h"
 
 class QAbstractButton;
 class QLabel;

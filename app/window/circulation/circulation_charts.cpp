@@ -10,7 +10,7 @@
 #include <vtkNew.h>
 
 #include "signs/circulation_texts.h"
-#include "window/language.h"
+#include "window/style/language.h"
 #include "window/widgets/ready_made.h"
 
 namespace viscera::app {

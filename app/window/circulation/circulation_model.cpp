@@ -8,7 +8,7 @@
 #include "viscera/core/parallel.h"
 #include "viscera/core/phrase.h"
 #include "viscera/sample_organs/sample_organ.h"
-#include "window/mailbox.h"
+#include "window/work/mailbox.h"
 
 namespace viscera::app {
 namespace {

@@ -14,7 +14,7 @@
 #include "viscera/live/circulating_heart.h"
 #include "viscera/presentation/circulation_figure.h"
 #include "window/timeline/playback.h"
-#include "window/workspace.h"
+#include "window/work/workspace.h"
 
 namespace viscera::app {
 

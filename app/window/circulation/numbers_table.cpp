@@ -8,8 +8,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "window/language.h"
-#include "window/workspace.h"
+#include "window/style/language.h"
+#include "window/work/workspace.h"
 
 namespace viscera::app {
 namespace {

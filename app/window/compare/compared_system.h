@@ -6,9 +6,9 @@
 #include <memory>
 #include <vector>
 
-#include "window/binding_messages.h"
 #include "window/widgets/system_combo.h"
-#include "window/workspace.h"
+#include "window/work/binding_messages.h"
+#include "window/work/workspace.h"
 
 namespace viscera::app {
 

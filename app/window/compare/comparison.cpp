@@ -19,16 +19,16 @@
 #include "window/compare/difference_map.h"
 #include "window/compare/error_table.h"
 #include "window/compare/side_header.h"
-#include "window/file_actions.h"
-#include "window/heap.h"
-#include "window/language.h"
-#include "window/sample_loader.h"
+#include "window/import/file_actions.h"
+#include "window/style/language.h"
+#include "window/timeline/sample_loader.h"
 #include "window/timeline/timeline_bar.h"
 #include "window/view/camera_link.h"
 #include "window/view/organ_pointer.h"
 #include "window/view/picture.h"
 #include "window/view/view_area.h"
 #include "window/widgets/ready_made.h"
+#include "window/work/heap.h"
 
 namespace viscera::app {
 namespace {

@@ -8,12 +8,12 @@
 #include <optional>
 
 #include "viscera/presentation/view_state.h"
-#include "window/settings.h"
 #include "window/style/theme.h"
 #include "window/timeline/playback.h"
 #include "window/timeline/volume_monitor.h"
 #include "window/view/view_model.h"
-#include "window/workspace.h"
+#include "window/work/settings.h"
+#include "window/work/workspace.h"
 
 class QSpinBox;
 class QToolButton;

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "viscera/presentation/stress_values.h"
-#include "window/language.h"
+#include "window/style/language.h"
 
 namespace viscera::app {
 namespace {

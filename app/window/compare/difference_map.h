@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "window/view/picture.h"
-#include "window/workspace.h"
+#include "window/work/workspace.h"
 
 namespace viscera::app {
 

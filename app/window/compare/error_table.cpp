@@ -5,7 +5,7 @@
 
 #include <utility>
 
-#include "window/language.h"
+#include "window/style/language.h"
 #include "window/widgets/ready_made.h"
 
 namespace viscera::app {

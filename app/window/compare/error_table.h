@@ -5,7 +5,7 @@
 #include <array>
 #include <vector>
 
-#include "window/workspace.h"
+#include "window/work/workspace.h"
 
 class QLabel;
 

@@ -4,11 +4,11 @@
 #include <QFileInfo>
 
 #include "viscera/medical_io/surface_pieces.h"
-#include "window/file_actions.h"
+#include "window/import/file_actions.h"
 #include "window/import/import_panel.h"
 #include "window/import/organ_check.h"
 #include "window/view/picture.h"
-#include "window/workspace.h"
+#include "window/work/workspace.h"
 
 namespace viscera::app {
 namespace {

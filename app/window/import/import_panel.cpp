@@ -14,7 +14,7 @@
 #include "window/widgets/panel_dock.h"
 #include "window/widgets/ready_made.h"
 #include "window/widgets/wrapped_label.h"
-#include "window/workspace.h"
+#include "window/work/workspace.h"
 
 namespace viscera::app {
 namespace {

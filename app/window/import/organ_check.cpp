@@ -14,12 +14,12 @@
 #include "viscera/medical_io/plausible_size.h"
 #include "viscera/medical_io/surface_repairs.h"
 #include "window/import/repair_value_box.h"
-#include "window/language.h"
+#include "window/style/language.h"
 #include "window/widgets/elided_check.h"
 #include "window/widgets/flow_layout.h"
 #include "window/widgets/ready_made.h"
 #include "window/widgets/wrapped_label.h"
-#include "window/workspace.h"
+#include "window/work/workspace.h"
 
 namespace viscera::app {
 namespace {

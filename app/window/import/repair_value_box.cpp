@@ -12,9 +12,9 @@
 #include "viscera/medical_io/plausible_size.h"
 #include "viscera/medical_io/surface_repairs.h"
 #include "window/import/organ_check.h"
-#include "window/language.h"
+#include "window/style/language.h"
 #include "window/widgets/ready_made.h"
-#include "window/workspace.h"
+#include "window/work/workspace.h"
 
 namespace viscera::app {
 namespace {

@@ -15,8 +15,8 @@
 #include "viscera/live/sequence_file.h"
 #include "viscera/live/sequence_setup.h"
 #include "viscera/presentation/presenter.h"
-#include "window/language.h"
 #include "window/style/icon.h"
+#include "window/style/language.h"
 #include "window/widgets/ready_made.h"
 
 namespace viscera::app {

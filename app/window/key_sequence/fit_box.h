@@ -12,7 +12,7 @@
 #include "window/timeline/playback.h"
 #include "window/view/picture.h"
 #include "window/view/view_widget.h"
-#include "window/workspace.h"
+#include "window/work/workspace.h"
 
 class QComboBox;
 class QDoubleSpinBox;

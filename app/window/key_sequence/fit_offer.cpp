@@ -9,8 +9,8 @@
 
 #include "viscera/live/sequence_setup.h"
 #include "viscera/presentation/presenter.h"
-#include "window/language.h"
-#include "window/sample_loader.h"
+#include "window/style/language.h"
+#include "window/timeline/sample_loader.h"
 #include "window/widgets/ready_made.h"
 #include "window/widgets/wrapped_label.h"
 

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "window/workspace.h"
+#include "window/work/workspace.h"
 
 class QLabel;
 class QPushButton;

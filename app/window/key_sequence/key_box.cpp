@@ -15,8 +15,8 @@
 
 #include "viscera/document/key_sequence.h"
 #include "viscera/document/key_sequence_commands.h"
-#include "window/language.h"
 #include "window/style/icon.h"
+#include "window/style/language.h"
 #include "window/widgets/new_file.h"
 #include "window/widgets/ready_made.h"
 

@@ -2,9 +2,9 @@
 
 #include <QWidget>
 
-#include "window/actions.h"
 #include "window/key_sequence/key_sequence_playback.h"
-#include "window/settings.h"
+#include "window/work/actions.h"
+#include "window/work/settings.h"
 
 class QComboBox;
 class QDoubleSpinBox;

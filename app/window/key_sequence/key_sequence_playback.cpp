@@ -6,7 +6,7 @@
 #include "viscera/document/key_sequence_commands.h"
 #include "viscera/document/rig_commands.h"
 #include "viscera/live/sequence_file.h"
-#include "window/language.h"
+#include "window/style/language.h"
 
 namespace viscera::app {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "viscera/sequences/keyframes.h"
 #include "window/timeline/playback.h"
-#include "window/workspace.h"
+#include "window/work/workspace.h"
 
 namespace viscera::app {
 

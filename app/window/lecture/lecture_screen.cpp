@@ -9,7 +9,7 @@
 
 #include <algorithm>
 
-#include "window/language.h"
+#include "window/style/language.h"
 #include "window/widgets/ready_made.h"
 
 namespace viscera::app {

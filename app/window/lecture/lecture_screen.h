@@ -4,9 +4,9 @@
 
 #include "window/lecture/lecture_signs.h"
 #include "window/lecture/slides.h"
+#include "window/modes/window_layout.h"
 #include "window/timeline/volume_monitor.h"
 #include "window/view/view_area.h"
-#include "window/window_layout.h"
 
 class QFontMetrics;
 class QFrame;

@@ -9,7 +9,7 @@
 #include "window/timeline/playback.h"
 #include "window/view/view_model.h"
 #include "window/view/view_widget.h"
-#include "window/workspace.h"
+#include "window/work/workspace.h"
 
 namespace viscera::app {
 

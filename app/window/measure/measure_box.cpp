@@ -11,8 +11,8 @@
 
 #include "viscera/document/measurement_commands.h"
 #include "viscera/presentation/presenter.h"
-#include "window/language.h"
 #include "window/style/icon.h"
+#include "window/style/language.h"
 #include "window/view/picture.h"
 #include "window/widgets/list_keys.h"
 #include "window/widgets/ready_made.h"

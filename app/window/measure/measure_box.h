@@ -4,8 +4,8 @@
 #include <QWidget>
 
 #include "viscera/document/measured_values.h"
-#include "window/actions.h"
 #include "window/measure/measure_tool.h"
+#include "window/work/actions.h"
 
 class QLabel;
 class QPushButton;

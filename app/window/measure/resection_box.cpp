@@ -8,7 +8,7 @@
 
 #include "viscera/presentation/presenter.h"
 #include "viscera/presentation/resection.h"
-#include "window/language.h"
+#include "window/style/language.h"
 #include "window/widgets/ready_made.h"
 
 namespace viscera::app {

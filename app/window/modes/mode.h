@@ -7,7 +7,7 @@
 #include "viscera/presentation/view_state.h"
 #include "window/style/theme.h"
 #include "window/timeline/playback.h"
-#include "window/workspace.h"
+#include "window/work/workspace.h"
 
 class QWidget;
 

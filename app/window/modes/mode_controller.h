@@ -6,12 +6,12 @@
 #include <string>
 #include <vector>
 
-#include "window/actions.h"
 #include "window/modes/mode.h"
 #include "window/view/handle_controller.h"
 #include "window/view/picture.h"
 #include "window/view/view_model.h"
 #include "window/view/view_widget.h"
+#include "window/work/actions.h"
 
 namespace viscera::app {
 

@@ -5,7 +5,7 @@
 #include <functional>
 
 #include "window/movie/movie_plan.h"
-#include "window/settings.h"
+#include "window/work/settings.h"
 
 class QCheckBox;
 class QComboBox;

@@ -10,8 +10,8 @@
 #include "viscera/core/error.h"
 #include "viscera/scene/movie_writer.h"
 #include "viscera/sequences/volume_record.h"
-#include "window/heap.h"
-#include "window/mailbox.h"
+#include "window/work/heap.h"
+#include "window/work/mailbox.h"
 
 namespace viscera::app {
 namespace {

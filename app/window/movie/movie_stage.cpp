@@ -10,7 +10,7 @@
 
 #include "viscera/heart/beating_heart.h"
 #include "viscera/presentation/presenter.h"
-#include "window/language.h"
+#include "window/style/language.h"
 
 namespace viscera::app {
 namespace {

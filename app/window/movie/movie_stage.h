@@ -19,7 +19,7 @@
 #include "viscera/presentation/stage.h"
 #include "window/timeline/playback.h"
 #include "window/view/picture.h"
-#include "window/workspace.h"
+#include "window/work/workspace.h"
 
 namespace viscera::app {
 

@@ -3,7 +3,7 @@
 #include <QApplication>
 
 #include "viscera/heart/beating_heart.h"
-#include "window/language.h"
+#include "window/style/language.h"
 
 namespace viscera::app {
 

@@ -13,12 +13,12 @@
 #include <ostream>
 
 #include "viscera/core/atomic_file.h"
-#include "window/language.h"
-#include "window/settings.h"
+#include "window/style/language.h"
 #include "window/view/view_model.h"
 #include "window/widgets/flow_layout.h"
 #include "window/widgets/new_file.h"
 #include "window/widgets/ready_made.h"
+#include "window/work/settings.h"
 
 namespace viscera::app {
 namespace {

@@ -8,8 +8,8 @@
 
 #include "viscera/heart/heart_numbers.h"
 #include "window/modes/mode.h"
+#include "window/timeline/measured_motion.h"
 #include "window/timeline/volume_monitor.h"
-#include "window/track/measured_motion.h"
 
 class QLabel;
 class QTableWidget;

@@ -2,7 +2,7 @@
 
 #include <QWidget>
 
-#include "window/actions.h"
+#include "window/work/actions.h"
 
 namespace viscera::app {
 

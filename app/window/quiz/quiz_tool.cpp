@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "viscera/heart/heart_valves.h"
-#include "window/language.h"
+#include "window/style/language.h"
 #include "window/view/picture.h"
 
 namespace viscera::app {

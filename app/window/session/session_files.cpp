@@ -11,8 +11,8 @@
 #include <chrono>
 #include <utility>
 
-#include "window/mailbox.h"
 #include "window/widgets/new_file.h"
+#include "window/work/mailbox.h"
 
 namespace viscera::app {
 namespace {

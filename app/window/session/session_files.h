@@ -11,10 +11,10 @@
 
 #include "viscera/document/autosave.h"
 #include "viscera/document/session_file.h"
-#include "window/actions.h"
 #include "window/session/session_view.h"
-#include "window/settings.h"
-#include "window/workspace.h"
+#include "window/work/actions.h"
+#include "window/work/settings.h"
+#include "window/work/workspace.h"
 
 class QWidget;
 

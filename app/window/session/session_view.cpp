@@ -10,8 +10,8 @@
 #include "viscera/presentation/presenter.h"
 #include "viscera/sequences/volume_curve.h"
 #include "window/compare/comparison.h"
-#include "window/language.h"
 #include "window/lecture/slides.h"
+#include "window/style/language.h"
 
 namespace viscera::app {
 namespace {

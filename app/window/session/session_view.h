@@ -9,10 +9,10 @@
 
 #include "viscera/presentation/view_state.h"
 #include "window/modes/mode_controller.h"
+#include "window/timeline/measured_motion.h"
 #include "window/timeline/playback.h"
-#include "window/track/measured_motion.h"
 #include "window/view/picture.h"
-#include "window/workspace.h"
+#include "window/work/workspace.h"
 
 namespace viscera::app {
 

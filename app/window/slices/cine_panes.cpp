@@ -4,7 +4,7 @@
 
 #include "viscera/document/study_item.h"
 #include "viscera/presentation/cine_view.h"
-#include "window/language.h"
+#include "window/style/language.h"
 #include "window/view/picture.h"
 
 namespace viscera::app {

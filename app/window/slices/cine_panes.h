@@ -4,7 +4,7 @@
 
 #include "viscera/presentation/cine_presenter.h"
 #include "window/view/view_model.h"
-#include "window/workspace.h"
+#include "window/work/workspace.h"
 
 namespace viscera::app {
 

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "viscera/medical_io/image_beside.h"
-#include "window/file_actions.h"
+#include "window/import/file_actions.h"
 #include "window/slices/scan_actions.h"
 
 namespace viscera::app {

@@ -9,7 +9,7 @@
 
 #include "viscera/document/scan_item.h"
 #include "viscera/medical_io/image_file.h"
-#include "window/workspace.h"
+#include "window/work/workspace.h"
 
 namespace viscera::app {
 

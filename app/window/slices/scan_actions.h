@@ -9,10 +9,10 @@
 #include "viscera/core/phrase.h"
 #include "viscera/document/scan_item.h"
 #include "viscera/document/study_item.h"
-#include "window/actions.h"
-#include "window/settings.h"
 #include "window/view/view_model.h"
-#include "window/workspace.h"
+#include "window/work/actions.h"
+#include "window/work/settings.h"
+#include "window/work/workspace.h"
 
 namespace viscera::app {
 

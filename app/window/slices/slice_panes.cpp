@@ -10,7 +10,7 @@
 #include "viscera/medical_io/slice_frame.h"
 #include "viscera/presentation/presenter.h"
 #include "viscera/scene/vtkVisceraHandleSetRepresentation.h"
-#include "window/language.h"
+#include "window/style/language.h"
 #include "window/view/picture.h"
 
 namespace viscera::app {

@@ -13,7 +13,7 @@
 #include "window/slices/slice_widget.h"
 #include "window/view/view_area.h"
 #include "window/view/view_model.h"
-#include "window/workspace.h"
+#include "window/work/workspace.h"
 
 class QMenu;
 

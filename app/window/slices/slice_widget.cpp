@@ -13,7 +13,7 @@
 #include <vtkNew.h>
 #include <vtkRenderWindowInteractor.h>
 
-#include "window/language.h"
+#include "window/style/language.h"
 #include "window/widgets/click_distance.h"
 
 namespace viscera::app {

@@ -11,9 +11,9 @@
 #include "viscera/live/movable_binding.h"
 #include "viscera/medical_io/image_file.h"
 #include "viscera/medical_io/warped_image.h"
-#include "window/actions.h"
-#include "window/settings.h"
-#include "window/workspace.h"
+#include "window/work/actions.h"
+#include "window/work/settings.h"
+#include "window/work/workspace.h"
 
 namespace viscera::app {
 namespace {

@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "viscera/document/measured_values.h"
-#include "window/language.h"
 #include "window/style/icon.h"
+#include "window/style/language.h"
 #include "window/view/view_model.h"
 
 namespace viscera::app {

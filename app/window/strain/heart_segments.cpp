@@ -1,11 +1,11 @@
 #include "window/strain/heart_segments.h"
 
 #include "viscera/presentation/strain_figure.h"
-#include "window/language.h"
 #include "window/strain/segment_map.h"
 #include "window/strain/strain_model.h"
+#include "window/style/language.h"
 #include "window/timeline/playback.h"
-#include "window/workspace.h"
+#include "window/work/workspace.h"
 
 namespace viscera::app {
 

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "viscera/presentation/strain_figure.h"
-#include "window/language.h"
+#include "window/style/language.h"
 
 namespace viscera::app {
 

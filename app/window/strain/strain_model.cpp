@@ -6,9 +6,9 @@
 #include "viscera/anatomy/part.h"
 #include "viscera/core/background.h"
 #include "viscera/document/rig.h"
-#include "window/mailbox.h"
 #include "window/strain/segment_map.h"
-#include "window/track/measured_motion.h"
+#include "window/timeline/measured_motion.h"
+#include "window/work/mailbox.h"
 
 namespace viscera::app {
 namespace {

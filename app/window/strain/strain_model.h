@@ -11,7 +11,7 @@
 #include "viscera/live/motion_copy.h"
 #include "viscera/live/strain_reading.h"
 #include "window/timeline/playback.h"
-#include "window/workspace.h"
+#include "window/work/workspace.h"
 
 namespace viscera::app {
 

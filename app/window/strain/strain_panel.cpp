@@ -20,12 +20,12 @@
 
 #include "viscera/presentation/strain_figure.h"
 #include "viscera/strain/aha_segments.h"
-#include "window/actions.h"
-#include "window/language.h"
 #include "window/strain/axis_picker.h"
+#include "window/style/language.h"
 #include "window/view/view_model.h"
 #include "window/widgets/flow_layout.h"
 #include "window/widgets/ready_made.h"
+#include "window/work/actions.h"
 
 namespace viscera::app {
 namespace {

@@ -12,10 +12,10 @@
 
 #include "viscera/document/stress_mark_commands.h"
 #include "viscera/presentation/presenter.h"
-#include "window/language.h"
 #include "window/stress/probe_card.h"
 #include "window/stress/profile_chart.h"
 #include "window/style/icon.h"
+#include "window/style/language.h"
 #include "window/widgets/list_keys.h"
 #include "window/widgets/ready_made.h"
 

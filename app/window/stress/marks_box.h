@@ -3,9 +3,9 @@
 #include <QTimer>
 #include <QWidget>
 
-#include "window/actions.h"
 #include "window/stress/stress_model.h"
 #include "window/style/theme.h"
+#include "window/work/actions.h"
 
 class QPushButton;
 class QTreeWidget;

@@ -6,7 +6,7 @@
 #include <QToolButton>
 
 #include "viscera/presentation/slice_presenter.h"
-#include "window/language.h"
+#include "window/style/language.h"
 #include "window/widgets/ready_made.h"
 
 namespace viscera::app {

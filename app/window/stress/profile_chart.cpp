@@ -10,7 +10,7 @@
 #include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkNew.h>
 
-#include "window/language.h"
+#include "window/style/language.h"
 #include "window/widgets/ready_made.h"
 
 namespace viscera::app {

@@ -11,7 +11,7 @@
 #include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkNew.h>
 
-#include "window/language.h"
+#include "window/style/language.h"
 #include "window/timeline/chart_cursor.h"
 #include "window/widgets/ready_made.h"
 

@@ -8,7 +8,7 @@
 
 #include "viscera/live/motion_copy.h"
 #include "window/timeline/playback.h"
-#include "window/workspace.h"
+#include "window/work/workspace.h"
 
 namespace viscera::app {
 

@@ -5,8 +5,8 @@
 
 #include "viscera/live/stress_files.h"
 #include "viscera/live/stress_mark_files.h"
-#include "window/actions.h"
-#include "window/settings.h"
+#include "window/work/actions.h"
+#include "window/work/settings.h"
 
 namespace viscera::app {
 namespace {

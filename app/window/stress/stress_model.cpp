@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "viscera/document/stress_mark_commands.h"
-#include "window/language.h"
+#include "window/style/language.h"
 
 namespace viscera::app {
 namespace {

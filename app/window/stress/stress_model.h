@@ -9,11 +9,11 @@
 #include "viscera/live/live_stress.h"
 #include "viscera/presentation/stress_values.h"
 #include "viscera/scene/color_map.h"
-#include "window/settings.h"
 #include "window/stress/stress_cycle.h"
 #include "window/timeline/playback.h"
 #include "window/view/picture.h"
-#include "window/workspace.h"
+#include "window/work/settings.h"
+#include "window/work/workspace.h"
 
 namespace viscera::app {
 

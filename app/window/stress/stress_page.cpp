@@ -19,9 +19,9 @@
 #include <optional>
 
 #include "viscera/presentation/presenter.h"
-#include "window/language.h"
 #include "window/stress/histogram.h"
 #include "window/stress/marks_box.h"
+#include "window/style/language.h"
 #include "window/widgets/ready_made.h"
 #include "window/widgets/value_slider.h"
 

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "window/actions.h"
 #include "window/stress/cut_controller.h"
 #include "window/style/theme.h"
 #include "window/widgets/page.h"
+#include "window/work/actions.h"
 
 class QComboBox;
 class QLabel;

@@ -12,8 +12,8 @@
 
 #include "signs/beat_drawing.h"
 #include "viscera/scene/label_layout.h"
-#include "window/language.h"
-#include "window/workspace.h"
+#include "window/style/language.h"
+#include "window/work/workspace.h"
 
 namespace viscera::app {
 namespace {

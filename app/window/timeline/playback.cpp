@@ -6,7 +6,7 @@
 #include "viscera/core/phrase.h"
 #include "viscera/document/rig_commands.h"
 #include "viscera/heart/beating_heart.h"
-#include "window/language.h"
+#include "window/style/language.h"
 
 namespace viscera::app {
 namespace {

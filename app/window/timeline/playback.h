@@ -11,7 +11,7 @@
 #include "viscera/heart/heart_valves.h"
 #include "viscera/live/motion_recipe.h"
 #include "viscera/live/player.h"
-#include "window/workspace.h"
+#include "window/work/workspace.h"
 
 namespace viscera::app {
 

@@ -6,7 +6,7 @@
 
 #include "window/timeline/playback.h"
 #include "window/view/view_model.h"
-#include "window/workspace.h"
+#include "window/work/workspace.h"
 
 namespace viscera::app {
 

@@ -15,8 +15,8 @@
 #include <utility>
 
 #include "viscera/heart/beating_heart.h"
-#include "window/language.h"
 #include "window/style/icon.h"
+#include "window/style/language.h"
 #include "window/widgets/ready_made.h"
 
 namespace viscera::app {

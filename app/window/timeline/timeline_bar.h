@@ -3,13 +3,13 @@
 #include <QWidget>
 #include <vector>
 
-#include "window/actions.h"
 #include "window/timeline/beat_strip.h"
 #include "window/timeline/phase_scrubber.h"
 #include "window/timeline/playback.h"
 #include "window/timeline/study_player.h"
 #include "window/timeline/volume_monitor.h"
 #include "window/view/view_model.h"
+#include "window/work/actions.h"
 
 class QAction;
 class QComboBox;

@@ -8,8 +8,8 @@
 #include "viscera/anatomy/part.h"
 #include "viscera/core/background.h"
 #include "viscera/presentation/presenter.h"
-#include "window/language.h"
-#include "window/track/measured_motion.h"
+#include "window/style/language.h"
+#include "window/timeline/measured_motion.h"
 
 namespace viscera::app {
 namespace {

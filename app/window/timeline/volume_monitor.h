@@ -18,7 +18,7 @@
 #include "viscera/scene/color_map.h"
 #include "viscera/sequences/volume_record.h"
 #include "window/timeline/playback.h"
-#include "window/workspace.h"
+#include "window/work/workspace.h"
 
 namespace viscera::app {
 

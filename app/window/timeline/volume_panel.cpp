@@ -19,10 +19,10 @@
 #include <vtkNew.h>
 
 #include "viscera/heart/clinical_numbers.h"
-#include "window/language.h"
+#include "window/style/language.h"
 #include "window/timeline/chart_cursor.h"
+#include "window/timeline/measured_motion.h"
 #include "window/timeline/person_box.h"
-#include "window/track/measured_motion.h"
 #include "window/view/view_model.h"
 #include "window/widgets/elided_label.h"
 #include "window/widgets/panel_dock.h"

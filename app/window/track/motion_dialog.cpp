@@ -22,8 +22,8 @@
 #include <cmath>
 
 #include "viscera/anatomy/part.h"
-#include "window/language.h"
 #include "window/style/icon.h"
+#include "window/style/language.h"
 #include "window/widgets/page.h"
 #include "window/widgets/ready_made.h"
 #include "window/widgets/wrapped_label.h"

@@ -3,8 +3,8 @@
 #include <QDialog>
 
 #include "viscera/live/series_contents.h"
-#include "window/settings.h"
-#include "window/track/measured_motion.h"
+#include "window/timeline/measured_motion.h"
+#include "window/work/settings.h"
 
 class QCheckBox;
 class QDoubleSpinBox;

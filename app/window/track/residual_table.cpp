@@ -11,7 +11,7 @@
 
 #include <algorithm>
 
-#include "window/language.h"
+#include "window/style/language.h"
 #include "window/widgets/elided_label.h"
 #include "window/widgets/ready_made.h"
 

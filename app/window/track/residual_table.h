@@ -3,7 +3,7 @@
 #include <QWidget>
 
 #include "window/style/theme.h"
-#include "window/track/measured_motion.h"
+#include "window/timeline/measured_motion.h"
 
 class QCheckBox;
 class QComboBox;

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "window/view/view_model.h"
-#include "window/workspace.h"
+#include "window/work/workspace.h"
 
 namespace viscera::app {
 

@@ -11,7 +11,7 @@
 #include "viscera/scene/vtkVisceraGizmoWidget.h"
 #include "viscera/scene/vtkVisceraHandleSetRepresentation.h"
 #include "viscera/scene/vtkVisceraHandleSetWidget.h"
-#include "window/language.h"
+#include "window/style/language.h"
 
 namespace viscera::app {
 

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "viscera/scene/widget_events.h"
-#include "window/pose_editor.h"
 #include "window/view/picture.h"
-#include "window/workspace.h"
+#include "window/view/pose_editor.h"
+#include "window/work/workspace.h"
 
 namespace viscera::app {
 

@@ -8,7 +8,7 @@
 
 #include "viscera/live/heart_tissue.h"
 #include "window/view/view_model.h"
-#include "window/workspace.h"
+#include "window/work/workspace.h"
 
 namespace viscera::app {
 

@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "viscera/presentation/presenter.h"
-#include "window/language.h"
+#include "window/style/language.h"
 
 namespace viscera::app {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "window/view/picture.h"
 #include "window/view/view_widget.h"
-#include "window/workspace.h"
+#include "window/work/workspace.h"
 
 class QMenu;
 

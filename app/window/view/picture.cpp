@@ -5,7 +5,7 @@
 
 #include "viscera/presentation/slice_presenter.h"
 #include "viscera/scene/vtkVisceraHandleSetWidget.h"
-#include "window/language.h"
+#include "window/style/language.h"
 
 namespace viscera::app {
 

@@ -11,7 +11,7 @@
 #include "window/view/heart_opener.h"
 #include "window/view/view_model.h"
 #include "window/view/view_widget.h"
-#include "window/workspace.h"
+#include "window/work/workspace.h"
 
 namespace viscera::app {
 

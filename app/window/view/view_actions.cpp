@@ -6,8 +6,8 @@
 #include "viscera/document/organ_commands.h"
 #include "viscera/presentation/presenter.h"
 #include "viscera/scene/picture.h"
-#include "window/language.h"
-#include "window/organ_looks.h"
+#include "window/style/language.h"
+#include "window/work/organ_looks.h"
 
 namespace viscera::app {
 namespace {

@@ -5,11 +5,11 @@
 #include <memory>
 
 #include "viscera/scene/depth_shading.h"
-#include "window/actions.h"
-#include "window/settings.h"
 #include "window/view/picture.h"
 #include "window/view/view_area.h"
 #include "window/view/view_model.h"
+#include "window/work/actions.h"
+#include "window/work/settings.h"
 
 namespace viscera::app {
 

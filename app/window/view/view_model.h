@@ -5,7 +5,7 @@
 #include <functional>
 
 #include "viscera/presentation/view_state.h"
-#include "window/actions.h"
+#include "window/work/actions.h"
 
 namespace viscera::app {
 

@@ -15,7 +15,7 @@
 #include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkRenderWindowInteractor.h>
 
-#include "window/language.h"
+#include "window/style/language.h"
 #include "window/widgets/click_distance.h"
 
 namespace viscera::app {

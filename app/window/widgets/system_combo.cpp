@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "window/language.h"
+#include "window/style/language.h"
 
 namespace viscera::app {
 namespace {

@@ -165,6 +165,31 @@ std::string upwardIn(const ModuleList& list) {
   return faults.str();
 }
 
+/// The folder of a file of the window, as "slices"; empty for what lies in the window's own folder.
+std::string windowFolder(const std::string& file) {
+  const std::string inside = file.substr(file.find("window/") + 7);
+  const std::size_t slash = inside.find('/');
+  return slash == std::string::npos ? std::string() : inside.substr(0, slash);
+}
+
+/// The folders of the window from which includes lead to other folders and back.
+std::set<std::string> inCircles(std::map<std::string, std::set<std::string>> arrows) {
+  // A folder that leads nowhere, or to such folders alone, is in no circle.
+  for (bool shrinks = true; shrinks;) {
+    shrinks = false;
+    for (auto folder = arrows.begin(); folder != arrows.end();) {
+      std::erase_if(folder->second, [&](const std::string& other) { return !arrows.contains(other); });
+      const bool ends = folder->second.empty();
+      folder = ends ? arrows.erase(folder) : std::next(folder);
+      shrinks |= ends;
+    }
+  }
+  std::set<std::string> left;
+  for (const auto& [folder, others] : arrows)
+    left.insert(folder);
+  return left;
+}
+
 ModuleList madeOf(const std::string& notes) {
   std::istringstream stream(notes);
   return readModules(stream);
@@ -250,6 +275,21 @@ TEST(IncludeArrows, DoNotLeadFromCommandLineToWindowNorBack) {
   EXPECT_EQ(met, kKnownExceptions) << "an exception that is no longer needed goes from the list";
 }
 
+TEST(IncludeArrows, OfTheWindowsFoldersLeadInNoCircle) {
+  static const std::regex ours(R"re(^\s*#\s*include\s*"(window/[^"]*)")re");
+  std::map<std::string, std::set<std::string>> arrows;
+  for (const std::filesystem::path& file : sourcesUnder("app/window")) {
+    std::set<std::string>& others = arrows[windowFolder(shortName(file))];
+    std::smatch match;
+    for (const std::string& line : linesOf(file))
+      if (std::regex_search(line, match, ours) && windowFolder(match[1]) != windowFolder(shortName(file)))
+        others.insert(windowFolder(match[1]));
+  }
+  EXPECT_GT(arrows.size(), 15u);
+  EXPECT_EQ(inCircles(arrows), std::set<std::string>()) << "these lead to another folder and back, or there";
+  EXPECT_EQ(inCircles({{"a", {"b"}}, {"b", {"a", "c"}}, {"c", {}}}), (std::set<std::string>{"a", "b"}));
+}
+
 TEST(Namespaces, EqualFolders) {
   const ModuleList& list = modulesOfThisBuild();
   for (const std::string folder : {"app", "modules"})
@@ -297,9 +337,10 @@ TEST(IncludeArrows, AreSeenWhereCMakeDoesNotListThem) {
   EXPECT_NE(fault("#include <QtPlugin>", false), "");
   EXPECT_EQ(strangerIn("#include \"window/mode.h\"", "app/cli/stage.cpp"), "window/mode.h");
   EXPECT_EQ(strangerIn("#include \"cli/stage.h\"", "app/window/mode.cpp"), "cli/stage.h");
-  EXPECT_EQ(strangerIn("#include \"window/language.h\"", "app/signs/beat.cpp"), "window/language.h");
+  EXPECT_EQ(strangerIn("#include \"window/style/language.h\"", "app/signs/beat.cpp"),
+            "window/style/language.h");
   EXPECT_EQ(strangerIn("#include \"cli/stage.h\"", "app/camera_json.cpp"), "cli/stage.h");
-  EXPECT_TRUE(strangerIn("#include \"window/mode.h\"", "app/window/actions.cpp").empty());
+  EXPECT_TRUE(strangerIn("#include \"window/mode.h\"", "app/window/work/actions.cpp").empty());
 }
 
 TEST(IncludeArrows, AreSeenWhereCMakeListsTooMany) {

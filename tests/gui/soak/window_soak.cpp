@@ -12,8 +12,8 @@
 #include "viscera/live/player.h"
 #include "viscera/scene/vtkVisceraHandleSetRepresentation.h"
 #include "window/compare/comparison.h"
-#include "window/modes/play_mode.h"
 #include "window/movie/movie_recorder.h"
+#include "window/play/play_mode.h"
 #include "window/session/session_files.h"
 #include "window/view/view_area.h"
 

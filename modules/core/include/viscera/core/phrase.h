@@ -15,7 +15,7 @@
 /// Texts for a user, as values: a pattern in English with its parts, which can be translated.
 ///
 /// The numerical modules make texts without any translation. The window translates a text by its pattern and
-/// by its parts (app/window/language.h); the command line and Python print it in English.
+/// by its parts (app/window/style/language.h); the command line and Python print it in English.
 ///
 ///     const Text step = phrase("Open %1", named("Liver")); // In German "Leber öffnen".
 ///
