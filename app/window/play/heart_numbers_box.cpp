@@ -1,4 +1,4 @@
-#include "window/panels/heart_numbers_box.h"
+#include "window/play/heart_numbers_box.h"
 
 #include <QFileDialog>
 #include <QFileInfo>
