@@ -7332,9 +7332,221 @@
         <source>fitting the images</source>
         <translation>ajustant a les imatges</translation>
     </message>
+    <message>
+        <source>Terminal crest</source>
+        <translation>Cresta terminal</translation>
+    </message>
+    <message>
+        <source>Oval fossa</source>
+        <translation>Fossa oval</translation>
+    </message>
+    <message>
+        <source>Opening of the coronary sinus</source>
+        <translation>Orifici del si coronari</translation>
+    </message>
+    <message>
+        <source>From one labelled phase only a whole cycle can be followed</source>
+        <translation>A partir d&apos;una sola fase etiquetada només es pot seguir un cicle complet</translation>
+    </message>
+    <message>
+        <source>label the last phase as well</source>
+        <translation>etiqueteu també l&apos;última fase</translation>
+    </message>
+    <message>
+        <source>No phase has labels</source>
+        <translation>Cap fase no té etiquetes</translation>
+    </message>
+    <message>
+        <source>give those of the ends of diastole and systole, as in --phase 0=ed.nrrd --phase 9=es.nrrd</source>
+        <translation>indiqueu les del final de la diàstole i de la sístole, com a --phase 0=ed.nrrd --phase 9=es.nrrd</translation>
+    </message>
+    <message>
+        <source>The images have no phase %1</source>
+        <translation>Les imatges no tenen la fase %1</translation>
+    </message>
+    <message>
+        <source>their phases are 0 to %1</source>
+        <translation>les seves fases van de 0 a %1</translation>
+    </message>
+    <message>
+        <source>reading the images</source>
+        <translation>llegint les imatges</translation>
+    </message>
+    <message>
+        <source>The images have no series %1</source>
+        <translation>Les imatges no tenen la sèrie %1</translation>
+    </message>
+    <message>
+        <source>viscera info lists the series of a study</source>
+        <translation>viscera info enumera les sèries d&apos;un estudi</translation>
+    </message>
+    <message>
+        <source>No image shows what is labelled: the labels seem to be in RAS where the images are in LPS</source>
+        <translation>Cap imatge no mostra el que s&apos;ha etiquetat: les etiquetes semblen en RAS i les imatges en LPS</translation>
+    </message>
+    <message>
+        <source>No image shows what is labelled: it lies beside all planes, or outside their pictures</source>
+        <translation>Cap imatge no mostra el que s&apos;ha etiquetat: queda al costat de tots els plans o fora de les seves imatges</translation>
+    </message>
+    <message>
+        <source>take labels and images of one patient and one study, in the same axes</source>
+        <translation>useu etiquetes i imatges d&apos;un mateix pacient i estudi, en els mateixos eixos</translation>
+    </message>
+    <message>
+        <source>%n {plane|planes} of the study {does|do} not cross what is labelled</source>
+        <translation>%n {pla|plans} de l&apos;estudi no {talla|tallen} el que s&apos;ha etiquetat</translation>
+    </message>
+    <message>
+        <source>%n {slice|slices} nearer than 4 mm to the one before {is|are} not used</source>
+        <translation>%n {tall|talls} a menys de 4 mm de l&apos;anterior no {s&apos;usa|s&apos;usen}</translation>
+    </message>
+    <message>
+        <source>Phase %1 has no labels</source>
+        <translation>La fase %1 no té etiquetes</translation>
+    </message>
+    <message>
+        <source>as in --phase 0=ed.nrrd</source>
+        <translation>com a --phase 0=ed.nrrd</translation>
+    </message>
+    <message>
+        <source>The surface &quot;%1&quot; is missing in phase %2</source>
+        <translation>La superfície «%1» falta a la fase %2</translation>
+    </message>
+    <message>
+        <source>The surface &quot;%1&quot; has %2 files in phase %3</source>
+        <translation>La superfície «%1» té %2 fitxers a la fase %3</translation>
+    </message>
+    <message>
+        <source>name a surface alike in all phases, as in ed/LV.obj and es/LV.obj</source>
+        <translation>doneu a una superfície el mateix nom en totes les fases, com ed/LV.obj i es/LV.obj</translation>
+    </message>
+    <message>
+        <source>give labels of one kind for all phases</source>
+        <translation>indiqueu etiquetes d&apos;un mateix tipus per a totes les fases</translation>
+    </message>
+    <message>
+        <source>A phase has several label maps</source>
+        <translation>Una fase té diversos mapes d&apos;etiquetes</translation>
+    </message>
+    <message>
+        <source>give one file for each phase</source>
+        <translation>indiqueu un fitxer per fase</translation>
+    </message>
+    <message>
+        <source>it shows no wall that could be followed</source>
+        <translation>no mostra cap paret que es pugui seguir</translation>
+    </message>
+    <message>
+        <source>its tissue leaves the plane: it arrives %1 mm from the next label</source>
+        <translation>el seu teixit surt del pla: arriba a %1 mm de l&apos;etiqueta següent</translation>
+    </message>
+    <message>
+        <source>its images are hardly alike around the wall</source>
+        <translation>les seves imatges gairebé no s&apos;assemblen al voltant de la paret</translation>
+    </message>
+    <message>
+        <source>it has no image of %1 of %2 phases</source>
+        <translation>no té imatge de %1 de %2 fases</translation>
+    </message>
+    <message>
+        <source>only phase %1 has labels: volumes and ejection fraction are estimates, and usually too small a motion; label the end of systole too</source>
+        <translation>només la fase %1 té etiquetes: els volums i la fracció d&apos;ejecció són estimacions, d&apos;un moviment en general massa petit; etiqueteu també el final de la sístole</translation>
+    </message>
+    <message>
+        <source>the images show phase %1 emptier than the labelled end of systole, phase %2, by %3 ml: label that phase</source>
+        <translation>les imatges mostren la fase %1 més buida, en %3 ml, que el final de la sístole etiquetat, fase %2: etiqueteu aquella fase</translation>
+    </message>
+    <message>
+        <source>the images show phase %1 fuller than the labelled end of diastole, phase %2, by %3 ml: label that phase</source>
+        <translation>les imatges mostren la fase %1 més plena, en %3 ml, que el final de la diàstole etiquetat, fase %2: etiqueteu aquella fase</translation>
+    </message>
+    <message>
+        <source>planes of one direction only: what moves across them, such as the base, follows its neighbours</source>
+        <translation>plans d&apos;una sola direcció: el que es mou a través d&apos;ells, com la base, segueix els seus veïns</translation>
+    </message>
+    <message>
+        <source>no image shows a wall: its pose lies between those of the labels</source>
+        <translation>cap imatge no mostra una paret: la posa és entre les de les etiquetes</translation>
+    </message>
+    <message>
+        <source>the images hardly show how the wall moved</source>
+        <translation>les imatges gairebé no mostren com s&apos;ha mogut la paret</translation>
+    </message>
+    <message>
+        <source>the tissue in the images is %1 mm from the surfaces on average</source>
+        <translation>el teixit de les imatges és de mitjana a %1 mm de les superfícies</translation>
+    </message>
+    <message>
+        <source>the tissue would have folded: it stays nearer to the pose between the labels</source>
+        <translation>el teixit s&apos;hauria plegat: queda més a prop de la posa entre les etiquetes</translation>
+    </message>
+    <message>
+        <source>the tissue has %1 ml, in the labelled phases %2 to %3 ml</source>
+        <translation>el teixit té %1 ml, a les fases etiquetades de %2 a %3 ml</translation>
+    </message>
+    <message>
+        <source>%1 % of what is labelled in the plane of %2 lies outside its images</source>
+        <translation>El %1 % del que s&apos;ha etiquetat en el pla de %2 queda fora de les seves imatges</translation>
+    </message>
+    <message>
+        <source>series %1, %2</source>
+        <translation>sèrie %1, %2</translation>
+    </message>
+    <message>
+        <source>slice %1, %2</source>
+        <translation>tall %1, %2</translation>
+    </message>
+    <message>
+        <source>Open study %1</source>
+        <translation>Obre l&apos;estudi %1</translation>
+    </message>
+    <message>
+        <source>Close study</source>
+        <translation>Tanca l&apos;estudi</translation>
+    </message>
+    <message>
+        <source>There is no study to close</source>
+        <translation>No hi ha cap estudi per tancar</translation>
+    </message>
+    <message>
+        <source>the study %1 is not there any more (put it beside the session and open that again)</source>
+        <translation>l&apos;estudi %1 ja no hi és (poseu-lo al costat de la sessió i torneu-la a obrir)</translation>
+    </message>
+    <message>
+        <source>the study cannot be opened: %1</source>
+        <translation>no es pot obrir l&apos;estudi: %1</translation>
+    </message>
+    <message>
+        <source>Study</source>
+        <translation>Estudi</translation>
+    </message>
+    <message>
+        <source>The picture of this phase is missing</source>
+        <translation>Falta la imatge d&apos;aquesta fase</translation>
+    </message>
+    <message>
+        <source>The picture of this phase cannot be read</source>
+        <translation>No es pot llegir la imatge d&apos;aquesta fase</translation>
+    </message>
+    <message>
+        <source>phase %1 of %2</source>
+        <translation>fase %1 de %2</translation>
+    </message>
+    <message>
+        <source>A body surface needs a height of 30 to 250 cm and a weight of 1 to 400 kg</source>
+        <translation>Una superfície corporal necessita una alçada de 30 a 250 cm i un pes d&apos;1 a 400 kg</translation>
+    </message>
+    <message>
+        <source>Per m2 of body surface</source>
+        <translation>Per m2 de superfície corporal</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app</name>
+    <message>
+        <source>Cine study</source>
+        <translation>Estudi cine</translation>
+    </message>
     <message>
         <source>Use the sequence&apos;s handles</source>
         <translation>Fes servir els tiradors de la seqüència</translation>

@@ -7332,9 +7332,221 @@
         <source>fitting the images</source>
         <translation>Anpassen an die Bilder</translation>
     </message>
+    <message>
+        <source>Terminal crest</source>
+        <translation>Terminalleiste</translation>
+    </message>
+    <message>
+        <source>Oval fossa</source>
+        <translation>Fossa ovalis</translation>
+    </message>
+    <message>
+        <source>Opening of the coronary sinus</source>
+        <translation>Mündung des Koronarsinus</translation>
+    </message>
+    <message>
+        <source>From one labelled phase only a whole cycle can be followed</source>
+        <translation>Von einer einzigen markierten Phase aus lässt sich nur ein ganzer Zyklus verfolgen</translation>
+    </message>
+    <message>
+        <source>label the last phase as well</source>
+        <translation>markieren Sie auch die letzte Phase</translation>
+    </message>
+    <message>
+        <source>No phase has labels</source>
+        <translation>Keine Phase hat Markierungen</translation>
+    </message>
+    <message>
+        <source>give those of the ends of diastole and systole, as in --phase 0=ed.nrrd --phase 9=es.nrrd</source>
+        <translation>geben Sie die der Enddiastole und der Endsystole an, wie in --phase 0=ed.nrrd --phase 9=es.nrrd</translation>
+    </message>
+    <message>
+        <source>The images have no phase %1</source>
+        <translation>Die Bilder haben keine Phase %1</translation>
+    </message>
+    <message>
+        <source>their phases are 0 to %1</source>
+        <translation>ihre Phasen sind 0 bis %1</translation>
+    </message>
+    <message>
+        <source>reading the images</source>
+        <translation>Bilder werden gelesen</translation>
+    </message>
+    <message>
+        <source>The images have no series %1</source>
+        <translation>Die Bilder haben keine Serie %1</translation>
+    </message>
+    <message>
+        <source>viscera info lists the series of a study</source>
+        <translation>viscera info zählt die Serien einer Studie auf</translation>
+    </message>
+    <message>
+        <source>No image shows what is labelled: the labels seem to be in RAS where the images are in LPS</source>
+        <translation>Kein Bild zeigt das Markierte: Die Markierungen scheinen in RAS zu sein, die Bilder in LPS</translation>
+    </message>
+    <message>
+        <source>No image shows what is labelled: it lies beside all planes, or outside their pictures</source>
+        <translation>Kein Bild zeigt das Markierte: Es liegt neben allen Ebenen oder außerhalb ihrer Bilder</translation>
+    </message>
+    <message>
+        <source>take labels and images of one patient and one study, in the same axes</source>
+        <translation>nehmen Sie Markierungen und Bilder eines Patienten und einer Studie in denselben Achsen</translation>
+    </message>
+    <message>
+        <source>%n {plane|planes} of the study {does|do} not cross what is labelled</source>
+        <translation>%n {Ebene|Ebenen} der Studie {schneidet|schneiden} das Markierte nicht</translation>
+    </message>
+    <message>
+        <source>%n {slice|slices} nearer than 4 mm to the one before {is|are} not used</source>
+        <translation>%n {Schicht|Schichten}, die der vorigen näher als 4 mm {liegt|liegen}, {wird|werden} nicht verwendet</translation>
+    </message>
+    <message>
+        <source>Phase %1 has no labels</source>
+        <translation>Phase %1 hat keine Markierungen</translation>
+    </message>
+    <message>
+        <source>as in --phase 0=ed.nrrd</source>
+        <translation>wie in --phase 0=ed.nrrd</translation>
+    </message>
+    <message>
+        <source>The surface &quot;%1&quot; is missing in phase %2</source>
+        <translation>Die Oberfläche „%1“ fehlt in Phase %2</translation>
+    </message>
+    <message>
+        <source>The surface &quot;%1&quot; has %2 files in phase %3</source>
+        <translation>Die Oberfläche „%1“ hat %2 Dateien in Phase %3</translation>
+    </message>
+    <message>
+        <source>name a surface alike in all phases, as in ed/LV.obj and es/LV.obj</source>
+        <translation>benennen Sie eine Oberfläche in allen Phasen gleich, wie in ed/LV.obj und es/LV.obj</translation>
+    </message>
+    <message>
+        <source>give labels of one kind for all phases</source>
+        <translation>geben Sie für alle Phasen Markierungen einer Art an</translation>
+    </message>
+    <message>
+        <source>A phase has several label maps</source>
+        <translation>Eine Phase hat mehrere Labelkarten</translation>
+    </message>
+    <message>
+        <source>give one file for each phase</source>
+        <translation>geben Sie für jede Phase eine Datei an</translation>
+    </message>
+    <message>
+        <source>it shows no wall that could be followed</source>
+        <translation>sie zeigt keine Wand, die sich verfolgen lässt</translation>
+    </message>
+    <message>
+        <source>its tissue leaves the plane: it arrives %1 mm from the next label</source>
+        <translation>ihr Gewebe verlässt die Ebene: Es kommt %1 mm von der nächsten Markierung an</translation>
+    </message>
+    <message>
+        <source>its images are hardly alike around the wall</source>
+        <translation>ihre Bilder ähneln sich um die Wand kaum</translation>
+    </message>
+    <message>
+        <source>it has no image of %1 of %2 phases</source>
+        <translation>sie hat kein Bild von %1 von %2 Phasen</translation>
+    </message>
+    <message>
+        <source>only phase %1 has labels: volumes and ejection fraction are estimates, and usually too small a motion; label the end of systole too</source>
+        <translation>nur Phase %1 ist markiert: Volumina und Ejektionsfraktion sind Schätzungen, meist zu kleiner Bewegung; markieren Sie auch die Endsystole</translation>
+    </message>
+    <message>
+        <source>the images show phase %1 emptier than the labelled end of systole, phase %2, by %3 ml: label that phase</source>
+        <translation>die Bilder zeigen Phase %1 um %3 ml leerer als die markierte Endsystole, Phase %2: markieren Sie jene Phase</translation>
+    </message>
+    <message>
+        <source>the images show phase %1 fuller than the labelled end of diastole, phase %2, by %3 ml: label that phase</source>
+        <translation>die Bilder zeigen Phase %1 um %3 ml voller als die markierte Enddiastole, Phase %2: markieren Sie jene Phase</translation>
+    </message>
+    <message>
+        <source>planes of one direction only: what moves across them, such as the base, follows its neighbours</source>
+        <translation>nur Ebenen einer Richtung: Was sich quer zu ihnen bewegt, wie die Basis, folgt seinen Nachbarn</translation>
+    </message>
+    <message>
+        <source>no image shows a wall: its pose lies between those of the labels</source>
+        <translation>kein Bild zeigt eine Wand: Die Pose liegt zwischen denen der Markierungen</translation>
+    </message>
+    <message>
+        <source>the images hardly show how the wall moved</source>
+        <translation>die Bilder zeigen kaum, wie sich die Wand bewegt hat</translation>
+    </message>
+    <message>
+        <source>the tissue in the images is %1 mm from the surfaces on average</source>
+        <translation>das Gewebe in den Bildern ist im Mittel %1 mm von den Oberflächen entfernt</translation>
+    </message>
+    <message>
+        <source>the tissue would have folded: it stays nearer to the pose between the labels</source>
+        <translation>das Gewebe hätte sich gefaltet: Es bleibt näher an der Pose zwischen den Markierungen</translation>
+    </message>
+    <message>
+        <source>the tissue has %1 ml, in the labelled phases %2 to %3 ml</source>
+        <translation>das Gewebe hat %1 ml, in den markierten Phasen %2 bis %3 ml</translation>
+    </message>
+    <message>
+        <source>%1 % of what is labelled in the plane of %2 lies outside its images</source>
+        <translation>%1 % des in der Ebene von %2 Markierten liegt außerhalb ihrer Bilder</translation>
+    </message>
+    <message>
+        <source>series %1, %2</source>
+        <translation>Serie %1, %2</translation>
+    </message>
+    <message>
+        <source>slice %1, %2</source>
+        <translation>Schicht %1, %2</translation>
+    </message>
+    <message>
+        <source>Open study %1</source>
+        <translation>Studie %1 öffnen</translation>
+    </message>
+    <message>
+        <source>Close study</source>
+        <translation>Studie schließen</translation>
+    </message>
+    <message>
+        <source>There is no study to close</source>
+        <translation>Es gibt keine Studie zum Schließen</translation>
+    </message>
+    <message>
+        <source>the study %1 is not there any more (put it beside the session and open that again)</source>
+        <translation>die Studie %1 ist nicht mehr da (legen Sie sie neben die Sitzung und öffnen Sie diese wieder)</translation>
+    </message>
+    <message>
+        <source>the study cannot be opened: %1</source>
+        <translation>die Studie lässt sich nicht öffnen: %1</translation>
+    </message>
+    <message>
+        <source>Study</source>
+        <translation>Studie</translation>
+    </message>
+    <message>
+        <source>The picture of this phase is missing</source>
+        <translation>Das Bild dieser Phase fehlt</translation>
+    </message>
+    <message>
+        <source>The picture of this phase cannot be read</source>
+        <translation>Das Bild dieser Phase lässt sich nicht lesen</translation>
+    </message>
+    <message>
+        <source>phase %1 of %2</source>
+        <translation>Phase %1 von %2</translation>
+    </message>
+    <message>
+        <source>A body surface needs a height of 30 to 250 cm and a weight of 1 to 400 kg</source>
+        <translation>Eine Körperoberfläche braucht eine Größe von 30 bis 250 cm und ein Gewicht von 1 bis 400 kg</translation>
+    </message>
+    <message>
+        <source>Per m2 of body surface</source>
+        <translation>Je m2 Körperoberfläche</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app</name>
+    <message>
+        <source>Cine study</source>
+        <translation>Cine-Studie</translation>
+    </message>
     <message>
         <source>Use the sequence&apos;s handles</source>
         <translation>Griffe der Sequenz verwenden</translation>

@@ -7332,9 +7332,221 @@
         <source>fitting the images</source>
         <translation>ajustando a las imágenes</translation>
     </message>
+    <message>
+        <source>Terminal crest</source>
+        <translation>Cresta terminal</translation>
+    </message>
+    <message>
+        <source>Oval fossa</source>
+        <translation>Fosa oval</translation>
+    </message>
+    <message>
+        <source>Opening of the coronary sinus</source>
+        <translation>Orificio del seno coronario</translation>
+    </message>
+    <message>
+        <source>From one labelled phase only a whole cycle can be followed</source>
+        <translation>A partir de una sola fase etiquetada solo se puede seguir un ciclo completo</translation>
+    </message>
+    <message>
+        <source>label the last phase as well</source>
+        <translation>etiquete también la última fase</translation>
+    </message>
+    <message>
+        <source>No phase has labels</source>
+        <translation>Ninguna fase tiene etiquetas</translation>
+    </message>
+    <message>
+        <source>give those of the ends of diastole and systole, as in --phase 0=ed.nrrd --phase 9=es.nrrd</source>
+        <translation>indique las del final de la diástole y de la sístole, como en --phase 0=ed.nrrd --phase 9=es.nrrd</translation>
+    </message>
+    <message>
+        <source>The images have no phase %1</source>
+        <translation>Las imágenes no tienen la fase %1</translation>
+    </message>
+    <message>
+        <source>their phases are 0 to %1</source>
+        <translation>sus fases van de 0 a %1</translation>
+    </message>
+    <message>
+        <source>reading the images</source>
+        <translation>leyendo las imágenes</translation>
+    </message>
+    <message>
+        <source>The images have no series %1</source>
+        <translation>Las imágenes no tienen la serie %1</translation>
+    </message>
+    <message>
+        <source>viscera info lists the series of a study</source>
+        <translation>viscera info enumera las series de un estudio</translation>
+    </message>
+    <message>
+        <source>No image shows what is labelled: the labels seem to be in RAS where the images are in LPS</source>
+        <translation>Ninguna imagen muestra lo etiquetado: las etiquetas parecen estar en RAS y las imágenes en LPS</translation>
+    </message>
+    <message>
+        <source>No image shows what is labelled: it lies beside all planes, or outside their pictures</source>
+        <translation>Ninguna imagen muestra lo etiquetado: queda al lado de todos los planos o fuera de sus imágenes</translation>
+    </message>
+    <message>
+        <source>take labels and images of one patient and one study, in the same axes</source>
+        <translation>use etiquetas e imágenes de un mismo paciente y estudio, en los mismos ejes</translation>
+    </message>
+    <message>
+        <source>%n {plane|planes} of the study {does|do} not cross what is labelled</source>
+        <translation>%n {plano|planos} del estudio no {corta|cortan} lo etiquetado</translation>
+    </message>
+    <message>
+        <source>%n {slice|slices} nearer than 4 mm to the one before {is|are} not used</source>
+        <translation>%n {corte|cortes} a menos de 4 mm del anterior no se {usa|usan}</translation>
+    </message>
+    <message>
+        <source>Phase %1 has no labels</source>
+        <translation>La fase %1 no tiene etiquetas</translation>
+    </message>
+    <message>
+        <source>as in --phase 0=ed.nrrd</source>
+        <translation>como en --phase 0=ed.nrrd</translation>
+    </message>
+    <message>
+        <source>The surface &quot;%1&quot; is missing in phase %2</source>
+        <translation>La superficie «%1» falta en la fase %2</translation>
+    </message>
+    <message>
+        <source>The surface &quot;%1&quot; has %2 files in phase %3</source>
+        <translation>La superficie «%1» tiene %2 archivos en la fase %3</translation>
+    </message>
+    <message>
+        <source>name a surface alike in all phases, as in ed/LV.obj and es/LV.obj</source>
+        <translation>dé a una superficie el mismo nombre en todas las fases, como ed/LV.obj y es/LV.obj</translation>
+    </message>
+    <message>
+        <source>give labels of one kind for all phases</source>
+        <translation>indique etiquetas de un mismo tipo para todas las fases</translation>
+    </message>
+    <message>
+        <source>A phase has several label maps</source>
+        <translation>Una fase tiene varios mapas de etiquetas</translation>
+    </message>
+    <message>
+        <source>give one file for each phase</source>
+        <translation>indique un archivo por fase</translation>
+    </message>
+    <message>
+        <source>it shows no wall that could be followed</source>
+        <translation>no muestra ninguna pared que se pueda seguir</translation>
+    </message>
+    <message>
+        <source>its tissue leaves the plane: it arrives %1 mm from the next label</source>
+        <translation>su tejido sale del plano: llega a %1 mm de la etiqueta siguiente</translation>
+    </message>
+    <message>
+        <source>its images are hardly alike around the wall</source>
+        <translation>sus imágenes apenas se parecen alrededor de la pared</translation>
+    </message>
+    <message>
+        <source>it has no image of %1 of %2 phases</source>
+        <translation>no tiene imagen de %1 de %2 fases</translation>
+    </message>
+    <message>
+        <source>only phase %1 has labels: volumes and ejection fraction are estimates, and usually too small a motion; label the end of systole too</source>
+        <translation>solo la fase %1 tiene etiquetas: los volúmenes y la fracción de eyección son estimaciones, de un movimiento en general demasiado pequeño; etiquete también el final de la sístole</translation>
+    </message>
+    <message>
+        <source>the images show phase %1 emptier than the labelled end of systole, phase %2, by %3 ml: label that phase</source>
+        <translation>las imágenes muestran la fase %1 más vacía, en %3 ml, que el final de la sístole etiquetado, fase %2: etiquete esa fase</translation>
+    </message>
+    <message>
+        <source>the images show phase %1 fuller than the labelled end of diastole, phase %2, by %3 ml: label that phase</source>
+        <translation>las imágenes muestran la fase %1 más llena, en %3 ml, que el final de la diástole etiquetado, fase %2: etiquete esa fase</translation>
+    </message>
+    <message>
+        <source>planes of one direction only: what moves across them, such as the base, follows its neighbours</source>
+        <translation>planos de una sola dirección: lo que se mueve a través de ellos, como la base, sigue a sus vecinos</translation>
+    </message>
+    <message>
+        <source>no image shows a wall: its pose lies between those of the labels</source>
+        <translation>ninguna imagen muestra una pared: la pose está entre las de las etiquetas</translation>
+    </message>
+    <message>
+        <source>the images hardly show how the wall moved</source>
+        <translation>las imágenes apenas muestran cómo se movió la pared</translation>
+    </message>
+    <message>
+        <source>the tissue in the images is %1 mm from the surfaces on average</source>
+        <translation>el tejido en las imágenes está en promedio a %1 mm de las superficies</translation>
+    </message>
+    <message>
+        <source>the tissue would have folded: it stays nearer to the pose between the labels</source>
+        <translation>el tejido se habría plegado: queda más cerca de la pose entre las etiquetas</translation>
+    </message>
+    <message>
+        <source>the tissue has %1 ml, in the labelled phases %2 to %3 ml</source>
+        <translation>el tejido tiene %1 ml, en las fases etiquetadas de %2 a %3 ml</translation>
+    </message>
+    <message>
+        <source>%1 % of what is labelled in the plane of %2 lies outside its images</source>
+        <translation>El %1 % de lo etiquetado en el plano de %2 queda fuera de sus imágenes</translation>
+    </message>
+    <message>
+        <source>series %1, %2</source>
+        <translation>serie %1, %2</translation>
+    </message>
+    <message>
+        <source>slice %1, %2</source>
+        <translation>corte %1, %2</translation>
+    </message>
+    <message>
+        <source>Open study %1</source>
+        <translation>Abrir el estudio %1</translation>
+    </message>
+    <message>
+        <source>Close study</source>
+        <translation>Cerrar el estudio</translation>
+    </message>
+    <message>
+        <source>There is no study to close</source>
+        <translation>No hay ningún estudio que cerrar</translation>
+    </message>
+    <message>
+        <source>the study %1 is not there any more (put it beside the session and open that again)</source>
+        <translation>el estudio %1 ya no está (póngalo junto a la sesión y vuelva a abrirla)</translation>
+    </message>
+    <message>
+        <source>the study cannot be opened: %1</source>
+        <translation>no se puede abrir el estudio: %1</translation>
+    </message>
+    <message>
+        <source>Study</source>
+        <translation>Estudio</translation>
+    </message>
+    <message>
+        <source>The picture of this phase is missing</source>
+        <translation>Falta la imagen de esta fase</translation>
+    </message>
+    <message>
+        <source>The picture of this phase cannot be read</source>
+        <translation>No se puede leer la imagen de esta fase</translation>
+    </message>
+    <message>
+        <source>phase %1 of %2</source>
+        <translation>fase %1 de %2</translation>
+    </message>
+    <message>
+        <source>A body surface needs a height of 30 to 250 cm and a weight of 1 to 400 kg</source>
+        <translation>Una superficie corporal necesita una talla de 30 a 250 cm y un peso de 1 a 400 kg</translation>
+    </message>
+    <message>
+        <source>Per m2 of body surface</source>
+        <translation>Por m2 de superficie corporal</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app</name>
+    <message>
+        <source>Cine study</source>
+        <translation>Estudio cine</translation>
+    </message>
     <message>
         <source>Use the sequence&apos;s handles</source>
         <translation>Usar los tiradores de la secuencia</translation>

@@ -7332,9 +7332,221 @@
         <source>fitting the images</source>
         <translation>ajustement aux images</translation>
     </message>
+    <message>
+        <source>Terminal crest</source>
+        <translation>Crête terminale</translation>
+    </message>
+    <message>
+        <source>Oval fossa</source>
+        <translation>Fosse ovale</translation>
+    </message>
+    <message>
+        <source>Opening of the coronary sinus</source>
+        <translation>Ostium du sinus coronaire</translation>
+    </message>
+    <message>
+        <source>From one labelled phase only a whole cycle can be followed</source>
+        <translation>À partir d&apos;une seule phase étiquetée, seul un cycle entier peut être suivi</translation>
+    </message>
+    <message>
+        <source>label the last phase as well</source>
+        <translation>étiquetez aussi la dernière phase</translation>
+    </message>
+    <message>
+        <source>No phase has labels</source>
+        <translation>Aucune phase n&apos;est étiquetée</translation>
+    </message>
+    <message>
+        <source>give those of the ends of diastole and systole, as in --phase 0=ed.nrrd --phase 9=es.nrrd</source>
+        <translation>donnez celles de la fin de la diastole et de la systole, comme dans --phase 0=ed.nrrd --phase 9=es.nrrd</translation>
+    </message>
+    <message>
+        <source>The images have no phase %1</source>
+        <translation>Les images n&apos;ont pas de phase %1</translation>
+    </message>
+    <message>
+        <source>their phases are 0 to %1</source>
+        <translation>leurs phases vont de 0 à %1</translation>
+    </message>
+    <message>
+        <source>reading the images</source>
+        <translation>lecture des images</translation>
+    </message>
+    <message>
+        <source>The images have no series %1</source>
+        <translation>Les images n&apos;ont pas de série %1</translation>
+    </message>
+    <message>
+        <source>viscera info lists the series of a study</source>
+        <translation>viscera info énumère les séries d&apos;un examen</translation>
+    </message>
+    <message>
+        <source>No image shows what is labelled: the labels seem to be in RAS where the images are in LPS</source>
+        <translation>Aucune image ne montre ce qui est étiqueté : les étiquettes semblent être en RAS et les images en LPS</translation>
+    </message>
+    <message>
+        <source>No image shows what is labelled: it lies beside all planes, or outside their pictures</source>
+        <translation>Aucune image ne montre ce qui est étiqueté : cela se trouve à côté de tous les plans ou en dehors de leurs images</translation>
+    </message>
+    <message>
+        <source>take labels and images of one patient and one study, in the same axes</source>
+        <translation>prenez les étiquettes et les images d&apos;un même patient et d&apos;un même examen, dans les mêmes axes</translation>
+    </message>
+    <message>
+        <source>%n {plane|planes} of the study {does|do} not cross what is labelled</source>
+        <translation>%n {plan|plans} de l&apos;examen ne {coupe|coupent} pas ce qui est étiqueté</translation>
+    </message>
+    <message>
+        <source>%n {slice|slices} nearer than 4 mm to the one before {is|are} not used</source>
+        <translation>%n {coupe|coupes} à moins de 4 mm de la précédente {n&apos;est pas utilisée|ne sont pas utilisées}</translation>
+    </message>
+    <message>
+        <source>Phase %1 has no labels</source>
+        <translation>La phase %1 n&apos;a pas d&apos;étiquettes</translation>
+    </message>
+    <message>
+        <source>as in --phase 0=ed.nrrd</source>
+        <translation>comme dans --phase 0=ed.nrrd</translation>
+    </message>
+    <message>
+        <source>The surface &quot;%1&quot; is missing in phase %2</source>
+        <translation>La surface « %1 » manque dans la phase %2</translation>
+    </message>
+    <message>
+        <source>The surface &quot;%1&quot; has %2 files in phase %3</source>
+        <translation>La surface « %1 » a %2 fichiers dans la phase %3</translation>
+    </message>
+    <message>
+        <source>name a surface alike in all phases, as in ed/LV.obj and es/LV.obj</source>
+        <translation>nommez une surface de la même façon dans toutes les phases, comme ed/LV.obj et es/LV.obj</translation>
+    </message>
+    <message>
+        <source>give labels of one kind for all phases</source>
+        <translation>donnez des étiquettes d&apos;un même type pour toutes les phases</translation>
+    </message>
+    <message>
+        <source>A phase has several label maps</source>
+        <translation>Une phase a plusieurs cartes d&apos;étiquettes</translation>
+    </message>
+    <message>
+        <source>give one file for each phase</source>
+        <translation>donnez un fichier par phase</translation>
+    </message>
+    <message>
+        <source>it shows no wall that could be followed</source>
+        <translation>il ne montre aucune paroi qui puisse être suivie</translation>
+    </message>
+    <message>
+        <source>its tissue leaves the plane: it arrives %1 mm from the next label</source>
+        <translation>son tissu quitte le plan : il arrive à %1 mm de l&apos;étiquette suivante</translation>
+    </message>
+    <message>
+        <source>its images are hardly alike around the wall</source>
+        <translation>ses images se ressemblent à peine autour de la paroi</translation>
+    </message>
+    <message>
+        <source>it has no image of %1 of %2 phases</source>
+        <translation>il n&apos;a pas d&apos;image de %1 phases sur %2</translation>
+    </message>
+    <message>
+        <source>only phase %1 has labels: volumes and ejection fraction are estimates, and usually too small a motion; label the end of systole too</source>
+        <translation>seule la phase %1 est étiquetée : les volumes et la fraction d&apos;éjection sont des estimations, d&apos;un mouvement en général trop petit ; étiquetez aussi la fin de la systole</translation>
+    </message>
+    <message>
+        <source>the images show phase %1 emptier than the labelled end of systole, phase %2, by %3 ml: label that phase</source>
+        <translation>les images montrent la phase %1 plus vide de %3 ml que la fin de systole étiquetée, phase %2 : étiquetez cette phase</translation>
+    </message>
+    <message>
+        <source>the images show phase %1 fuller than the labelled end of diastole, phase %2, by %3 ml: label that phase</source>
+        <translation>les images montrent la phase %1 plus pleine de %3 ml que la fin de diastole étiquetée, phase %2 : étiquetez cette phase</translation>
+    </message>
+    <message>
+        <source>planes of one direction only: what moves across them, such as the base, follows its neighbours</source>
+        <translation>plans d&apos;une seule direction : ce qui les traverse, comme la base, suit ses voisins</translation>
+    </message>
+    <message>
+        <source>no image shows a wall: its pose lies between those of the labels</source>
+        <translation>aucune image ne montre de paroi : la pose se situe entre celles des étiquettes</translation>
+    </message>
+    <message>
+        <source>the images hardly show how the wall moved</source>
+        <translation>les images montrent à peine comment la paroi a bougé</translation>
+    </message>
+    <message>
+        <source>the tissue in the images is %1 mm from the surfaces on average</source>
+        <translation>le tissu dans les images est en moyenne à %1 mm des surfaces</translation>
+    </message>
+    <message>
+        <source>the tissue would have folded: it stays nearer to the pose between the labels</source>
+        <translation>le tissu se serait replié : il reste plus près de la pose entre les étiquettes</translation>
+    </message>
+    <message>
+        <source>the tissue has %1 ml, in the labelled phases %2 to %3 ml</source>
+        <translation>le tissu a %1 ml, dans les phases étiquetées %2 à %3 ml</translation>
+    </message>
+    <message>
+        <source>%1 % of what is labelled in the plane of %2 lies outside its images</source>
+        <translation>%1 % de ce qui est étiqueté dans le plan de %2 est en dehors de ses images</translation>
+    </message>
+    <message>
+        <source>series %1, %2</source>
+        <translation>série %1, %2</translation>
+    </message>
+    <message>
+        <source>slice %1, %2</source>
+        <translation>coupe %1, %2</translation>
+    </message>
+    <message>
+        <source>Open study %1</source>
+        <translation>Ouvrir l&apos;étude %1</translation>
+    </message>
+    <message>
+        <source>Close study</source>
+        <translation>Fermer l&apos;étude</translation>
+    </message>
+    <message>
+        <source>There is no study to close</source>
+        <translation>Il n&apos;y a pas d&apos;étude à fermer</translation>
+    </message>
+    <message>
+        <source>the study %1 is not there any more (put it beside the session and open that again)</source>
+        <translation>l&apos;étude %1 n&apos;est plus là (placez-la à côté de la session et rouvrez celle-ci)</translation>
+    </message>
+    <message>
+        <source>the study cannot be opened: %1</source>
+        <translation>l&apos;étude ne peut pas être ouverte : %1</translation>
+    </message>
+    <message>
+        <source>Study</source>
+        <translation>Étude</translation>
+    </message>
+    <message>
+        <source>The picture of this phase is missing</source>
+        <translation>L&apos;image de cette phase manque</translation>
+    </message>
+    <message>
+        <source>The picture of this phase cannot be read</source>
+        <translation>L&apos;image de cette phase ne peut pas être lue</translation>
+    </message>
+    <message>
+        <source>phase %1 of %2</source>
+        <translation>phase %1 sur %2</translation>
+    </message>
+    <message>
+        <source>A body surface needs a height of 30 to 250 cm and a weight of 1 to 400 kg</source>
+        <translation>Une surface corporelle demande une taille de 30 à 250 cm et un poids de 1 à 400 kg</translation>
+    </message>
+    <message>
+        <source>Per m2 of body surface</source>
+        <translation>Par m2 de surface corporelle</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app</name>
+    <message>
+        <source>Cine study</source>
+        <translation>Étude ciné</translation>
+    </message>
     <message>
         <source>Use the sequence&apos;s handles</source>
         <translation>Utiliser les poignées de la séquence</translation>

@@ -1120,6 +1120,30 @@ N: noms, H: tiradors, X: paret, R: restableix, T: clar o fosc, Inici: principi</
         <source>Select an organ in the view or in the list to read about it.</source>
         <translation>Seleccioneu un òrgan a la vista o a la llista per llegir-ne les dades.</translation>
     </message>
+    <message numerus="yes">
+        <source>%n phases</source>
+        <translation>%n fases</translation>
+    </message>
+    <message>
+        <source>%1 of %2 phases</source>
+        <translation>%1 de %2 fases</translation>
+    </message>
+    <message>
+        <source> in %1 ms</source>
+        <translation> en %1 ms</translation>
+    </message>
+    <message>
+        <source>, pixels of %1 mm</source>
+        <translation>, píxels de %1 mm</translation>
+    </message>
+    <message>
+        <source>, %1 mm thick</source>
+        <translation>, %1 mm de gruix</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>Data</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::ExportActions</name>
@@ -1883,6 +1907,93 @@ Moveu el lliscador de dalt per col·locar-ne, o feu clic a l’òrgan en el mode
             <numerusform>%1 ms, %n fil</numerusform>
             <numerusform>%1 ms, %n fils</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::HeartNumbersBox</name>
+    <message>
+        <source>Numbers of the measured heart</source>
+        <translation>Valors del cor mesurat</translation>
+    </message>
+    <message>
+        <source>value</source>
+        <translation>valor</translation>
+    </message>
+    <message>
+        <source>per m²</source>
+        <translation>per m²</translation>
+    </message>
+    <message>
+        <source>End of diastole here</source>
+        <translation>Fi de la diàstole aquí</translation>
+    </message>
+    <message>
+        <source>The present instant is the end of diastole (ED)</source>
+        <translation>L&apos;instant present és el final de la diàstole (ED)</translation>
+    </message>
+    <message>
+        <source>End of systole here</source>
+        <translation>Fi de la sístole aquí</translation>
+    </message>
+    <message>
+        <source>The present instant is the end of systole (ES)</source>
+        <translation>L&apos;instant present és el final de la sístole (ES)</translation>
+    </message>
+    <message>
+        <source>Find both ends</source>
+        <translation>Troba els dos finals</translation>
+    </message>
+    <message>
+        <source>ED is where the volume is largest, ES where it is smallest</source>
+        <translation>ED és on el volum és més gran, ES on és més petit</translation>
+    </message>
+    <message>
+        <source>Height and weight...</source>
+        <translation>Alçada i pes...</translation>
+    </message>
+    <message>
+        <source>Body surface area by Mosteller, for numbers per square metre</source>
+        <translation>Superfície corporal segons Mosteller, per a valors per metre quadrat</translation>
+    </message>
+    <message>
+        <source>Save as CSV...</source>
+        <translation>Desa com a CSV...</translation>
+    </message>
+    <message>
+        <source>Write these numbers into a table</source>
+        <translation>Escriu aquests valors en una taula</translation>
+    </message>
+    <message>
+        <source>ED at %1 % of the cycle, ES at %2 %</source>
+        <translation>ED al %1 % del cicle, ES al %2 %</translation>
+    </message>
+    <message>
+        <source>Body surface</source>
+        <translation>Superfície corporal</translation>
+    </message>
+    <message>
+        <source>Height in cm</source>
+        <translation>Alçada en cm</translation>
+    </message>
+    <message>
+        <source>Weight in kg</source>
+        <translation>Pes en kg</translation>
+    </message>
+    <message>
+        <source>A body surface area of %1 m² is not that of an adult: nothing is indexed</source>
+        <translation>Una superfície corporal d&apos;%1 m² no és la d&apos;un adult: no s&apos;indexa res</translation>
+    </message>
+    <message>
+        <source>Save the heart&apos;s numbers</source>
+        <translation>Desa els valors del cor</translation>
+    </message>
+    <message>
+        <source>Table (*.csv)</source>
+        <translation>Taula (*.csv)</translation>
+    </message>
+    <message>
+        <source>The heart&apos;s numbers are in %1</source>
+        <translation>Els valors del cor són a %1</translation>
     </message>
 </context>
 <context>
@@ -3219,6 +3330,14 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
     <message>
         <source>Drag, or use the arrow keys</source>
         <translation>Arrossegueu, o feu servir les fletxes</translation>
+    </message>
+    <message>
+        <source>ED</source>
+        <translation>ED</translation>
+    </message>
+    <message>
+        <source>ES</source>
+        <translation>ES</translation>
     </message>
 </context>
 <context>
@@ -5186,6 +5305,10 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
     <message>
         <source>%1 s into the cycle</source>
         <translation>a %1 s de l’inici del cicle</translation>
+    </message>
+    <message>
+        <source>The images of the cine study: there is no motion yet</source>
+        <translation>Les imatges de l&apos;estudi cine: encara no hi ha moviment</translation>
     </message>
 </context>
 <context>

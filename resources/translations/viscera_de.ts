@@ -1120,6 +1120,30 @@ N: Namen, H: Griffe, X: Wand, R: zurück, T: hell oder dunkel, Pos1: Anfang</tra
         <source>Select an organ in the view or in the list to read about it.</source>
         <translation>Wählen Sie ein Organ in der Ansicht oder in der Liste aus, um Angaben dazu zu lesen.</translation>
     </message>
+    <message numerus="yes">
+        <source>%n phases</source>
+        <translation>%n Phasen</translation>
+    </message>
+    <message>
+        <source>%1 of %2 phases</source>
+        <translation>%1 von %2 Phasen</translation>
+    </message>
+    <message>
+        <source> in %1 ms</source>
+        <translation> in %1 ms</translation>
+    </message>
+    <message>
+        <source>, pixels of %1 mm</source>
+        <translation>, Pixel von %1 mm</translation>
+    </message>
+    <message>
+        <source>, %1 mm thick</source>
+        <translation>, %1 mm dick</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>Datum</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::ExportActions</name>
@@ -1883,6 +1907,93 @@ Bewegen Sie den Regler oben, um welche zu setzen, oder klicken Sie im Modus Grif
             <numerusform>%1 ms, %n Thread</numerusform>
             <numerusform>%1 ms, %n Threads</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::HeartNumbersBox</name>
+    <message>
+        <source>Numbers of the measured heart</source>
+        <translation>Zahlen des gemessenen Herzens</translation>
+    </message>
+    <message>
+        <source>value</source>
+        <translation>Wert</translation>
+    </message>
+    <message>
+        <source>per m²</source>
+        <translation>je m²</translation>
+    </message>
+    <message>
+        <source>End of diastole here</source>
+        <translation>Ende der Diastole hier</translation>
+    </message>
+    <message>
+        <source>The present instant is the end of diastole (ED)</source>
+        <translation>Der jetzige Augenblick ist das Ende der Diastole (ED)</translation>
+    </message>
+    <message>
+        <source>End of systole here</source>
+        <translation>Ende der Systole hier</translation>
+    </message>
+    <message>
+        <source>The present instant is the end of systole (ES)</source>
+        <translation>Der jetzige Augenblick ist das Ende der Systole (ES)</translation>
+    </message>
+    <message>
+        <source>Find both ends</source>
+        <translation>Beide Enden finden</translation>
+    </message>
+    <message>
+        <source>ED is where the volume is largest, ES where it is smallest</source>
+        <translation>ED ist, wo das Volumen am größten ist, ES, wo es am kleinsten ist</translation>
+    </message>
+    <message>
+        <source>Height and weight...</source>
+        <translation>Größe und Gewicht...</translation>
+    </message>
+    <message>
+        <source>Body surface area by Mosteller, for numbers per square metre</source>
+        <translation>Körperoberfläche nach Mosteller, für Zahlen je Quadratmeter</translation>
+    </message>
+    <message>
+        <source>Save as CSV...</source>
+        <translation>Als CSV speichern...</translation>
+    </message>
+    <message>
+        <source>Write these numbers into a table</source>
+        <translation>Diese Zahlen in eine Tabelle schreiben</translation>
+    </message>
+    <message>
+        <source>ED at %1 % of the cycle, ES at %2 %</source>
+        <translation>ED bei %1 % des Zyklus, ES bei %2 %</translation>
+    </message>
+    <message>
+        <source>Body surface</source>
+        <translation>Körperoberfläche</translation>
+    </message>
+    <message>
+        <source>Height in cm</source>
+        <translation>Größe in cm</translation>
+    </message>
+    <message>
+        <source>Weight in kg</source>
+        <translation>Gewicht in kg</translation>
+    </message>
+    <message>
+        <source>A body surface area of %1 m² is not that of an adult: nothing is indexed</source>
+        <translation>Eine Körperoberfläche von %1 m² ist nicht die eines Erwachsenen: nichts wird darauf bezogen</translation>
+    </message>
+    <message>
+        <source>Save the heart&apos;s numbers</source>
+        <translation>Die Zahlen des Herzens speichern</translation>
+    </message>
+    <message>
+        <source>Table (*.csv)</source>
+        <translation>Tabelle (*.csv)</translation>
+    </message>
+    <message>
+        <source>The heart&apos;s numbers are in %1</source>
+        <translation>Die Zahlen des Herzens sind in %1</translation>
     </message>
 </context>
 <context>
@@ -3219,6 +3330,14 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
     <message>
         <source>Drag, or use the arrow keys</source>
         <translation>Ziehen oder Pfeiltasten verwenden</translation>
+    </message>
+    <message>
+        <source>ED</source>
+        <translation>ED</translation>
+    </message>
+    <message>
+        <source>ES</source>
+        <translation>ES</translation>
     </message>
 </context>
 <context>
@@ -5186,6 +5305,10 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
     <message>
         <source>%1 s into the cycle</source>
         <translation>%1 s im Zyklus</translation>
+    </message>
+    <message>
+        <source>The images of the cine study: there is no motion yet</source>
+        <translation>Die Bilder der Cine-Studie: noch gibt es keine Bewegung</translation>
     </message>
 </context>
 <context>

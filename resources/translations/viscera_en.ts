@@ -51,6 +51,13 @@
             <numerusform>open, %n edges</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n phases</source>
+        <translation>
+            <numerusform>%n phase</numerusform>
+            <numerusform>%n phases</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::ExportActions</name>

@@ -1120,6 +1120,30 @@ N: nombres, H: tiradores, X: pared, R: restablecer, T: claro u oscuro, Inicio: p
         <source>Select an organ in the view or in the list to read about it.</source>
         <translation>Seleccione un órgano en la vista o en la lista para ver sus datos.</translation>
     </message>
+    <message numerus="yes">
+        <source>%n phases</source>
+        <translation>%n fases</translation>
+    </message>
+    <message>
+        <source>%1 of %2 phases</source>
+        <translation>%1 de %2 fases</translation>
+    </message>
+    <message>
+        <source> in %1 ms</source>
+        <translation> en %1 ms</translation>
+    </message>
+    <message>
+        <source>, pixels of %1 mm</source>
+        <translation>, píxeles de %1 mm</translation>
+    </message>
+    <message>
+        <source>, %1 mm thick</source>
+        <translation>, %1 mm de grosor</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>Fecha</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::ExportActions</name>
@@ -1883,6 +1907,93 @@ Mueva el control de arriba para colocar algunos o haga clic en el órgano en el 
             <numerusform>%1 ms, %n hilo</numerusform>
             <numerusform>%1 ms, %n hilos</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::HeartNumbersBox</name>
+    <message>
+        <source>Numbers of the measured heart</source>
+        <translation>Valores del corazón medido</translation>
+    </message>
+    <message>
+        <source>value</source>
+        <translation>valor</translation>
+    </message>
+    <message>
+        <source>per m²</source>
+        <translation>por m²</translation>
+    </message>
+    <message>
+        <source>End of diastole here</source>
+        <translation>Fin de la diástole aquí</translation>
+    </message>
+    <message>
+        <source>The present instant is the end of diastole (ED)</source>
+        <translation>El instante presente es el final de la diástole (ED)</translation>
+    </message>
+    <message>
+        <source>End of systole here</source>
+        <translation>Fin de la sístole aquí</translation>
+    </message>
+    <message>
+        <source>The present instant is the end of systole (ES)</source>
+        <translation>El instante presente es el final de la sístole (ES)</translation>
+    </message>
+    <message>
+        <source>Find both ends</source>
+        <translation>Encontrar ambos finales</translation>
+    </message>
+    <message>
+        <source>ED is where the volume is largest, ES where it is smallest</source>
+        <translation>ED es donde el volumen es mayor, ES donde es menor</translation>
+    </message>
+    <message>
+        <source>Height and weight...</source>
+        <translation>Talla y peso...</translation>
+    </message>
+    <message>
+        <source>Body surface area by Mosteller, for numbers per square metre</source>
+        <translation>Superficie corporal según Mosteller, para valores por metro cuadrado</translation>
+    </message>
+    <message>
+        <source>Save as CSV...</source>
+        <translation>Guardar como CSV...</translation>
+    </message>
+    <message>
+        <source>Write these numbers into a table</source>
+        <translation>Escribir estos valores en una tabla</translation>
+    </message>
+    <message>
+        <source>ED at %1 % of the cycle, ES at %2 %</source>
+        <translation>ED al %1 % del ciclo, ES al %2 %</translation>
+    </message>
+    <message>
+        <source>Body surface</source>
+        <translation>Superficie corporal</translation>
+    </message>
+    <message>
+        <source>Height in cm</source>
+        <translation>Talla en cm</translation>
+    </message>
+    <message>
+        <source>Weight in kg</source>
+        <translation>Peso en kg</translation>
+    </message>
+    <message>
+        <source>A body surface area of %1 m² is not that of an adult: nothing is indexed</source>
+        <translation>Una superficie corporal de %1 m² no es la de un adulto: no se indexa nada</translation>
+    </message>
+    <message>
+        <source>Save the heart&apos;s numbers</source>
+        <translation>Guardar los valores del corazón</translation>
+    </message>
+    <message>
+        <source>Table (*.csv)</source>
+        <translation>Tabla (*.csv)</translation>
+    </message>
+    <message>
+        <source>The heart&apos;s numbers are in %1</source>
+        <translation>Los valores del corazón están en %1</translation>
     </message>
 </context>
 <context>
@@ -3219,6 +3330,14 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
     <message>
         <source>Drag, or use the arrow keys</source>
         <translation>Arrastre o use las flechas</translation>
+    </message>
+    <message>
+        <source>ED</source>
+        <translation>ED</translation>
+    </message>
+    <message>
+        <source>ES</source>
+        <translation>ES</translation>
     </message>
 </context>
 <context>
@@ -5186,6 +5305,10 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
     <message>
         <source>%1 s into the cycle</source>
         <translation>%1 s desde el inicio</translation>
+    </message>
+    <message>
+        <source>The images of the cine study: there is no motion yet</source>
+        <translation>Las imágenes del estudio cine: todavía no hay movimiento</translation>
     </message>
 </context>
 <context>

@@ -1120,6 +1120,30 @@ N&#xa0;: noms, H&#xa0;: poignées, X&#xa0;: paroi, R&#xa0;: rétablir, T&#xa0;: 
         <source>Select an organ in the view or in the list to read about it.</source>
         <translation>Sélectionnez un organe dans la vue ou dans la liste pour en lire les données.</translation>
     </message>
+    <message numerus="yes">
+        <source>%n phases</source>
+        <translation>%n phases</translation>
+    </message>
+    <message>
+        <source>%1 of %2 phases</source>
+        <translation>%1 phases sur %2</translation>
+    </message>
+    <message>
+        <source> in %1 ms</source>
+        <translation> en %1 ms</translation>
+    </message>
+    <message>
+        <source>, pixels of %1 mm</source>
+        <translation>, pixels de %1 mm</translation>
+    </message>
+    <message>
+        <source>, %1 mm thick</source>
+        <translation>, épaisseur %1 mm</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>Date</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::ExportActions</name>
@@ -1883,6 +1907,93 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez sur l’organe en mode
             <numerusform>%1 ms, %n thread</numerusform>
             <numerusform>%1 ms, %n threads</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::HeartNumbersBox</name>
+    <message>
+        <source>Numbers of the measured heart</source>
+        <translation>Valeurs du cœur mesuré</translation>
+    </message>
+    <message>
+        <source>value</source>
+        <translation>valeur</translation>
+    </message>
+    <message>
+        <source>per m²</source>
+        <translation>par m²</translation>
+    </message>
+    <message>
+        <source>End of diastole here</source>
+        <translation>Fin de la diastole ici</translation>
+    </message>
+    <message>
+        <source>The present instant is the end of diastole (ED)</source>
+        <translation>L&apos;instant présent est la fin de la diastole (ED)</translation>
+    </message>
+    <message>
+        <source>End of systole here</source>
+        <translation>Fin de la systole ici</translation>
+    </message>
+    <message>
+        <source>The present instant is the end of systole (ES)</source>
+        <translation>L&apos;instant présent est la fin de la systole (ES)</translation>
+    </message>
+    <message>
+        <source>Find both ends</source>
+        <translation>Trouver les deux fins</translation>
+    </message>
+    <message>
+        <source>ED is where the volume is largest, ES where it is smallest</source>
+        <translation>ED est l&apos;instant du plus grand volume, ES celui du plus petit</translation>
+    </message>
+    <message>
+        <source>Height and weight...</source>
+        <translation>Taille et poids...</translation>
+    </message>
+    <message>
+        <source>Body surface area by Mosteller, for numbers per square metre</source>
+        <translation>Surface corporelle selon Mosteller, pour les valeurs par mètre carré</translation>
+    </message>
+    <message>
+        <source>Save as CSV...</source>
+        <translation>Enregistrer en CSV...</translation>
+    </message>
+    <message>
+        <source>Write these numbers into a table</source>
+        <translation>Écrire ces valeurs dans un tableau</translation>
+    </message>
+    <message>
+        <source>ED at %1 % of the cycle, ES at %2 %</source>
+        <translation>ED à %1 % du cycle, ES à %2 %</translation>
+    </message>
+    <message>
+        <source>Body surface</source>
+        <translation>Surface corporelle</translation>
+    </message>
+    <message>
+        <source>Height in cm</source>
+        <translation>Taille en cm</translation>
+    </message>
+    <message>
+        <source>Weight in kg</source>
+        <translation>Poids en kg</translation>
+    </message>
+    <message>
+        <source>A body surface area of %1 m² is not that of an adult: nothing is indexed</source>
+        <translation>Une surface corporelle de %1 m² n&apos;est pas celle d&apos;un adulte : rien n&apos;est indexé</translation>
+    </message>
+    <message>
+        <source>Save the heart&apos;s numbers</source>
+        <translation>Enregistrer les valeurs du cœur</translation>
+    </message>
+    <message>
+        <source>Table (*.csv)</source>
+        <translation>Tableau (*.csv)</translation>
+    </message>
+    <message>
+        <source>The heart&apos;s numbers are in %1</source>
+        <translation>Les valeurs du cœur sont dans %1</translation>
     </message>
 </context>
 <context>
@@ -3219,6 +3330,14 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     <message>
         <source>Drag, or use the arrow keys</source>
         <translation>Faites glisser, ou utilisez les flèches</translation>
+    </message>
+    <message>
+        <source>ED</source>
+        <translation>ED</translation>
+    </message>
+    <message>
+        <source>ES</source>
+        <translation>ES</translation>
     </message>
 </context>
 <context>
@@ -5186,6 +5305,10 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     <message>
         <source>%1 s into the cycle</source>
         <translation>à %1 s du cycle</translation>
+    </message>
+    <message>
+        <source>The images of the cine study: there is no motion yet</source>
+        <translation>Les images de l&apos;étude ciné : il n&apos;y a pas encore de mouvement</translation>
     </message>
 </context>
 <context>
