@@ -9,8 +9,8 @@
 #include "viscera/elasticity/static_solution.h"
 
 /// Problems 1 and 2 of Land et al. 2015, doi:10.1098/rspa.2015.0641, on coarse meshes. The paper compares
-/// eleven programs in curves, without a table: the consensus is a range that is read from them, and the
-/// bounds are that range and 1 % more.
+/// eleven programs: the range is the one within which we know them to agree (no table was at hand), and
+/// the bounds are that range and 1 % more.
 namespace viscera::elasticity {
 namespace {
 
