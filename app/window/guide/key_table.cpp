@@ -12,7 +12,7 @@ constexpr int kBesideKeys = 12;
 constexpr int kBetweenKeyColumns = 28;
 constexpr int kBetweenKeyRows = 4;
 constexpr int kBetweenStackedRows = 10;
-constexpr int kKeyColumns = 2;
+constexpr int kColumnsOfKeys = 2;
 
 /// The width of a text on one line; a pixel more at each end, or rounding breaks it.
 int lineWidth(const QLabel& label) {
@@ -49,7 +49,8 @@ QSize KeyTable::sizeHint() const {
     keys = std::max(keys, lineWidth(*row.keys));
     meaning = std::max(meaning, lineWidth(*row.meaning));
   }
-  const int width = kKeyColumns * (keys + kBesideKeys + meaning) + (kKeyColumns - 1) * kBetweenKeyColumns;
+  const int width =
+      kColumnsOfKeys * (keys + kBesideKeys + meaning) + (kColumnsOfKeys - 1) * kBetweenKeyColumns;
   return {width, arrange(width, false)};
 }
 
@@ -76,7 +77,7 @@ KeyTable::Shares KeyTable::sharesOf(int width) const {
     leastKeys = std::max(leastKeys, leastWidth(*row.keys));
     leastMeaning = std::max(leastMeaning, leastWidth(*row.meaning));
   }
-  for (int columns = kKeyColumns; columns > 0; --columns) {
+  for (int columns = kColumnsOfKeys; columns > 0; --columns) {
     const int each = (width - (columns - 1) * kBetweenKeyColumns) / columns - kBesideKeys;
     if (leastKeys + leastMeaning > each)
       continue;
