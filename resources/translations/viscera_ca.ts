@@ -1122,7 +1122,10 @@ N: noms, H: tiradors, X: paret, R: restableix, T: clar o fosc, Inici: principi</
     </message>
     <message numerus="yes">
         <source>%n phases</source>
-        <translation>%n fases</translation>
+        <translation>
+            <numerusform>%n fase</numerusform>
+            <numerusform>%n fases</numerusform>
+        </translation>
     </message>
     <message>
         <source>%1 of %2 phases</source>

@@ -1122,7 +1122,10 @@ N: Namen, H: Griffe, X: Wand, R: zurück, T: hell oder dunkel, Pos1: Anfang</tra
     </message>
     <message numerus="yes">
         <source>%n phases</source>
-        <translation>%n Phasen</translation>
+        <translation>
+            <numerusform>%n Phase</numerusform>
+            <numerusform>%n Phasen</numerusform>
+        </translation>
     </message>
     <message>
         <source>%1 of %2 phases</source>

@@ -1122,7 +1122,10 @@ N: nombres, H: tiradores, X: pared, R: restablecer, T: claro u oscuro, Inicio: p
     </message>
     <message numerus="yes">
         <source>%n phases</source>
-        <translation>%n fases</translation>
+        <translation>
+            <numerusform>%n fase</numerusform>
+            <numerusform>%n fases</numerusform>
+        </translation>
     </message>
     <message>
         <source>%1 of %2 phases</source>

@@ -1122,7 +1122,10 @@ N&#xa0;: noms, H&#xa0;: poignées, X&#xa0;: paroi, R&#xa0;: rétablir, T&#xa0;: 
     </message>
     <message numerus="yes">
         <source>%n phases</source>
-        <translation>%n phases</translation>
+        <translation>
+            <numerusform>%n phase</numerusform>
+            <numerusform>%n phases</numerusform>
+        </translation>
     </message>
     <message>
         <source>%1 of %2 phases</source>
