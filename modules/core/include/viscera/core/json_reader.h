@@ -177,7 +177,7 @@ public:
   /// An object; those of its keys that are none of these are remembered for `unknownKeys`.
   void takeObject(const nlohmann::ordered_json& value, std::initializer_list<const char*> known,
                   const std::string& place);
-  /// Keys that nobody read, such as "organs[2].look.shine".
+  /// Keys that were not read, such as "organs[2].look.shine".
   const std::vector<std::string>& unknownKeys() const { return unknown_; }
 
   /// A place in a list: "organs[2]".
