@@ -122,8 +122,9 @@ TEST_F(MeasuredBeatTest, ComesBackFromThickSlices) {
   const PatientMotion found = track(truth().voxels(Vec3(1.5, 1.5, 8)));
   double dice = 0;
   for (const TrackedPhase& phase : found.phases)
-    for (const tracking::SurfaceQuality& surface : phase.quality.surfaces) {
-      EXPECT_GT(surface.dice.value_or(0), 0.94);
+    for (std::size_t i = 0; i < phase.quality.surfaces.size(); ++i) {
+      const tracking::SurfaceQuality& surface = phase.quality.surfaces[i];
+      EXPECT_GT(surface.dice.value_or(0), 0.94) << truth().truth[i].name;
       EXPECT_NEAR(surface.fittedMl / surface.measuredMl, 1, 1e-4);
       dice += *surface.dice / (3.0 * static_cast<double>(found.phases.size()));
     }

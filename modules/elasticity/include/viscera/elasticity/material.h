@@ -48,9 +48,10 @@ private:
   double lambda_;
 };
 
-/// Guccione's transversely isotropic material: `W = C / 2 (exp Q - 1)` with `Q = bf E11^2 + bt (E22^2 + E33^2
-/// + 2 E23^2) + 2 bfs (E12^2 + E13^2)`, E the Green-Lagrange strain along the fibre (1) and across it
-/// (Guccione et al. 1991, doi:10.1115/1.2894084; as in Land et al. 2015, doi:10.1098/rspa.2015.0641).
+/// Guccione's transversely isotropic material, W = C / 2 (exp Q - 1) with
+/// Q = bf E11^2 + bt (E22^2 + E33^2 + 2 E23^2) + 2 bfs (E12^2 + E13^2), E the Green-Lagrange strain along the
+/// fibre (1) and across it (Guccione et al. 1991, doi:10.1115/1.2894084; as in Land et al. 2015,
+/// doi:10.1098/rspa.2015.0641).
 class Guccione final : public Material {
 public:
   /// The constants of the material; `stiffnessKpa` is C.
