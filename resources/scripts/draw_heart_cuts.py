@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """draw_heart_cuts.py PROGRAM FOLDER [--theme light|dark] [--size WxH] [--labels]
 
-Draws the sample heart in the ten cuts of an atlas, each as heart_cut_NAME.png in FOLDER, and from its six sides, as heart_views.png.
+Draws the sample heart in the nine cuts of an atlas, each as heart_cut_NAME.png in FOLDER, and from its six sides, as heart_views.png.
 Each cut is a session of its own, which `PROGRAM render` draws; no display is needed. Planes go through the landmarks of
 sample_organs/heart.json: valves, apex, vessels. A plane keeps what lies along its normal, and the camera looks along it.
 """
@@ -46,7 +46,6 @@ def at(a, b, c):
 
 
 MITRAL, AORTIC, TRICUSPID, PULMONARY = at(-5.2, 7, 1), at(7.5, -10, -4), at(40.6, 14.2, 3.5), at(28, -37, 18)
-RIGHT_ATRIUM = (-54, 8, 14)
 APEX, RIGHT_APEX, ASCENDING, SUPERIOR_CAVA = at(0, 0, 88), at(40, -2, 62), (-22, 4, 58), (-48, 16, 76)
 
 
@@ -66,7 +65,6 @@ CUTS = {
     "short_axis_apex": (at(0, 0, 70), tuple(-x for x in C)),
     "outflow_tracts": through(AORTIC, ASCENDING, PULMONARY, (0, 1, 0)),
     "sagittal_cavae": (SUPERIOR_CAVA, (-1, 0, 0)),
-    "right_atrium": (RIGHT_ATRIUM, (0.8, 0.6, 0)),
     "right_outflow": through(TRICUSPID, PULMONARY, RIGHT_APEX, A),
 }
 

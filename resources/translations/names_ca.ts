@@ -7337,14 +7337,6 @@
         <translation>Cresta terminal</translation>
     </message>
     <message>
-        <source>Oval fossa</source>
-        <translation>Fossa oval</translation>
-    </message>
-    <message>
-        <source>Opening of the coronary sinus</source>
-        <translation>Orifici del si coronari</translation>
-    </message>
-    <message>
         <source>From one labelled phase only a whole cycle can be followed</source>
         <translation>A partir d&apos;una sola fase etiquetada només es pot seguir un cicle complet</translation>
     </message>

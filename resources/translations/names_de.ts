@@ -7337,14 +7337,6 @@
         <translation>Terminalleiste</translation>
     </message>
     <message>
-        <source>Oval fossa</source>
-        <translation>Fossa ovalis</translation>
-    </message>
-    <message>
-        <source>Opening of the coronary sinus</source>
-        <translation>Mündung des Koronarsinus</translation>
-    </message>
-    <message>
         <source>From one labelled phase only a whole cycle can be followed</source>
         <translation>Von einer einzigen markierten Phase aus lässt sich nur ein ganzer Zyklus verfolgen</translation>
     </message>

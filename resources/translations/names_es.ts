@@ -7337,14 +7337,6 @@
         <translation>Cresta terminal</translation>
     </message>
     <message>
-        <source>Oval fossa</source>
-        <translation>Fosa oval</translation>
-    </message>
-    <message>
-        <source>Opening of the coronary sinus</source>
-        <translation>Orificio del seno coronario</translation>
-    </message>
-    <message>
         <source>From one labelled phase only a whole cycle can be followed</source>
         <translation>A partir de una sola fase etiquetada solo se puede seguir un ciclo completo</translation>
     </message>

@@ -7337,14 +7337,6 @@
         <translation>Crête terminale</translation>
     </message>
     <message>
-        <source>Oval fossa</source>
-        <translation>Fosse ovale</translation>
-    </message>
-    <message>
-        <source>Opening of the coronary sinus</source>
-        <translation>Ostium du sinus coronaire</translation>
-    </message>
-    <message>
         <source>From one labelled phase only a whole cycle can be followed</source>
         <translation>À partir d&apos;une seule phase étiquetée, seul un cycle entier peut être suivi</translation>
     </message>

@@ -34,6 +34,7 @@
 #include "viscera/core/phrase.h"
 #include "viscera/deformation/deformer.h"
 #include "viscera/deformation/stiff_bodies.h"
+#include "viscera/elasticity/tissues.h"
 #include "viscera/geometry/carried_points.h"
 #include "viscera/geometry/coarse_triangles.h"
 #include "viscera/geometry/median_tree.h"
@@ -51,6 +52,7 @@
 #include "viscera/medical_io/contour.h"
 #include "viscera/medical_io/scan.h"
 #include "viscera/medical_io/slice_frame.h"
+#include "viscera/phantom/phantom_options.h"
 #include "viscera/plugin/plugin_loader.h"
 #include "viscera/presentation/part_names.h"
 #include "viscera/presentation/presenter.h"
@@ -513,6 +515,24 @@ TEST(HeaderExamples, CineImages) {
   }
   EXPECT_NO_THROW(requireValid({plane}));
   EXPECT_EQ(plane.imageAt(0.51, 0.02), 10);
+}
+
+TEST(HeaderExamples, Tissues) {
+  using namespace elasticity;
+  const NeoHookean liver(tissueNamed("liver").youngKpa, 0.49);
+  const double kpa = vonMisesKpa(liver, Eigen::Vector3d(1.1, 1, 1).asDiagonal());
+  EXPECT_GT(kpa, 0.3);
+  EXPECT_LT(kpa, 0.8);
+}
+
+TEST(HeaderExamples, PhantomOptions) {
+  using namespace phantom;
+  PhantomOptions options;
+  options.spacing = spacingFrom("1.5,1.5,8");
+  options.slices = slicesFrom({"sax:9,2", "lax"});
+  setNoise("rician:15", options);
+  EXPECT_EQ(options.slices.shortAxis, 9);
+  EXPECT_EQ(options.deviation, 15);
 }
 
 TEST(HeaderExamples, VtkFilters) {

@@ -328,24 +328,6 @@ TEST(HeartMeasures, TricuspidValveHangsNearerToTheApexAtTheSeptum) {
           .dot(toApex));
 }
 
-/// How thick the wall is on the way from the right atrium to the left one.
-double atrialSeptumAt(const Vec3& from) {
-  const Vec3 towardsLeft = Vec3(0.625, 0.749, 0.22).normalized();
-  constexpr double kAcrossMm = 40;
-  const double right = wayUntil(from, towardsLeft, kAcrossMm, heartTissue());
-  const Vec3 wall = from + (right + 0.05) * towardsLeft;
-  return wayUntil(wall, towardsLeft, kAcrossMm, [](const Vec3& p) { return !heartTissue()(p); });
-}
-
-TEST(HeartMeasures, OvalFossaIsTheThinPartOfTheAtrialSeptum) {
-  const Vec3 middle(-48, 22, 20); // In the right atrium, before the fossa.
-  HeldRange held("floor of the oval fossa", 1, 4, "mm", "customary");
-  const double thin = atrialSeptumAt(middle);
-  held.add(thin);
-  const Vec3 towardsAorta(0.768, -0.64, 0);
-  EXPECT_GT(atrialSeptumAt(middle + 10 * towardsAorta), thin + 3) << "the limbus before it";
-}
-
 using Path = std::vector<Vec3>;
 
 /// How often the way between two points goes through a ring, with the flow positive.

@@ -126,7 +126,7 @@ TEST(HeartTissueSurface, HasTheOuterSurfaceOutside) {
   EXPECT_GT(static_cast<double>(kept), 0.8 * static_cast<double>(outer->points.rows()));
 }
 
-/// Away from valves and papillary muscles, in the right atrium from crest and fossa, the wall inside is where
+/// Away from valves and papillary muscles, in the right atrium from the crest, the wall inside is where
 /// the cavities are that volumes come from.
 TEST(HeartTissueSurface, FollowsTheCavitiesInside) {
   static const Mesh mesh = cachedSurface("tissue");
@@ -215,38 +215,15 @@ TEST(HeartTissueSurface, HasVesselsAsWideAsInHealthyAdults) {
   }
 }
 
-/// In the four-chamber plane and beside it, from the right atrium straight to the left one: nowhere outside
-/// the heart.
-TEST(HeartTissueSurface, HasTheAtriaPartedByTheirSeptumAlone) {
-  const geometry::WindingNumber outer(*cachedSurface("outer"));
-  for (const double down : {6.0, 9.0, 12.0})
-    for (const double up : {11.0, 15.0, 19.0, 23.0, 27.0, 31.0}) {
-      const Vec3 right = inVentricle(32, down + 3, -up), left = inVentricle(-4, down, -up);
-      ASSERT_FALSE(inTissue(right) || inTissue(left)) << down << ' ' << up;
-      for (double share = 0; share <= 1; share += 0.01)
-        ASSERT_TRUE(outer.inside(right + share * (left - right))) << down << ' ' << up << ' ' << share;
-    }
-}
-
-/// A ridge, a hollow and a mouth of the inner surface, beside the smooth cavity that volumes come from.
-TEST(HeartTissueSurface, HasCrestFossaAndCoronarySinusInTheRightAtrium) {
+/// A ridge of the inner surface, beside the smooth cavity that volumes come from.
+TEST(HeartTissueSurface, HasACrestInTheRightAtrium) {
   const auto blood = sample_organs::implicitSurface(projectLibrary(), "heart", "right_blood");
   const auto cavity = sample_organs::implicitSurface(projectLibrary(), "heart", "ra_cavity");
-  const auto place = [](const std::string& name) {
-    for (const auto& found : sample_organs::namedPlaces(projectLibrary(), "heart", "ra"))
-      if (found.name == name)
-        return found.at;
-    ADD_FAILURE() << name;
-    return Vec3(Vec3::Zero());
-  };
-  const Vec3 crest = place("Terminal crest"), fossa = place("Oval fossa"),
-             mouth = place("Opening of the coronary sinus");
-  EXPECT_NEAR(cavity(crest), 0, 1);
-  EXPECT_GT(blood(crest), 1.5) << "muscle where the cavity ends";
-  EXPECT_NEAR(blood(fossa), 0, 0.5);
-  EXPECT_GT(cavity(fossa), 2.5) << "deeper than the wall around it";
-  EXPECT_LT(blood(mouth), -2);
-  EXPECT_GT(cavity(mouth), 0) << "beyond the atrium";
+  const auto places = sample_organs::namedPlaces(projectLibrary(), "heart", "ra");
+  ASSERT_EQ(places.size(), 1U);
+  EXPECT_EQ(places[0].name, "Terminal crest");
+  EXPECT_NEAR(cavity(places[0].at), 0, 1);
+  EXPECT_GT(blood(places[0].at), 1.5) << "muscle where the cavity ends";
 }
 
 using Path = std::vector<Vec3>;

@@ -28,6 +28,9 @@ const Tissue& tissueNamed(std::string_view name);
 /// The von Mises equivalent of the Cauchy stress of `material` at the deformation gradient `f`, kPa. The
 /// pressure that keeps the volume has no part in it, so that it exists also for gradients of handles' poses,
 /// which do not keep it. NaN where `f` turns the tissue inside out. O(1), thread-safe.
+///
+///     const NeoHookean liver(tissueNamed("liver").youngKpa, 0.49);
+///     const double kpa = vonMisesKpa(liver, Eigen::Vector3d(1.1, 1, 1).asDiagonal());
 double vonMisesKpa(const Material& material, const Eigen::Matrix3d& f);
 
 } // namespace viscera::elasticity

@@ -20,6 +20,11 @@ struct SliceLayout {
 enum class Modality { ct, cine, labels };
 
 /// What `writePhantom` makes.
+///
+///     PhantomOptions options;
+///     options.spacing = spacingFrom("1.5,1.5,8");
+///     options.slices = slicesFrom({"sax:9,2", "lax"});
+///     setNoise("rician:15", options);
 struct PhantomOptions {
   MotionOptions motion;
   Modality modality = Modality::ct;
