@@ -7532,6 +7532,10 @@
         <source>Per m2 of body surface</source>
         <translation>Per m2 de superfície corporal</translation>
     </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 de %2</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app</name>

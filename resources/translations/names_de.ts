@@ -7532,6 +7532,10 @@
         <source>Per m2 of body surface</source>
         <translation>Je m2 Körperoberfläche</translation>
     </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app</name>

@@ -7532,6 +7532,10 @@
         <source>Per m2 of body surface</source>
         <translation>Par m2 de surface corporelle</translation>
     </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 sur %2</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app</name>

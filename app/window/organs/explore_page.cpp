@@ -1,6 +1,7 @@
 #include "window/organs/explore_page.h"
 
 #include <QAction>
+#include <QDate>
 #include <QFileInfo>
 #include <QGridLayout>
 #include <QLocale>
@@ -191,7 +192,8 @@ void ExplorePage::syncStudy() {
   const medical_io::CineStudy& study = *item->study;
   studyName_->setText(text(item->name));
   studyName_->setToolTip(text(item->place.string()));
-  studyDate_->setText(study.date.empty() ? QStringLiteral("-") : text(study.date));
+  const QDate date = QDate::fromString(text(study.date), QStringLiteral("yyyyMMdd"));
+  studyDate_->setText(date.isValid() ? QLocale().toString(date, QLocale::ShortFormat) : QStringLiteral("-"));
   QStringList lines;
   for (const document::StudySeries& series : document::seriesOf(study))
     lines << lineOf(series);
