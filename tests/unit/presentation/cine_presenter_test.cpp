@@ -128,9 +128,10 @@ struct StudiedBall : tests::BoundSession {
 TEST(CinePresenter, DrawsTheContourWhereTheImageTurnsDark) {
   StudiedBall ball;
   for (int pane = 0; pane < 3; ++pane) {
-    ASSERT_EQ(ball.contours(pane).size(), 1u);
+    const std::vector<scene::SliceLine> contours = ball.contours(pane);
+    ASSERT_EQ(contours.size(), 1u);
     const medical_io::SliceFrame& frame = ball.cine.frame(pane);
-    for (const Eigen::Vector2d& point : ball.contours(pane).front().points) {
+    for (const Eigen::Vector2d& point : contours.front().points) {
       const Vec3 place = frame.at(point.x(), point.y());
       const auto value = [&](double part) {
         return ball.cine.read(pane, frame.pixelOf(part * place)).value.value_or(-1);
