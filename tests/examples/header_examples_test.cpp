@@ -34,7 +34,6 @@
 #include "viscera/core/phrase.h"
 #include "viscera/deformation/deformer.h"
 #include "viscera/deformation/stiff_bodies.h"
-#include "viscera/elasticity/tissues.h"
 #include "viscera/geometry/carried_points.h"
 #include "viscera/geometry/coarse_triangles.h"
 #include "viscera/geometry/median_tree.h"
@@ -52,7 +51,6 @@
 #include "viscera/medical_io/contour.h"
 #include "viscera/medical_io/scan.h"
 #include "viscera/medical_io/slice_frame.h"
-#include "viscera/phantom/phantom_options.h"
 #include "viscera/plugin/plugin_loader.h"
 #include "viscera/presentation/part_names.h"
 #include "viscera/presentation/presenter.h"
@@ -517,24 +515,6 @@ TEST(HeaderExamples, CineImages) {
   EXPECT_EQ(plane.imageAt(0.51, 0.02), 10);
 }
 
-TEST(HeaderExamples, Tissues) {
-  using namespace elasticity;
-  const NeoHookean liver(tissueNamed("liver").youngKpa, 0.49);
-  const double kpa = vonMisesKpa(liver, Eigen::Vector3d(1.1, 1, 1).asDiagonal());
-  EXPECT_GT(kpa, 0.3);
-  EXPECT_LT(kpa, 0.8);
-}
-
-TEST(HeaderExamples, PhantomOptions) {
-  using namespace phantom;
-  PhantomOptions options;
-  options.spacing = spacingFrom("1.5,1.5,8");
-  options.slices = slicesFrom({"sax:9,2", "lax"});
-  setNoise("rician:15", options);
-  EXPECT_EQ(options.slices.shortAxis, 9);
-  EXPECT_EQ(options.deviation, 15);
-}
-
 TEST(HeaderExamples, VtkFilters) {
   const auto dataOf = [](const Points& points, const Triangles& triangles) {
     vtkNew<vtkPoints> places;
@@ -597,10 +577,13 @@ std::vector<std::filesystem::path> foldersOfPublicHeaders(const std::filesystem:
 
 } // namespace
 
-TEST(HeaderExamples, EachStandsInThisFileAndEachModuleHasOne) {
+TEST(HeaderExamples, EachStandsInTheseFilesAndEachModuleHasOne) {
   const std::filesystem::path root = VISCERA_SOURCE_DIR;
-  std::ifstream stream(root / "tests/examples/header_examples_test.cpp", std::ios::binary);
-  const std::string here = withoutSpace({std::istreambuf_iterator<char>(stream), {}});
+  std::string here;
+  for (const char* name : {"header_examples_test.cpp", "phantom_header_examples_test.cpp"}) {
+    std::ifstream stream(root / "tests/examples" / name, std::ios::binary);
+    here += withoutSpace({std::istreambuf_iterator<char>(stream), {}});
+  }
   for (const std::filesystem::path& folder : foldersOfPublicHeaders(root / "modules")) {
     std::size_t count = 0;
     for (const auto& file : std::filesystem::recursive_directory_iterator(folder)) {
