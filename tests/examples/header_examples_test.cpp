@@ -62,7 +62,6 @@
 #include "viscera/sequences/breathing.h"
 #include "viscera/strain/heart_gauge.h"
 #include "viscera/thesis/item.h"
-#include "viscera/tracking/cine_images.h"
 #include "viscera/tracking/mask.h"
 #include "viscera/workbench/workbench.h"
 
@@ -497,22 +496,6 @@ TEST(HeaderExamples, Tracking) {
   const Mask filled = voxelised(surface, grid);
   const double ml = filled.volumeMl();
   EXPECT_NEAR(ml, geometry::volume(surface.points, surface.triangles) / 1000, 0.1);
-}
-
-TEST(HeaderExamples, CineImages) {
-  using namespace tracking;
-  CinePlane plane;
-  plane.name = "four chambers";
-  plane.origin = Vec3(-120, -80, 40);
-  plane.alongRow = Vec3::UnitX();
-  plane.alongColumn = Vec3::UnitY();
-  plane.spacing = Eigen::Vector2d(1.4, 1.4);
-  for (int phase = 0; phase < 20; ++phase) {
-    plane.fractions.push_back(phase / 20.0);
-    plane.images.push_back(CineImage::Zero(160, 192));
-  }
-  EXPECT_NO_THROW(requireValid({plane}));
-  EXPECT_EQ(plane.imageAt(0.51, 0.02), 10);
 }
 
 TEST(HeaderExamples, VtkFilters) {

@@ -2,6 +2,7 @@
 
 #include "viscera/elasticity/tissues.h"
 #include "viscera/phantom/phantom_options.h"
+#include "viscera/tracking/cine_images.h"
 
 namespace viscera::examples {
 
@@ -21,6 +22,22 @@ TEST(HeaderExamples, PhantomOptions) {
   setNoise("rician:15", options);
   EXPECT_EQ(options.slices.shortAxis, 9);
   EXPECT_EQ(options.deviation, 15);
+}
+
+TEST(HeaderExamples, CineImages) {
+  using namespace tracking;
+  CinePlane plane;
+  plane.name = "four chambers";
+  plane.origin = Vec3(-120, -80, 40);
+  plane.alongRow = Vec3::UnitX();
+  plane.alongColumn = Vec3::UnitY();
+  plane.spacing = Eigen::Vector2d(1.4, 1.4);
+  for (int phase = 0; phase < 20; ++phase) {
+    plane.fractions.push_back(phase / 20.0);
+    plane.images.push_back(CineImage::Zero(160, 192));
+  }
+  EXPECT_NO_THROW(requireValid({plane}));
+  EXPECT_EQ(plane.imageAt(0.51, 0.02), 10);
 }
 
 } // namespace viscera::examples
