@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <optional>
 #include <set>
 #include <utility>
 
@@ -303,6 +304,14 @@ TEST_P(Translations, HaveTheNamesOfSampleOrgansAndTheirNormalRanges) {
     for (const heart::NormalRange& range : heart::normalRanges(organ))
       EXPECT_FALSE(translator.translate("viscera::presentation", range.name.c_str()).isEmpty()) << range.name;
   }
+}
+
+TEST(TextsOfPictures, ArePatternsAndNamesInTheLanguageOfTheWindow) {
+  const app::InstalledLanguage german(QStringLiteral("de"));
+  EXPECT_EQ(app::translated("phase %1 of %2"), "Phase %1 von %2");
+  EXPECT_EQ(app::translated("Mean of %1 mm"), app::wording().translate("Mean of %1 mm", std::nullopt));
+  EXPECT_NE(app::translated("Mean of %1 mm"), "Mean of %1 mm");
+  EXPECT_EQ(app::translated("short axis"), "Kurzachse");
 }
 
 TEST(TextsOfPlugins, AreTakenFromTheFileBesideTheLibrary) {

@@ -1,6 +1,7 @@
 #include "window/view/picture.h"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "viscera/presentation/slice_presenter.h"
@@ -10,7 +11,10 @@
 namespace viscera::app {
 
 std::string translated(const char* text) {
-  return inWords(std::string(text)).toStdString();
+  // A pattern keeps its places for the caller; a name may have a number behind it.
+  const std::string words = text;
+  return words.find("%1") == std::string::npos ? inWords(words).toStdString()
+                                               : wording().translate(words, std::nullopt);
 }
 
 namespace {
