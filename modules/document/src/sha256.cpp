@@ -3,16 +3,29 @@
 #include <array>
 #include <new>
 
+#include <openssl/crypto.h>
 #include <openssl/evp.h>
 
 namespace viscera::document {
+namespace {
+
+/// A program whose display has gone writes a session while it exits: libcrypto stays usable until the end.
+void keepLibraryUntilTheEnd() {
+  static const bool kept = OPENSSL_init_crypto(OPENSSL_INIT_NO_ATEXIT, nullptr) == 1;
+  if (!kept)
+    throw std::bad_alloc();
+}
+
+} // namespace
 
 struct Sha256::State {
   EVP_MD_CTX* context = EVP_MD_CTX_new();
   ~State() { EVP_MD_CTX_free(context); }
 };
 
-Sha256::Sha256() : state_(std::make_unique<State>()) {
+Sha256::Sha256() {
+  keepLibraryUntilTheEnd();
+  state_ = std::make_unique<State>();
   if (state_->context == nullptr || EVP_DigestInit_ex(state_->context, EVP_sha256(), nullptr) != 1)
     throw std::bad_alloc();
 }
