@@ -7384,13 +7384,19 @@
         <source>take labels and images of one patient and one study, in the same axes</source>
         <translation>useu etiquetes i imatges d&apos;un mateix pacient i estudi, en els mateixos eixos</translation>
     </message>
-    <message>
+    <message numerus="yes">
         <source>%n {plane|planes} of the study {does|do} not cross what is labelled</source>
-        <translation>%n {pla|plans} de l&apos;estudi no {talla|tallen} el que s&apos;ha etiquetat</translation>
+        <translation>
+            <numerusform>%n pla de l&apos;estudi no talla el que s&apos;ha etiquetat</numerusform>
+            <numerusform>%n plans de l&apos;estudi no tallen el que s&apos;ha etiquetat</numerusform>
+        </translation>
     </message>
-    <message>
+    <message numerus="yes">
         <source>%n {slice|slices} nearer than 4 mm to the one before {is|are} not used</source>
-        <translation>%n {tall|talls} a menys de 4 mm de l&apos;anterior no {s&apos;usa|s&apos;usen}</translation>
+        <translation>
+            <numerusform>%n tall a menys de 4 mm de l&apos;anterior no s&apos;usa</numerusform>
+            <numerusform>%n talls a menys de 4 mm de l&apos;anterior no s&apos;usen</numerusform>
+        </translation>
     </message>
     <message>
         <source>Phase %1 has no labels</source>
@@ -7535,6 +7541,126 @@
     <message>
         <source>%1 of %2</source>
         <translation>%1 de %2</translation>
+    </message>
+    <message>
+        <source>Apex of the left ventricle&apos;s cavity</source>
+        <translation>Àpex de la cavitat del ventricle esquerre</translation>
+    </message>
+    <message>
+        <source>Apex of the right ventricle&apos;s cavity</source>
+        <translation>Àpex de la cavitat del ventricle dret</translation>
+    </message>
+    <message>
+        <source>Dome of the liver</source>
+        <translation>Cúpula del fetge</translation>
+    </message>
+    <message>
+        <source>Lower edge of the liver</source>
+        <translation>Vora inferior del fetge</translation>
+    </message>
+    <message>
+        <source>Lower edge of the spleen</source>
+        <translation>Vora inferior de la melsa</translation>
+    </message>
+    <message>
+        <source>Lowest point of the stomach</source>
+        <translation>Punt més baix de l&apos;estómac</translation>
+    </message>
+    <message>
+        <source>Making the phantom</source>
+        <translation>Creació del fantoma</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>Número</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Valor</translation>
+    </message>
+    <message>
+        <source>Upper pole of the left kidney</source>
+        <translation>Pol superior del ronyó esquerre</translation>
+    </message>
+    <message>
+        <source>Upper pole of the right kidney</source>
+        <translation>Pol superior del ronyó dret</translation>
+    </message>
+    <message>
+        <source>left atrium</source>
+        <translation>aurícula esquerra</translation>
+    </message>
+    <message>
+        <source>right atrium</source>
+        <translation>aurícula dreta</translation>
+    </message>
+    <message>
+        <source>left kidney</source>
+        <translation>ronyó esquerre</translation>
+    </message>
+    <message>
+        <source>right kidney</source>
+        <translation>ronyó dret</translation>
+    </message>
+    <message>
+        <source>left lung</source>
+        <translation>pulmó esquerre</translation>
+    </message>
+    <message>
+        <source>right lung</source>
+        <translation>pulmó dret</translation>
+    </message>
+    <message>
+        <source>right ventricle</source>
+        <translation>ventricle dret</translation>
+    </message>
+    <message>
+        <source>the deviation of the noise</source>
+        <translation>la desviació del soroll</translation>
+    </message>
+    <message>
+        <source>the ejection fraction</source>
+        <translation>la fracció d&apos;ejecció</translation>
+    </message>
+    <message>
+        <source>the folder cannot be made</source>
+        <translation>no es pot crear la carpeta</translation>
+    </message>
+    <message>
+        <source>the gap between slices</source>
+        <translation>la separació entre els talls</translation>
+    </message>
+    <message>
+        <source>the heart rate</source>
+        <translation>la freqüència cardíaca</translation>
+    </message>
+    <message>
+        <source>the number of phases</source>
+        <translation>el nombre de fases</translation>
+    </message>
+    <message>
+        <source>the number of slices</source>
+        <translation>el nombre de talls</translation>
+    </message>
+    <message>
+        <source>the rate of breathing</source>
+        <translation>la freqüència respiratòria</translation>
+    </message>
+    <message>
+        <source>the shift of the slices</source>
+        <translation>el desplaçament dels talls</translation>
+    </message>
+    <message>
+        <source>the spacing</source>
+        <translation>l&apos;espaiat</translation>
+    </message>
+    <message>
+        <source>the spacing of the fields</source>
+        <translation>l&apos;espaiat dels camps</translation>
+    </message>
+    <message>
+        <source>viscera phantom</source>
+        <translation>fantoma Viscera</translation>
     </message>
 </context>
 <context>

@@ -7384,13 +7384,19 @@
         <source>take labels and images of one patient and one study, in the same axes</source>
         <translation>nehmen Sie Markierungen und Bilder eines Patienten und einer Studie in denselben Achsen</translation>
     </message>
-    <message>
+    <message numerus="yes">
         <source>%n {plane|planes} of the study {does|do} not cross what is labelled</source>
-        <translation>%n {Ebene|Ebenen} der Studie {schneidet|schneiden} das Markierte nicht</translation>
+        <translation>
+            <numerusform>%n Ebene der Studie schneidet das Markierte nicht</numerusform>
+            <numerusform>%n Ebenen der Studie schneiden das Markierte nicht</numerusform>
+        </translation>
     </message>
-    <message>
+    <message numerus="yes">
         <source>%n {slice|slices} nearer than 4 mm to the one before {is|are} not used</source>
-        <translation>%n {Schicht|Schichten}, die der vorigen näher als 4 mm {liegt|liegen}, {wird|werden} nicht verwendet</translation>
+        <translation>
+            <numerusform>%n Schicht, die der vorigen näher als 4 mm liegt, wird nicht verwendet</numerusform>
+            <numerusform>%n Schichten, die der vorigen näher als 4 mm liegen, werden nicht verwendet</numerusform>
+        </translation>
     </message>
     <message>
         <source>Phase %1 has no labels</source>
@@ -7535,6 +7541,126 @@
     <message>
         <source>%1 of %2</source>
         <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>Apex of the left ventricle&apos;s cavity</source>
+        <translation>Spitze der Höhle der linken Kammer</translation>
+    </message>
+    <message>
+        <source>Apex of the right ventricle&apos;s cavity</source>
+        <translation>Spitze der Höhle der rechten Kammer</translation>
+    </message>
+    <message>
+        <source>Dome of the liver</source>
+        <translation>Leberkuppel</translation>
+    </message>
+    <message>
+        <source>Lower edge of the liver</source>
+        <translation>Unterer Leberrand</translation>
+    </message>
+    <message>
+        <source>Lower edge of the spleen</source>
+        <translation>Unterer Milzrand</translation>
+    </message>
+    <message>
+        <source>Lowest point of the stomach</source>
+        <translation>Tiefster Punkt des Magens</translation>
+    </message>
+    <message>
+        <source>Making the phantom</source>
+        <translation>Phantom wird erzeugt</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>Nummer</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Wert</translation>
+    </message>
+    <message>
+        <source>Upper pole of the left kidney</source>
+        <translation>Oberer Pol der linken Niere</translation>
+    </message>
+    <message>
+        <source>Upper pole of the right kidney</source>
+        <translation>Oberer Pol der rechten Niere</translation>
+    </message>
+    <message>
+        <source>left atrium</source>
+        <translation>linker Vorhof</translation>
+    </message>
+    <message>
+        <source>right atrium</source>
+        <translation>rechter Vorhof</translation>
+    </message>
+    <message>
+        <source>left kidney</source>
+        <translation>linke Niere</translation>
+    </message>
+    <message>
+        <source>right kidney</source>
+        <translation>rechte Niere</translation>
+    </message>
+    <message>
+        <source>left lung</source>
+        <translation>linke Lunge</translation>
+    </message>
+    <message>
+        <source>right lung</source>
+        <translation>rechte Lunge</translation>
+    </message>
+    <message>
+        <source>right ventricle</source>
+        <translation>rechte Kammer</translation>
+    </message>
+    <message>
+        <source>the deviation of the noise</source>
+        <translation>die Abweichung des Rauschens</translation>
+    </message>
+    <message>
+        <source>the ejection fraction</source>
+        <translation>die Ejektionsfraktion</translation>
+    </message>
+    <message>
+        <source>the folder cannot be made</source>
+        <translation>der Ordner lässt sich nicht anlegen</translation>
+    </message>
+    <message>
+        <source>the gap between slices</source>
+        <translation>der Abstand zwischen den Schichten</translation>
+    </message>
+    <message>
+        <source>the heart rate</source>
+        <translation>die Herzfrequenz</translation>
+    </message>
+    <message>
+        <source>the number of phases</source>
+        <translation>die Zahl der Phasen</translation>
+    </message>
+    <message>
+        <source>the number of slices</source>
+        <translation>die Zahl der Schichten</translation>
+    </message>
+    <message>
+        <source>the rate of breathing</source>
+        <translation>die Atemfrequenz</translation>
+    </message>
+    <message>
+        <source>the shift of the slices</source>
+        <translation>die Verschiebung der Schichten</translation>
+    </message>
+    <message>
+        <source>the spacing</source>
+        <translation>der Abstand</translation>
+    </message>
+    <message>
+        <source>the spacing of the fields</source>
+        <translation>der Abstand der Felder</translation>
+    </message>
+    <message>
+        <source>viscera phantom</source>
+        <translation>Viscera-Phantom</translation>
     </message>
 </context>
 <context>

@@ -7384,13 +7384,19 @@
         <source>take labels and images of one patient and one study, in the same axes</source>
         <translation>use etiquetas e imágenes de un mismo paciente y estudio, en los mismos ejes</translation>
     </message>
-    <message>
+    <message numerus="yes">
         <source>%n {plane|planes} of the study {does|do} not cross what is labelled</source>
-        <translation>%n {plano|planos} del estudio no {corta|cortan} lo etiquetado</translation>
+        <translation>
+            <numerusform>%n plano del estudio no corta lo etiquetado</numerusform>
+            <numerusform>%n planos del estudio no cortan lo etiquetado</numerusform>
+        </translation>
     </message>
-    <message>
+    <message numerus="yes">
         <source>%n {slice|slices} nearer than 4 mm to the one before {is|are} not used</source>
-        <translation>%n {corte|cortes} a menos de 4 mm del anterior no se {usa|usan}</translation>
+        <translation>
+            <numerusform>%n corte a menos de 4 mm del anterior no se usa</numerusform>
+            <numerusform>%n cortes a menos de 4 mm del anterior no se usan</numerusform>
+        </translation>
     </message>
     <message>
         <source>Phase %1 has no labels</source>
@@ -7535,6 +7541,126 @@
     <message>
         <source>%1 of %2</source>
         <translation>%1 de %2</translation>
+    </message>
+    <message>
+        <source>Apex of the left ventricle&apos;s cavity</source>
+        <translation>Ápex de la cavidad del ventrículo izquierdo</translation>
+    </message>
+    <message>
+        <source>Apex of the right ventricle&apos;s cavity</source>
+        <translation>Ápex de la cavidad del ventrículo derecho</translation>
+    </message>
+    <message>
+        <source>Dome of the liver</source>
+        <translation>Cúpula del hígado</translation>
+    </message>
+    <message>
+        <source>Lower edge of the liver</source>
+        <translation>Borde inferior del hígado</translation>
+    </message>
+    <message>
+        <source>Lower edge of the spleen</source>
+        <translation>Borde inferior del bazo</translation>
+    </message>
+    <message>
+        <source>Lowest point of the stomach</source>
+        <translation>Punto más bajo del estómago</translation>
+    </message>
+    <message>
+        <source>Making the phantom</source>
+        <translation>Creación del fantoma</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>Número</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Valor</translation>
+    </message>
+    <message>
+        <source>Upper pole of the left kidney</source>
+        <translation>Polo superior del riñón izquierdo</translation>
+    </message>
+    <message>
+        <source>Upper pole of the right kidney</source>
+        <translation>Polo superior del riñón derecho</translation>
+    </message>
+    <message>
+        <source>left atrium</source>
+        <translation>aurícula izquierda</translation>
+    </message>
+    <message>
+        <source>right atrium</source>
+        <translation>aurícula derecha</translation>
+    </message>
+    <message>
+        <source>left kidney</source>
+        <translation>riñón izquierdo</translation>
+    </message>
+    <message>
+        <source>right kidney</source>
+        <translation>riñón derecho</translation>
+    </message>
+    <message>
+        <source>left lung</source>
+        <translation>pulmón izquierdo</translation>
+    </message>
+    <message>
+        <source>right lung</source>
+        <translation>pulmón derecho</translation>
+    </message>
+    <message>
+        <source>right ventricle</source>
+        <translation>ventrículo derecho</translation>
+    </message>
+    <message>
+        <source>the deviation of the noise</source>
+        <translation>la desviación del ruido</translation>
+    </message>
+    <message>
+        <source>the ejection fraction</source>
+        <translation>la fracción de eyección</translation>
+    </message>
+    <message>
+        <source>the folder cannot be made</source>
+        <translation>no se puede crear la carpeta</translation>
+    </message>
+    <message>
+        <source>the gap between slices</source>
+        <translation>la separación entre los cortes</translation>
+    </message>
+    <message>
+        <source>the heart rate</source>
+        <translation>la frecuencia cardíaca</translation>
+    </message>
+    <message>
+        <source>the number of phases</source>
+        <translation>el número de fases</translation>
+    </message>
+    <message>
+        <source>the number of slices</source>
+        <translation>el número de cortes</translation>
+    </message>
+    <message>
+        <source>the rate of breathing</source>
+        <translation>la frecuencia respiratoria</translation>
+    </message>
+    <message>
+        <source>the shift of the slices</source>
+        <translation>el desplazamiento de los cortes</translation>
+    </message>
+    <message>
+        <source>the spacing</source>
+        <translation>el espaciado</translation>
+    </message>
+    <message>
+        <source>the spacing of the fields</source>
+        <translation>el espaciado de los campos</translation>
+    </message>
+    <message>
+        <source>viscera phantom</source>
+        <translation>fantoma Viscera</translation>
     </message>
 </context>
 <context>

@@ -7384,13 +7384,19 @@
         <source>take labels and images of one patient and one study, in the same axes</source>
         <translation>prenez les étiquettes et les images d&apos;un même patient et d&apos;un même examen, dans les mêmes axes</translation>
     </message>
-    <message>
+    <message numerus="yes">
         <source>%n {plane|planes} of the study {does|do} not cross what is labelled</source>
-        <translation>%n {plan|plans} de l&apos;examen ne {coupe|coupent} pas ce qui est étiqueté</translation>
+        <translation>
+            <numerusform>%n plan de l&apos;examen ne coupe pas ce qui est étiqueté</numerusform>
+            <numerusform>%n plans de l&apos;examen ne coupent pas ce qui est étiqueté</numerusform>
+        </translation>
     </message>
-    <message>
+    <message numerus="yes">
         <source>%n {slice|slices} nearer than 4 mm to the one before {is|are} not used</source>
-        <translation>%n {coupe|coupes} à moins de 4 mm de la précédente {n&apos;est pas utilisée|ne sont pas utilisées}</translation>
+        <translation>
+            <numerusform>%n coupe à moins de 4 mm de la précédente n&apos;est pas utilisée</numerusform>
+            <numerusform>%n coupes à moins de 4 mm de la précédente ne sont pas utilisées</numerusform>
+        </translation>
     </message>
     <message>
         <source>Phase %1 has no labels</source>
@@ -7535,6 +7541,126 @@
     <message>
         <source>%1 of %2</source>
         <translation>%1 sur %2</translation>
+    </message>
+    <message>
+        <source>Apex of the left ventricle&apos;s cavity</source>
+        <translation>Pointe de la cavité du ventricule gauche</translation>
+    </message>
+    <message>
+        <source>Apex of the right ventricle&apos;s cavity</source>
+        <translation>Pointe de la cavité du ventricule droit</translation>
+    </message>
+    <message>
+        <source>Dome of the liver</source>
+        <translation>Dôme du foie</translation>
+    </message>
+    <message>
+        <source>Lower edge of the liver</source>
+        <translation>Bord inférieur du foie</translation>
+    </message>
+    <message>
+        <source>Lower edge of the spleen</source>
+        <translation>Bord inférieur de la rate</translation>
+    </message>
+    <message>
+        <source>Lowest point of the stomach</source>
+        <translation>Point le plus bas de l&apos;estomac</translation>
+    </message>
+    <message>
+        <source>Making the phantom</source>
+        <translation>Création du fantôme</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>Numéro</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Valeur</translation>
+    </message>
+    <message>
+        <source>Upper pole of the left kidney</source>
+        <translation>Pôle supérieur du rein gauche</translation>
+    </message>
+    <message>
+        <source>Upper pole of the right kidney</source>
+        <translation>Pôle supérieur du rein droit</translation>
+    </message>
+    <message>
+        <source>left atrium</source>
+        <translation>oreillette gauche</translation>
+    </message>
+    <message>
+        <source>right atrium</source>
+        <translation>oreillette droite</translation>
+    </message>
+    <message>
+        <source>left kidney</source>
+        <translation>rein gauche</translation>
+    </message>
+    <message>
+        <source>right kidney</source>
+        <translation>rein droit</translation>
+    </message>
+    <message>
+        <source>left lung</source>
+        <translation>poumon gauche</translation>
+    </message>
+    <message>
+        <source>right lung</source>
+        <translation>poumon droit</translation>
+    </message>
+    <message>
+        <source>right ventricle</source>
+        <translation>ventricule droit</translation>
+    </message>
+    <message>
+        <source>the deviation of the noise</source>
+        <translation>l&apos;écart du bruit</translation>
+    </message>
+    <message>
+        <source>the ejection fraction</source>
+        <translation>la fraction d&apos;éjection</translation>
+    </message>
+    <message>
+        <source>the folder cannot be made</source>
+        <translation>le dossier ne peut pas être créé</translation>
+    </message>
+    <message>
+        <source>the gap between slices</source>
+        <translation>l&apos;écart entre les coupes</translation>
+    </message>
+    <message>
+        <source>the heart rate</source>
+        <translation>la fréquence cardiaque</translation>
+    </message>
+    <message>
+        <source>the number of phases</source>
+        <translation>le nombre de phases</translation>
+    </message>
+    <message>
+        <source>the number of slices</source>
+        <translation>le nombre de coupes</translation>
+    </message>
+    <message>
+        <source>the rate of breathing</source>
+        <translation>la fréquence respiratoire</translation>
+    </message>
+    <message>
+        <source>the shift of the slices</source>
+        <translation>le décalage des coupes</translation>
+    </message>
+    <message>
+        <source>the spacing</source>
+        <translation>l&apos;espacement</translation>
+    </message>
+    <message>
+        <source>the spacing of the fields</source>
+        <translation>l&apos;espacement des champs</translation>
+    </message>
+    <message>
+        <source>viscera phantom</source>
+        <translation>fantôme Viscera</translation>
     </message>
 </context>
 <context>

@@ -165,7 +165,10 @@ void CinePresenter::Parts::label(CinePane& pane, const SliceScene& scene) const 
   scene::SlicePicture& picture = pane.picture;
   const std::vector<std::size_t> group = cineGroup(study, pane.slice);
   picture.title = language.translate(nameOf(slice.plane).c_str());
-  if (group.size() > 1 && study.slices[group.front()].plane == slice.plane) {
+  const bool isStack = std::all_of(group.begin(), group.end(), [&](std::size_t other) {
+    return study.slices[other].plane == slice.plane;
+  });
+  if (group.size() > 1 && isStack) {
     std::size_t place = 1;
     for (std::size_t i = 0; i < group.size(); ++i)
       place = group[i] == pane.slice ? i + 1 : place;
