@@ -2497,10 +2497,6 @@ Moveu el lliscador de dalt per col·locar-ne, o feu clic a l’òrgan en el mode
         <translation>Núm.</translation>
     </message>
     <message>
-        <source>Value</source>
-        <translation>Valor</translation>
-    </message>
-    <message>
         <source>%1: at rest %2 mm</source>
         <translation>%1: en repòs %2 mm</translation>
     </message>
@@ -4062,14 +4058,6 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
     <message>
         <source>heart</source>
         <translation>cor</translation>
-    </message>
-    <message>
-        <source>left kidney</source>
-        <translation>ronyó esquerre</translation>
-    </message>
-    <message>
-        <source>right kidney</source>
-        <translation>ronyó dret</translation>
     </message>
     <message>
         <source>liver</source>

@@ -2497,10 +2497,6 @@ Bewegen Sie den Regler oben, um welche zu setzen, oder klicken Sie im Modus Grif
         <translation>Nr.</translation>
     </message>
     <message>
-        <source>Value</source>
-        <translation>Wert</translation>
-    </message>
-    <message>
         <source>%1: at rest %2 mm</source>
         <translation>%1: in Ruhe %2 mm</translation>
     </message>
@@ -4062,14 +4058,6 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
     <message>
         <source>heart</source>
         <translation>Herz</translation>
-    </message>
-    <message>
-        <source>left kidney</source>
-        <translation>linke Niere</translation>
-    </message>
-    <message>
-        <source>right kidney</source>
-        <translation>rechte Niere</translation>
     </message>
     <message>
         <source>liver</source>

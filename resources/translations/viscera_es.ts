@@ -2497,10 +2497,6 @@ Mueva el control de arriba para colocar algunos o haga clic en el órgano en el 
         <translation>N.º</translation>
     </message>
     <message>
-        <source>Value</source>
-        <translation>Valor</translation>
-    </message>
-    <message>
         <source>%1: at rest %2 mm</source>
         <translation>%1: en reposo %2 mm</translation>
     </message>
@@ -4062,14 +4058,6 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
     <message>
         <source>heart</source>
         <translation>corazón</translation>
-    </message>
-    <message>
-        <source>left kidney</source>
-        <translation>riñón izquierdo</translation>
-    </message>
-    <message>
-        <source>right kidney</source>
-        <translation>riñón derecho</translation>
     </message>
     <message>
         <source>liver</source>

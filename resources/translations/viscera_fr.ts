@@ -2497,10 +2497,6 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez sur l’organe en mode
         <translation>N°</translation>
     </message>
     <message>
-        <source>Value</source>
-        <translation>Valeur</translation>
-    </message>
-    <message>
         <source>%1: at rest %2 mm</source>
         <translation>%1&#xa0;: au repos %2 mm</translation>
     </message>
@@ -4062,14 +4058,6 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     <message>
         <source>heart</source>
         <translation>cœur</translation>
-    </message>
-    <message>
-        <source>left kidney</source>
-        <translation>rein gauche</translation>
-    </message>
-    <message>
-        <source>right kidney</source>
-        <translation>rein droit</translation>
     </message>
     <message>
         <source>liver</source>
