@@ -140,7 +140,7 @@ private:
   bool stated() const { return youngKpa_ || !material_.empty(); }
 
   std::shared_ptr<const elasticity::Material> material() const {
-    // Without a stated one the modulus is arbitrary: it scales forces, and no displacement.
+    // The modulus is arbitrary where none is stated: it scales forces, and no displacement.
     const double young =
         !material_.empty() ? elasticity::tissueNamed(material_).youngKpa : youngKpa_.value_or(1);
     return std::make_shared<const elasticity::NeoHookean>(young, poisson_);

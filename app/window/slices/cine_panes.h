@@ -20,7 +20,7 @@ public:
   void update(const presentation::SliceScene& scene, const std::vector<presentation::SlicePane>& panes) {
     presenter_.update(scene, panes);
   }
-  /// As of `presentation::CinePresenter`, of the last update.
+  /// The same as of `presentation::CinePresenter`, of the last update.
   const scene::SlicePicture& picture(int pane) const { return presenter_.picture(pane); }
   const medical_io::SliceFrame& frame(int pane) const { return presenter_.frame(pane); }
   presentation::SliceReading read(int pane, const Eigen::Vector2d& pixel) const {

@@ -208,7 +208,7 @@ void SlicePanes::updateScan(presentation::SliceScene scene, const std::vector<pr
   presenter_.update(scene, shown);
 }
 
-/// Of what a pane shows now.
+/// The frame of what a pane shows now.
 const medical_io::SliceFrame& SlicePanes::frame(int direction) const {
   return cine_.shown() ? cine_.frame(direction) : presenter_.frame(direction);
 }

@@ -134,7 +134,7 @@ void PhaseScrubber::setEnds(const std::optional<heart::CycleEnds>& ends) {
   update();
 }
 
-/// In the strip, so that names and handle keep their places.
+/// Paints in the strip, so that names and handle keep their places.
 void PhaseScrubber::paintEnds(QPainter& painter, const QRectF& area) const {
   if (!ends_)
     return;

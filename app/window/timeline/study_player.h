@@ -24,16 +24,16 @@ public:
   bool leads() const;
   bool playing() const { return frames_.isActive(); }
   bool loop() const { return loop_; }
-  /// Of the cycle, [0, 1].
+  /// The part of the cycle, [0, 1].
   double fraction() const { return view_.state().scan.cine.fraction; }
-  /// Of the study's cycle; 0 without a study.
+  /// The duration of the study's cycle; 0 without a study.
   double periodSeconds() const;
 
   void toggle();
   void pause();
   void setLooping(bool looping);
   void seek(double fraction);
-  /// By pictures of the first slice that is shown.
+  /// Goes by pictures of the first slice that is shown.
   void step(int pictures);
 
 Q_SIGNALS:

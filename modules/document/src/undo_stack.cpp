@@ -49,7 +49,7 @@ std::size_t bytesOf(const medical_io::Scan& scan) {
       scan.samples);
 }
 
-/// At most what its decoded pictures take.
+/// The most that its decoded pictures take.
 std::size_t bytesOf(const medical_io::CineStudy& study) {
   std::size_t bytes = 0;
   for (const medical_io::CineSlice& slice : study.slices)

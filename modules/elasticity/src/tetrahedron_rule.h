@@ -45,7 +45,7 @@ inline Eigen::Matrix<double, 10, 1> quadraticShapes(const Eigen::Vector4d& l) {
   return shapes;
 }
 
-/// Their derivatives along the second, third and fourth barycentric coordinate, `10 x 3`.
+/// The shapes' derivatives along the second, third and fourth barycentric coordinate, `10 x 3`.
 inline Eigen::Matrix<double, 10, 3> quadraticShapeGradients(const Eigen::Vector4d& l) {
   Eigen::Matrix<double, 10, 4> by = Eigen::Matrix<double, 10, 4>::Zero();
   for (int k = 0; k < 4; ++k)

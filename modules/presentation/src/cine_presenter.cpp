@@ -25,7 +25,7 @@ using medical_io::CineSlice;
 using medical_io::CineStudy;
 
 constexpr double kCineRestShade = 0.5;
-/// Of the lines in which the planes of other panes cut.
+/// Colour of the lines in which the planes of other panes cut.
 const Vec3 kCrossingColor(0.45, 0.5, 0.55);
 
 /// The inputs with which a pane was sampled.

@@ -248,7 +248,7 @@ std::optional<std::array<Eigen::Vector2d, 2>> cineCross(const medical_io::SliceF
                                                         const geometry::Plane& plane) {
   if (frame.plane().normal.cross(plane.normal).norm() < kNearlyParallel)
     return std::nullopt;
-  // In pixels the plane is a x + b y + c = 0.
+  // The plane in pixels is a x + b y + c = 0.
   const double a = plane.normal.dot(frame.right), b = plane.normal.dot(frame.up),
                c = plane.height(frame.corner);
   const double w = frame.width - 1, h = frame.height - 1;

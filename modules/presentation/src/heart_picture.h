@@ -103,7 +103,7 @@ private:
   Moment moment_;
   std::optional<scene::CutPlane> plane_;
   std::uint64_t revision_ = 0;
-  /// Of the septum that the plane meets: the vertices on both sides of its middle.
+  /// The septum that the plane meets: the vertices on both sides of its middle.
   struct Septum {
     document::OrganId left, right;
     Eigen::Index leftVertex = 0, rightVertex = 0;

@@ -313,7 +313,7 @@ private:
     return true;
   }
 
-  /// Of the cells that are right the one nearest to a place, or to their middle: one with such neighbours, so
+  /// The right cell that is nearest to a place, or to their middle: one with such neighbours, so
   /// that it stays right for a while, where there are any.
   std::optional<std::size_t> bestCell(const Item& item, std::optional<ScreenPlace> to) const {
     std::vector<bool> right(grid_.cells());

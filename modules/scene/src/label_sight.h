@@ -26,7 +26,7 @@ struct Sighting {
   std::size_t cells = 0; ///< Of the front that its vertices lie in ...
   std::size_t front = 0; ///< ... and those of them in which it is in front; all where it is translucent.
   bool seen = false;
-  /// Of a translucent organ that has a label: its own cells, whatever is before them.
+  /// The cells of a translucent organ that has a label, whatever is before them.
   std::shared_ptr<FrontGrid> own = nullptr;
   bool atPlace = false; ///< The line ends at (x, y), also of an organ that is labelled at its edge.
 };

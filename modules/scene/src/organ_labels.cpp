@@ -30,7 +30,7 @@ constexpr double kInside = 7; ///< How far inside the edge a line ends.
 constexpr double kLabelsBottom = 44;
 constexpr double kLegend = 120;
 constexpr double kLeaderOpacity = 0.75;
-/// Of more organs, those that are seen most are named first.
+/// The organs that are seen most are named first where there are more.
 constexpr std::size_t kFewNames = 12;
 constexpr int kDotCorners = 12;
 /// How high on an organ the line of a label at the edge starts, as a part of its height.
@@ -179,7 +179,7 @@ void OrganLabels::Parts::measure(std::size_t row, LabelRequest& wanted) {
   wanted.height = size[1];
 }
 
-/// Those that are seen, in the order in which they look for a place: as they were given, among many organs
+/// Labels that are seen, in the order in which they look for a place: as given, among many organs
 /// those first of which most is seen, and parts behind organs.
 std::vector<std::size_t>
 OrganLabels::Parts::rowsByImportance(const std::vector<std::optional<Sighting>>& sightings) const {

@@ -97,7 +97,7 @@ ValveRings sampleHeartRings() {
   ValveRings rings;
   rings[0] = ringAt(frame, {-5.2, 7.0, 1}, {0, 0, 1}, towardsAorta, 12, 14.5);
   rings[1] = ringAt(frame, {7.5, -10, -4}, {0.28, -0.38, -0.88}, towardsAorta, 12, 12);
-  // At the septum it lies 6 mm nearer to the apex than the mitral one, at the free wall as high.
+  // The tricuspid ring lies 6 mm nearer to the apex at the septum, at the free wall as high.
   rings[2] = ringAt(frame, {40.6, 14.2, 3.5}, {0.264, 0.0924, 0.96}, {0.906, 0.317, -0.28}, 12, 16);
   rings[3] = ringAt(frame, {28, -37, 18}, {-0.36, -0.81, -0.46}, {1, 0, 0}, 11.8, 11.8);
   return rings;

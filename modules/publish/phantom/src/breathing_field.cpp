@@ -30,7 +30,7 @@ Weight weightAt(double z) {
                          : stepBetween(z, kHeartHighZ, kStillZ, kHeartShare, 0);
 }
 
-/// Its sequence wants handles; only the map of points is used here.
+/// The sequence of breathing wants handles; only the map of points is used here.
 Points cornersOf(const Bounds& box) {
   Points corners(8, 3);
   for (int c = 0; c < 8; ++c)

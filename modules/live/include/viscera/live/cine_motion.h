@@ -28,7 +28,7 @@ struct PhaseLabels {
 struct CineRequest {
   std::filesystem::path images;    ///< A folder of DICOM files, or a file of volumes over time.
   std::vector<PhaseLabels> labels; ///< Of two phases or more; of one for an estimate.
-  /// As in `SeriesRequest`. One surface in a file a phase may be named here, without labels.
+  /// Surfaces as in `SeriesRequest`. One surface in a file a phase may be named here, without labels.
   std::vector<LabelledSurface> surfaces;
   std::optional<double> periodSeconds; ///< Overrides the median interval of the slices.
   std::vector<int> leftOutSeries;      ///< Numbers of series whose slices are not used.
@@ -101,7 +101,7 @@ struct CineFinding {
 
 /// A motion from images and the labels of a few phases.
 struct CineMotion {
-  /// As of a series with labels in every phase, a key for each. In a phase without labels `measuredMl` is
+  /// The motion of a series with labels in every phase, a key for each. Where no labels are, `measuredMl` is
   /// what the images say after volumes were kept, `freeMl` before, and `meanMm` how far followed tissue is
   /// from the surfaces; `p95Mm`, `maxMm` are 0 there, not known.
   PatientMotion motion;

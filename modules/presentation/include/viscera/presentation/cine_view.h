@@ -11,7 +11,7 @@
 #include "viscera/medical_io/slice_frame.h"
 #include "viscera/presentation/scan_look.h"
 
-/// Which slices and phases of a cine study are shown, and where their pixels lie. Nothing is made up between
+/// Slices and phases of a cine study that are shown, and where their pixels lie. Nothing is made up between
 /// slices or between phases.
 namespace viscera::presentation {
 

@@ -15,7 +15,7 @@ namespace viscera::phantom {
 /// The voxels of an image: their number, and their places.
 struct ImageGrid {
   std::array<int, 3> size = {1, 1, 1}; ///< Along i, j and k.
-  /// From (i, j, k) to mm LPS; whole numbers are centres of voxels. Not singular.
+  /// Maps (i, j, k) to mm LPS; whole numbers are centres of voxels. Not singular.
   Eigen::Affine3d indexToLps = Eigen::Affine3d::Identity();
 
   std::size_t voxels() const { return std::size_t(size[0]) * std::size_t(size[1]) * std::size_t(size[2]); }
