@@ -4,13 +4,13 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <span>
 #include <utility>
 
 #include <Eigen/Geometry>
 
 #include "closest_point.h"
+#include "edge_uses.h"
 #include "viscera/core/error.h"
 #include "viscera/core/phrase.h"
 
@@ -34,28 +34,29 @@ SignedDistance::SignedDistance(std::shared_ptr<const TriangleMesh> mesh) : mesh_
   Points middles(count, 3);
   faceNormals_.resize(count, 3);
   vertexNormals_ = Points::Zero(mesh_->points.rows(), 3);
-  std::map<std::pair<int, int>, Vec3> edges;
   for (Eigen::Index t = 0; t < count; ++t) {
     const std::array<Vec3, 3> p = cornersOf(mesh_->points, mesh_->triangles, t);
     const Vec3 normal = (p[1] - p[0]).cross(p[2] - p[0]).stableNormalized();
     middles.row(t) = (p[0] + p[1] + p[2]).transpose() / 3;
     faceNormals_.row(t) = normal.transpose();
     for (int k = 0; k < 3; ++k) {
-      const int a = mesh_->triangles(t, (k + 1) % 3);
-      const int b = mesh_->triangles(t, (k + 2) % 3);
       const double angle = angleAt(p[static_cast<std::size_t>(k)], p[static_cast<std::size_t>((k + 1) % 3)],
                                    p[static_cast<std::size_t>((k + 2) % 3)]);
       // n_v = sum theta_t n_t with the triangles' angles at the vertex; at an edge both angles are pi, and
       // n_1 + n_2 has their direction.
       vertexNormals_.row(mesh_->triangles(t, k)) += angle * normal.transpose();
-      edges.try_emplace(std::minmax(a, b), Vec3::Zero()).first->second += normal;
     }
   }
-  edgeNormals_.reserve(static_cast<std::size_t>(3 * count));
-  for (Eigen::Index t = 0; t < count; ++t)
-    for (int k = 0; k < 3; ++k)
-      edgeNormals_.push_back(
-          edges.at(std::minmax(mesh_->triangles(t, (k + 1) % 3), mesh_->triangles(t, (k + 2) % 3))));
+  edgeNormals_.resize(static_cast<std::size_t>(3 * count));
+  forEachEdge(mesh_->triangles, [this](std::span<const EdgeUse> uses) {
+    Vec3 sum = Vec3::Zero();
+    for (const EdgeUse& use : uses)
+      sum += faceNormals_.row(use.side / 3).transpose();
+    for (const EdgeUse& use : uses) {
+      const int triangle = use.side / 3, corner = use.side % 3;
+      edgeNormals_[static_cast<std::size_t>(3 * triangle + (corner + 2) % 3)] = sum; // Opposite to its edge.
+    }
+  });
   grow(middles);
 }
 
