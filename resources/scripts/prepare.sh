@@ -19,13 +19,13 @@ packages_to_run_if_there() {
 
 packages_to_test() {
   printf '%s\n' libgtest-dev libgmock-dev libbenchmark-dev libcgal-dev libavcodec-dev \
-    xvfb xauth xdotool clang-format-14 poppler-utils python3 python3-jsonschema chromium \
+    xvfb xauth xdotool poppler-utils python3 python3-jsonschema chromium \
     python3-scipy python3-matplotlib python3-meshio python3-vtk9 python3-mpi4py openmpi-bin libopenmpi-dev
 }
 
 # Packages that tests do without where there are none: they say so and are skipped.
 packages_to_test_if_there() {
-  printf '%s\n' python3-trimesh desktop-file-utils appstream shared-mime-info groff zsh doxygen
+  printf '%s\n' clang-format-14 python3-trimesh desktop-file-utils appstream shared-mime-info groff zsh doxygen
 }
 
 say() { printf '%s\n' "$*" >&2; }
