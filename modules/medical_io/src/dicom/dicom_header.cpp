@@ -107,6 +107,15 @@ std::string readableName(std::string name) {
   return readable;
 }
 
+/// DCMTK renamed its question in 3.6.9.
+bool isPacked(const DcmXfer& syntax) {
+#if OFFIS_DCMTK_VERSION_NUMBER >= 369
+  return syntax.usesEncapsulatedFormat();
+#else
+  return syntax.isEncapsulated();
+#endif
+}
+
 class ElementReader {
 public:
   ElementReader(const std::filesystem::path& file, DcmFileFormat& format) : file_{file, {}}, format_(format) {
@@ -155,7 +164,7 @@ private:
     header_.temporalResolutionMs = numberAt(dataset, DCM_TemporalResolution);
     const DcmXfer syntax(dataset.getOriginalXfer());
     header_.transferSyntax = syntax.getXferName();
-    header_.packed = syntax.isEncapsulated();
+    header_.packed = isPacked(syntax);
   }
 
   /// False for what is no slice of a scan.
