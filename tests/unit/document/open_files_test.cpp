@@ -358,8 +358,8 @@ TEST_F(OpenFiles, OpensADicomFileWithASurfaceAndNamesOtherKinds) {
   const OpenedFiles opened = openFiles({folder_ / "a.dcm"}, progress);
   ASSERT_EQ(opened.organs.size(), 1U);
   EXPECT_EQ(opened.organs[0].organ.name, "Liver");
-  std::ofstream(folder_ / "RS.1.2.3", std::ios::binary) << dicomObject("481.3", "");
-  EXPECT_THAT(refusal<DataError>({folder_ / "RS.1.2.3"}), HasSubstr("RTSTRUCT"));
+  std::ofstream(folder_ / "RP.1.2.3", std::ios::binary) << dicomObject("481.5", "");
+  EXPECT_THAT(refusal<DataError>({folder_ / "RP.1.2.3"}), HasSubstr("RTPLAN"));
 }
 
 } // namespace

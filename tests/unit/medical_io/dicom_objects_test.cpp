@@ -130,9 +130,6 @@ TEST_F(DicomObjects, WithADamagedSurfaceAreRefused) {
 }
 
 TEST_F(DicomObjects, OfOtherKindsAreNamedWithTheWayOut) {
-  EXPECT_THAT(refusal(kStorage + "481.3"),
-              AllOf(HasSubstr("RTSTRUCT"), HasSubstr("contours"), HasSubstr("convert it to a segmentation"),
-                    HasSubstr("3D Slicer")));
   EXPECT_THAT(refusal(kStorage + "481.5"), HasSubstr("RT Plan"));
   EXPECT_THAT(refusal(kStorage + "88.33"), HasSubstr("Structured Report"));
   EXPECT_THAT(refusal(kStorage + "88.59"), HasSubstr("Key Object Selection"));
@@ -141,11 +138,13 @@ TEST_F(DicomObjects, OfOtherKindsAreNamedWithTheWayOut) {
   EXPECT_THAT(refusal(kStorage + "9.2.1"), HasSubstr("Waveform"));
   EXPECT_THAT(refusal(kStorage + "104.1"), HasSubstr("Encapsulated PDF"));
   EXPECT_THAT(refusal(kStorage + "66.1"), HasSubstr("Spatial Registration"));
-  EXPECT_THAT(refusal(kStorage + "66.5"), HasSubstr("Surface Segmentation"));
+  EXPECT_THAT(refusal(kStorage + "66.5"),
+              AllOf(HasSubstr("Surface Segmentation"), HasSubstr("convert it to a segmentation"),
+                    HasSubstr("3D Slicer")));
   EXPECT_THAT(refusal(kStorage + "66.6"), HasSubstr("Tractography"));
   EXPECT_THAT(refusal(kStorage + "66"), HasSubstr("Raw Data"));
   EXPECT_THAT(refusal(kStorage + "77.1.6"), HasSubstr("Whole Slide"));
-  EXPECT_THAT(refusal(kStorage + "481.3", "RS.1.2.3"), HasSubstr("RTSTRUCT")) << "without an ending";
+  EXPECT_THAT(refusal(kStorage + "481.5", "RP.1.2.3"), HasSubstr("RTPLAN")) << "without an ending";
   EXPECT_THAT(refusal("UI1.2.840.10008.1.3.10", "DICOMDIR"),
               AllOf(HasSubstr("DICOMDIR"), HasSubstr(folder_.path().string())));
 }

@@ -40,7 +40,7 @@ constexpr auto kClasses = std::to_array<ObjectClass>({
     {"104.2", DicomKind::other, "Encapsulated CDA"},
     {"104.5", DicomKind::other, "Encapsulated MTL, the materials of an OBJ"},
     {"104.", DicomKind::other, "Encapsulated Document"},
-    {"481.3", DicomKind::other, "RT Structure Set (RTSTRUCT), contours", kAsSegmentation},
+    {"481.3", DicomKind::segmentation, "RT Structure Set (RTSTRUCT), contours"},
     {"481.1", DicomKind::image, "RT Image"},
     {"481.2", DicomKind::image, "RT Dose"},
     {"481.5", DicomKind::other, "RT Plan (RTPLAN)"},
@@ -107,7 +107,11 @@ DicomKind kindOfDicomClass(std::string_view classUid) {
 }
 
 bool isSegmentationClass(std::string_view classUid) {
-  return kindOfDicomClass(classUid) == DicomKind::segmentation;
+  return kindOfDicomClass(classUid) == DicomKind::segmentation && !isStructureSetClass(classUid);
+}
+
+bool isStructureSetClass(std::string_view classUid) {
+  return classUid == "1.2.840.10008.5.1.4.1.1.481.3";
 }
 
 std::string nameOfDicomClass(std::string_view classUid) {

@@ -11,7 +11,7 @@ namespace viscera::medical_io {
 enum class DicomKind {
   none,         ///< It is no DICOM file.
   image,        ///< Pixels, perhaps a slice of a scan.
-  segmentation, ///< Segments: binary, fractional, or a label map.
+  segmentation, ///< Segments: binary, fractional, or a label map; or the contours of a structure set.
   surface,      ///< An STL or OBJ file within.
   other,        ///< Nothing that Viscera reads.
 };
@@ -21,6 +21,9 @@ DicomKind kindOfDicomClass(std::string_view classUid);
 
 /// Whether a class is one of the two of segmentations (PS3.3, A.51 and A.51 with label maps, of 2024).
 bool isSegmentationClass(std::string_view classUid);
+
+/// Whether a class is that of contours drawn for radiotherapy (RT Structure Set, PS3.3, A.19).
+bool isStructureSetClass(std::string_view classUid);
 
 /// What DICOM calls objects of a class, the same in every language: "Ultrasound Image"; empty for a
 /// class that has no name here.

@@ -3,9 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
+#include "dicom/dicom_kinds.h"
 #include "dicom/dicom_load.h"
+#include "dicom/dicom_mark.h"
 #include "dicom/dicom_text.h"
+#include "dicom/structure_grid.h"
 #include "viscera/core/error.h"
 #include "viscera/core/phrase.h"
 
@@ -99,6 +103,28 @@ bool hasReferencedImage(const SegmentationSource& segmentation, const ScanSeries
   });
 }
 
+/// Contours have no voxels: its grid is the one that they are filled on.
+SegmentationSource structureSource(const FileBytes& file) {
+  StructureSet set = readStructureSet(file);
+  const StructureGrid grid = structureGrid(set, file);
+  SegmentationSource source;
+  source.frameOfReference = set.frameOfReference;
+  source.contours = true;
+  source.grid = {grid.size, grid.indexToLps, {}};
+  source.series = std::move(set.series);
+  source.instances = std::move(set.instances);
+  ScanSeries& own = source.described;
+  own.id = set.seriesUid;
+  own.description = set.description;
+  own.modality = "RTSTRUCT";
+  own.size = grid.size;
+  own.indexToLps = grid.indexToLps;
+  own.spacing = grid.indexToLps.linear().colwise().norm();
+  own.frameOfReference = source.frameOfReference;
+  own.files = {file.file};
+  return source;
+}
+
 } // namespace
 
 SegmentationSource segmentationSource(const std::filesystem::path& file) {
@@ -106,6 +132,8 @@ SegmentationSource segmentationSource(const std::filesystem::path& file) {
   FileBytes named{file, {}};
   std::error_code error;
   named.length = std::filesystem::file_size(file, error);
+  if (isStructureSetClass(dicomClass(file)))
+    return structureSource(named);
   loadDicom(format, named);
   const DicomHeader header = dicomHeaderOf(file, format);
   if (!header.notAScan.empty())
@@ -146,6 +174,8 @@ bool isMadeFrom(const SegmentationSource& segmentation, const ScanSeries& series
   const bool refers = !segmentation.series.empty();
   if (refers && !segmentation.series.contains(seriesUidOf(series)))
     return false;
+  if (segmentation.contours)
+    return refers || segmentation.instances.empty() || hasReferencedImage(segmentation, series);
   int step = 1;
   if (!liesOn(segmentation.grid, series, step))
     return false;

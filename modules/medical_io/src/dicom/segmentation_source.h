@@ -13,6 +13,7 @@ namespace viscera::medical_io {
 struct SegmentationSource {
   std::string frameOfReference;            ///< UID of the coordinate system of both.
   SegmentationGrid grid;                   ///< Of the segmentation.
+  bool contours = false;                   ///< A structure set: its grid is its own, not its scan's.
   double sliceSpacing = 0;                 ///< As stated in the file, mm; 0: not stated.
   std::set<std::string> series, instances; ///< UIDs of what it refers to; empty: it does not say.
   ScanSeries described;                    ///< The segmentation's own size, spacing and place.

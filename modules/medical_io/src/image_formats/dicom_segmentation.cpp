@@ -56,7 +56,7 @@ public:
       layers.push_back(readLabels());
     else
       layers = readMasks();
-    store(layers);
+    storeLayers(layers, raw_);
     return std::move(raw_);
   }
 
@@ -203,18 +203,6 @@ private:
     return largest == 1;
   }
 
-  void store(const std::vector<LabelLayer>& layers) {
-    raw_.layers = static_cast<int>(layers.size());
-    raw_.scalar = Scalar::uint16;
-    raw_.order = std::endian::native;
-    raw_.storage.reserve(static_cast<std::size_t>(raw_.byteCount()));
-    for (const LabelLayer& layer : layers)
-      layer.visit([&](const auto& voxels) {
-        for (const std::uint16_t number : voxels)
-          raw_.storage.append(reinterpret_cast<const char*>(&number), sizeof number);
-      });
-  }
-
   const FileBytes& file_;
   std::shared_ptr<DcmFileFormat> format_ = std::make_shared<DcmFileFormat>();
   DicomHeader header_;
@@ -229,6 +217,8 @@ private:
 } // namespace
 
 RawImage readDicomSegmentation(FileBytes& file) {
+  if (isStructureSetClass(dicomClass(file.file)))
+    return readStructureLabels(file);
   return SegmentationReader(file).run();
 }
 

@@ -77,4 +77,16 @@ Bounds boundsOfVoxels(const std::array<int, 3>& size, const Eigen::Affine3d& ind
   return boundsOf(corners);
 }
 
+void storeLayers(const std::vector<LabelLayer>& layers, RawImage& raw) {
+  raw.layers = static_cast<int>(layers.size());
+  raw.scalar = Scalar::uint16;
+  raw.order = std::endian::native;
+  raw.storage.reserve(static_cast<std::size_t>(raw.byteCount()));
+  for (const LabelLayer& layer : layers)
+    layer.visit([&](const auto& voxels) {
+      for (const std::uint16_t number : voxels)
+        raw.storage.append(reinterpret_cast<const char*>(&number), sizeof number);
+    });
+}
+
 } // namespace viscera::medical_io

@@ -66,8 +66,14 @@ void requireAllValues(const RawImage& raw, const FileBytes& file);
 /// Throws `DataError` when the matrix is not finite or singular, or the grid is larger than 1000 km.
 void requireUsableGrid(const RawImage& raw, const FileBytes& file);
 
-/// Parses with DCMTK.
+/// Parses with DCMTK; of a structure set fills the contours.
 RawImage readDicomSegmentation(FileBytes& file);
+
+/// The contours of a DICOM RT Structure Set, filled on a grid of their own (`structureGrid`).
+RawImage readStructureLabels(const FileBytes& file);
+
+/// Makes layers of numbers the image's values.
+void storeLayers(const std::vector<LabelLayer>& layers, RawImage& raw);
 
 /// Reads as `readLabelMap`, of one file, but with only the names and colours that the file itself has, and
 /// without segments when no voxel has a label.

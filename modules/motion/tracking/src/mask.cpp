@@ -5,7 +5,7 @@
 #include <limits>
 #include <numeric>
 
-#include "euclidean.h"
+#include "viscera/geometry/squared_distances.h"
 
 namespace viscera::tracking {
 namespace {
@@ -21,7 +21,7 @@ std::vector<float> distancesInSlices(const Mask& mask, int axis) {
   std::array<bool, 3> along = {true, true, true};
   along[static_cast<std::size_t>(axis)] = false;
   const auto to = [&](std::uint8_t value) {
-    return squaredDistances(mask.inside, value, mask.size, mask.spacing(), along, Threads{1});
+    return geometry::squaredDistances(mask.inside, value, mask.size, mask.spacing(), along, Threads{1});
   };
   std::vector<float> distances = to(1);
   const std::vector<float> out = to(0);

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "euclidean.h"
+#include "viscera/geometry/squared_distances.h"
 
 namespace viscera::tracking {
 namespace {
@@ -72,8 +72,9 @@ MaskDistance::MaskDistance(const Mask& mask, double marginMm, Threads threads) {
   const Mask fine = withMargin(betweenSlices(mask), marginMm);
   const Vec3 spacing = fine.spacing();
   const std::array<bool, 3> everywhere = {true, true, true};
-  values_ = squaredDistances(fine.inside, 1, fine.size, spacing, everywhere, threads);
-  const std::vector<float> out = squaredDistances(fine.inside, 0, fine.size, spacing, everywhere, threads);
+  values_ = geometry::squaredDistances(fine.inside, 1, fine.size, spacing, everywhere, threads);
+  const std::vector<float> out =
+      geometry::squaredDistances(fine.inside, 0, fine.size, spacing, everywhere, threads);
   // Between a voxel and its neighbour on the other side the surface is half way, so that half a voxel comes
   // off the distance between centres on either side.
   const auto half = static_cast<float>(spacing.minCoeff() / 2);

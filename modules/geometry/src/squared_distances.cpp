@@ -1,8 +1,8 @@
-#include "euclidean.h"
+#include "viscera/geometry/squared_distances.h"
 
 #include <algorithm>
 
-namespace viscera::tracking {
+namespace viscera::geometry {
 namespace {
 
 /// The lower envelope of parabolas over one line of voxels; keeps its memory from line to line.
@@ -76,4 +76,4 @@ std::vector<float> squaredDistances(const std::vector<std::uint8_t>& mask, std::
   return distances;
 }
 
-} // namespace viscera::tracking
+} // namespace viscera::geometry

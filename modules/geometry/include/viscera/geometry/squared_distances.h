@@ -7,7 +7,7 @@
 #include "viscera/core/arrays.h"
 #include "viscera/core/parallel.h"
 
-namespace viscera::tracking {
+namespace viscera::geometry {
 
 /// Stands for "no such voxel" in squared distances.
 inline constexpr float kNoneSquared = 1e18F;
@@ -20,4 +20,4 @@ std::vector<float> squaredDistances(const std::vector<std::uint8_t>& mask, std::
                                     const std::array<int, 3>& size, const Vec3& spacing,
                                     const std::array<bool, 3>& along, Threads threads);
 
-} // namespace viscera::tracking
+} // namespace viscera::geometry
