@@ -82,9 +82,7 @@ std::vector<DrawnPlane> planesOf(const DrawnRegion& region, const Eigen::Matrix3
     const auto same = std::find_if(planes.begin(), planes.end(), [&](const DrawnPlane& plane) {
       return std::abs(plane.offset - offset) < kSamePlaneMm;
     });
-    DrawnPlane& plane = same == planes.end() ? planes.emplace_back() : *same;
-    if (same == planes.end())
-      plane.offset = offset;
+    DrawnPlane& plane = same == planes.end() ? planes.emplace_back(DrawnPlane{offset, {}, 0}) : *same;
     plane.contours.emplace_back(own.leftCols<2>().transpose());
     plane.area += 0.5 * areaVector(contour).norm();
   }
