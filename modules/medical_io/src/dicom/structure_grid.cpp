@@ -19,9 +19,9 @@ constexpr double kLeastStepMm = 0.1;  ///< Slices are not nearer.
 constexpr double kAcross = 0.999;     ///< Cosine of the angle of normals that count as one direction.
 constexpr double kFlatMm = 0.5;       ///< A contour leaves its plane by this at most.
 constexpr double kSinglePlaneMm = 3;  ///< Thickness of a slice that stands alone.
-constexpr double kFinest = 0.2;       ///< mm
+constexpr double kFinest = 0.3;       ///< mm
 constexpr double kCoarsest = 1;       ///< mm
-constexpr double kPixelsAcross = 60;  ///< Of a region's mean contour: a square of its area has so many.
+constexpr double kPixelsAcross = 25;  ///< Of a region's mean contour: a square of its area has so many.
 constexpr double kLongestGap = 4;     ///< Times the usual distance.
 constexpr double kOnSlice = 0.05;     ///< Part of a step: a contour so near lies on the slice.
 
