@@ -1,0 +1,201 @@
+#include <cmath>
+#include <fstream>
+#include <iterator>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "dicom_slices.h"
+#include "run_process.h"
+#include "shapes.h"
+#include "temporary_folder.h"
+#include "viscera/clinic/dicom_objects.h"
+#include "viscera/core/error.h"
+#include "viscera/geometry/volume.h"
+#include "viscera/medical_io/image_beside.h"
+#include "viscera/medical_io/label_map.h"
+#include "viscera/medical_io/surface_file.h"
+
+/// What goes back to an archive is read again as what it was.
+namespace viscera::clinic {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+/// Does dicom3tools find an error? Skipped by name where it is absent.
+void expectNoError(const std::filesystem::path& file) {
+  if (tests::runProcess({"which", "dciodvfy"}).exitCode != 0) {
+    std::cout << "skipped: there is no dciodvfy (dicom3tools)\n";
+    return;
+  }
+  const tests::ProcessResult found = tests::runProcess({"dciodvfy", file.string()});
+  EXPECT_THAT(found.err + found.out, Not(HasSubstr("Error - "))) << file;
+}
+
+std::string bytesOf(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+}
+
+class ObjectsOut : public testing::Test {
+protected:
+  /// 48 slices of 96 x 96 pixels, 2 x 2 x 2.5 mm, of Jane Doe.
+  void SetUp() override {
+    tests::LabelImage image = tests::emptyLabels({96, 96, 48});
+    image.indexToLps.linear() = Vec3(2, 2, 2.5).asDiagonal();
+    image.indexToLps.translation() = Vec3(-96, -96, -60);
+    std::filesystem::create_directories(folder_ / "ct");
+    std::vector<std::filesystem::path> files;
+    for (int k = 0; k < image.size[2]; ++k) {
+      tests::DicomElements slice = tests::dicomSlice(image, k);
+      slice[0x00080020] = "DA20240301";
+      slice[0x00080030] = "TM101500";
+      slice[0x00080050] = "SHACC4711";
+      slice[0x00080090] = "PNHouse^Gregory";
+      slice[0x00081030] = "LOAbdomen of Jane";
+      slice[0x00100020] = "LOPID0815";
+      slice[0x00100030] = "DA19700131";
+      slice[0x00100040] = "CSF";
+      slice[0x00200010] = "SHS1";
+      slice[0x00200052] = "UI1.2.9";
+      files.push_back(folder_.put("ct/" + std::to_string(k), tests::dicomBytes(slice)));
+    }
+    identity_ = readStudyIdentity(files, progress_);
+    liver_ = tests::sphere(5, 40, {-20, 5, 3});
+    kidney_ = tests::sphere(5, 18, {50, 10, -8});
+    organs_ = {{"Liver", {0.6, 0.3, 0.2}, &liver_}, {"Left kidney", {0.7, 0.2, 0.3}, &kidney_}};
+  }
+  ObjectSeries series(const char* description) const {
+    return {newUid(), 901, description, "20241129101500", 1, newUid(), "at rest"};
+  }
+  static double ml(const geometry::TriangleMesh& mesh) {
+    return geometry::volume(mesh.points, mesh.triangles) / 1000;
+  }
+  tests::TemporaryFolder folder_;
+  Progress progress_;
+  StudyIdentity identity_;
+  geometry::TriangleMesh liver_, kidney_;
+  std::vector<WrittenOrgan> organs_;
+};
+
+TEST_F(ObjectsOut, KnowWhoseTheyAreFromTheImages) {
+  EXPECT_EQ(identity_.patientName, "Doe^Jane");
+  EXPECT_EQ(identity_.patientId, "PID0815");
+  EXPECT_EQ(identity_.frameOfReference, "1.2.9");
+  ASSERT_EQ(identity_.images.size(), 48U);
+  EXPECT_LT(identity_.images.front().position.z(), identity_.images.back().position.z());
+  EXPECT_EQ(identifyingElements(identity_).front().value, "Doe^Jane");
+  EXPECT_THROW(readStudyIdentity({folder_.put("a.txt", "no image")}, progress_), DataError);
+}
+
+TEST_F(ObjectsOut, AsSegmentationComeBackWithVolumesNamesColoursAndTheirScan) {
+  const auto file = folder_ / "seg.dcm";
+  const WrittenObject written =
+      writeSegmentation(file, identity_, series("Organs"), gridOfImages(identity_), organs_, progress_);
+  EXPECT_EQ(written.segments, (std::vector<std::string>{"Liver", "Left kidney"}));
+  expectNoError(file);
+  const medical_io::LabelMap map = medical_io::readLabelMap(file, progress_);
+  ASSERT_EQ(map.segments.size(), 2U);
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_EQ(map.segments[i].name, organs_[i].name);
+    EXPECT_LT((map.segments[i].color - organs_[i].color).cwiseAbs().maxCoeff(), 0.004);
+    EXPECT_NEAR(map.volumeMl(map.segments[i]), ml(*organs_[i].surface), 0.01 * ml(*organs_[i].surface));
+  }
+  EXPECT_EQ(medical_io::imageBeside(file, medical_io::ImageContents::values, progress_), folder_ / "ct");
+  EXPECT_THAT(bytesOf(file), HasSubstr("10200004")) << "SNOMED CT: liver structure";
+}
+
+TEST_F(ObjectsOut, AsSegmentationOfFineVoxelsKeepTheVolume) {
+  const auto file = folder_ / "seg.dcm";
+  writeSegmentation(file, identity_, series("Organs"), gridAround(organs_, 0.6), organs_, progress_);
+  expectNoError(file);
+  const medical_io::LabelMap map = medical_io::readLabelMap(file, progress_);
+  for (std::size_t i = 0; i < 2; ++i)
+    EXPECT_NEAR(map.volumeMl(map.segments[i]), ml(*organs_[i].surface), 0.001 * ml(*organs_[i].surface));
+}
+
+TEST_F(ObjectsOut, AsContoursComeBackWithinAQuarterOfAPixel) {
+  const auto file = folder_ / "rs.dcm";
+  writeStructureSet(file, identity_, series("Contours"), organs_, progress_);
+  expectNoError(file);
+  const medical_io::LabelMap map = medical_io::readLabelMap(file, progress_);
+  ASSERT_EQ(map.segments.size(), 2U);
+  for (std::size_t i = 0; i < 2; ++i) {
+    const double volume = ml(*organs_[i].surface);
+    EXPECT_EQ(map.segments[i].name, organs_[i].name);
+    EXPECT_NEAR(map.volumeMl(map.segments[i]), volume, 0.01 * volume);
+    EXPECT_LT((map.segments[i].color - organs_[i].color).cwiseAbs().maxCoeff(), 0.003);
+  }
+  EXPECT_EQ(medical_io::imageBeside(file, medical_io::ImageContents::values, progress_), folder_ / "ct");
+}
+
+TEST_F(ObjectsOut, AsSurfaceComeBackToSinglePrecision) {
+  const auto file = folder_ / "liver.dcm";
+  writeSurfaceObject(file, identity_, series("Surface"), organs_[0]);
+  expectNoError(file);
+  const medical_io::SurfaceFile read = medical_io::readSurface(file);
+  EXPECT_EQ(read.name, "Liver");
+  EXPECT_NEAR(geometry::volume(read.mesh.points, read.mesh.triangles) / 1000, ml(liver_), 1e-4 * ml(liver_));
+}
+
+TEST_F(ObjectsOut, AsDocumentCarryThePdf) {
+  const auto file = folder_ / "report.dcm";
+  writeDocumentObject(file, identity_, series("Report"), "Report", "%PDF-1.4\nthe end");
+  expectNoError(file);
+  EXPECT_THAT(bytesOf(file), HasSubstr("%PDF-1.4\nthe end"));
+  EXPECT_THROW(writeDocumentObject(file, identity_, series("Report"), "Report", "text"), DataError);
+}
+
+TEST_F(ObjectsOut, WithoutIdentityHoldNoneOfItsValuesAndBelongTogether) {
+  const StudyIdentity clean = withoutIdentity(identity_, "secret of this export");
+  EXPECT_EQ(withoutIdentity(identity_, "secret of this export").studyUid, clean.studyUid);
+  EXPECT_NE(withoutIdentity(identity_, "another").studyUid, clean.studyUid);
+  const auto seg = folder_ / "seg.dcm", rs = folder_ / "rs.dcm", stl = folder_ / "stl.dcm";
+  writeSegmentation(seg, clean, series("Organs"), gridOfImages(clean), organs_, progress_);
+  writeStructureSet(rs, clean, series("Contours"), organs_, progress_);
+  writeSurfaceObject(stl, clean, series("Surface"), organs_[1]);
+  for (const auto& file : {seg, rs, stl}) {
+    expectNoError(file);
+    const std::string bytes = bytesOf(file);
+    EXPECT_THAT(bytes, HasSubstr(clean.studyUid));
+    EXPECT_THAT(bytes, HasSubstr(clean.frameOfReference));
+    for (const IdentifyingElement& element : identifyingElements(identity_))
+      if (element.value.size() > 3) { // "F" and "S1" are in every file.
+        EXPECT_THAT(bytes, Not(HasSubstr(element.value))) << element.keyword << " in " << file;
+      }
+    EXPECT_THAT(bytes, Not(HasSubstr("Jane")));
+    EXPECT_THAT(bytes, Not(HasSubstr("1.2.3.4."))) << "UIDs of images";
+  }
+}
+
+TEST_F(ObjectsOut, ThatCannotBeMadeAreRefused) {
+  const geometry::TriangleMesh far = tests::sphere(3, 10, {900, 0, 0});
+  const std::vector<WrittenOrgan> outside = {{"Far", {1, 1, 1}, &far}};
+  EXPECT_THROW(writeSegmentation(folder_ / "a.dcm", identity_, series("x"), gridOfImages(identity_), outside,
+                                 progress_),
+               DataError);
+  EXPECT_THROW(writeStructureSet(folder_ / "a.dcm", identity_, series("x"), outside, progress_), DataError);
+  EXPECT_THROW(writeStructureSet(folder_ / "a.dcm", newStudyIdentity(), series("x"), organs_, progress_),
+               DataError);
+  EXPECT_THROW(gridOfImages(newStudyIdentity()), DataError);
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "a.dcm"));
+  EXPECT_THROW(writeSurfaceObject(folder_ / "none/a.dcm", identity_, series("x"), organs_[0]),
+               CannotCreateError);
+}
+
+TEST(Uids, AreValidDifferentAndFollowFromTheirSecret) {
+  EXPECT_NE(newUid(), newUid());
+  EXPECT_EQ(uidFrom("1.2.3", "a"), uidFrom("1.2.3", "a"));
+  EXPECT_NE(uidFrom("1.2.3", "a"), uidFrom("1.2.3", "b"));
+  EXPECT_NE(uidFrom("b1.2.3", "a"), uidFrom("1.2.3", "ab"));
+  for (const std::string& uid : {newUid(), uidFrom("1.2.3", "a")}) {
+    EXPECT_LE(uid.size(), 64U);
+    EXPECT_EQ(uid.find_first_not_of("0123456789."), std::string::npos) << uid;
+    EXPECT_NE(uid[5], '0') << uid;
+  }
+}
+
+} // namespace
+} // namespace viscera::clinic
