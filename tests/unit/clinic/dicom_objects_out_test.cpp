@@ -26,11 +26,11 @@ using testing::Not;
 
 /// Does dicom3tools find an error? Skipped by name where it is absent.
 void expectNoError(const std::filesystem::path& file) {
-  if (tests::runProcess({"which", "dciodvfy"}).exitCode != 0) {
+  if (test::runProcess({"which", "dciodvfy"}).exitCode != 0) {
     std::cout << "skipped: there is no dciodvfy (dicom3tools)\n";
     return;
   }
-  const tests::ProcessResult found = tests::runProcess({"dciodvfy", file.string()});
+  const test::ProcessResult found = test::runProcess({"dciodvfy", file.string()});
   EXPECT_THAT(found.err + found.out, Not(HasSubstr("Error - "))) << file;
 }
 
