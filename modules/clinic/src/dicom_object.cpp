@@ -10,6 +10,7 @@
 #include "viscera/core/atomic_file.h"
 #include "viscera/core/error.h"
 #include "viscera/core/phrase.h"
+#include "viscera/medical_io/quiet_dcmtk.h"
 
 namespace viscera::clinic {
 namespace {
@@ -162,6 +163,7 @@ PartCode codeOf(const std::string& organName) {
 
 WrittenObject save(DcmFileFormat& format, const std::filesystem::path& file, const ObjectSeries& series,
                    E_TransferSyntax syntax) {
+  medical_io::silenceDcmtk();
   OFString classUid;
   format.getDataset()->findAndGetOFString(DCM_SOPClassUID, classUid);
   AtomicFile atomic(file);

@@ -8,6 +8,7 @@
 #include "dicom_object.h"
 #include "viscera/core/error.h"
 #include "viscera/core/phrase.h"
+#include "viscera/medical_io/quiet_dcmtk.h"
 
 namespace viscera::clinic {
 namespace {
@@ -111,6 +112,7 @@ std::vector<IdentifyingElement> identifyingElements(const StudyIdentity& identit
 }
 
 StudyIdentity readStudyIdentity(const std::vector<std::filesystem::path>& files, Progress& progress) {
+  medical_io::silenceDcmtk();
   StudyIdentity identity;
   bool found = false;
   for (std::size_t i = 0; i < files.size(); ++i) {

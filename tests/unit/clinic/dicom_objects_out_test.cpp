@@ -26,11 +26,12 @@ using testing::Not;
 
 /// Does dicom3tools find an error? Skipped by name where it is absent.
 void expectNoError(const std::filesystem::path& file) {
-  if (test::runProcess({"which", "dciodvfy"}).exitCode != 0) {
+  const std::string program = "/usr/bin/dciodvfy";
+  if (!std::filesystem::exists(program)) {
     std::cout << "skipped: there is no dciodvfy (dicom3tools)\n";
     return;
   }
-  const test::ProcessResult found = test::runProcess({"dciodvfy", file.string()});
+  const test::ProcessResult found = test::runProcess({program, file.string()});
   EXPECT_THAT(found.err + found.out, Not(HasSubstr("Error - "))) << file;
 }
 
@@ -49,17 +50,18 @@ protected:
     std::filesystem::create_directories(folder_ / "ct");
     std::vector<std::filesystem::path> files;
     for (int k = 0; k < image.size[2]; ++k) {
-      tests::DicomElements slice = tests::dicomSlice(image, k);
+      tests::DicomElements slice = tests::dicomSlice(image, k, "1.2.840.4711.2");
       slice[0x00080020] = "DA20240301";
-      slice[0x00080030] = "TM101500";
+      slice[0x00080030] = "TM093017";
       slice[0x00080050] = "SHACC4711";
+      slice[0x0020000D] = "UI1.2.840.4711.1";
       slice[0x00080090] = "PNHouse^Gregory";
       slice[0x00081030] = "LOAbdomen of Jane";
       slice[0x00100020] = "LOPID0815";
       slice[0x00100030] = "DA19700131";
       slice[0x00100040] = "CSF";
       slice[0x00200010] = "SHS1";
-      slice[0x00200052] = "UI1.2.9";
+      slice[0x00200052] = "UI1.2.840.4711.9";
       files.push_back(folder_.put("ct/" + std::to_string(k), tests::dicomBytes(slice)));
     }
     identity_ = readStudyIdentity(files, progress_);
@@ -83,7 +85,7 @@ protected:
 TEST_F(ObjectsOut, KnowWhoseTheyAreFromTheImages) {
   EXPECT_EQ(identity_.patientName, "Doe^Jane");
   EXPECT_EQ(identity_.patientId, "PID0815");
-  EXPECT_EQ(identity_.frameOfReference, "1.2.9");
+  EXPECT_EQ(identity_.frameOfReference, "1.2.840.4711.9");
   ASSERT_EQ(identity_.images.size(), 48U);
   EXPECT_LT(identity_.images.front().position.z(), identity_.images.back().position.z());
   EXPECT_EQ(identifyingElements(identity_).front().value, "Doe^Jane");
@@ -104,7 +106,7 @@ TEST_F(ObjectsOut, AsSegmentationComeBackWithVolumesNamesColoursAndTheirScan) {
     EXPECT_NEAR(map.volumeMl(map.segments[i]), ml(*organs_[i].surface), 0.01 * ml(*organs_[i].surface));
   }
   EXPECT_EQ(medical_io::imageBeside(file, medical_io::ImageContents::values, progress_), folder_ / "ct");
-  EXPECT_THAT(bytesOf(file), HasSubstr("10200004")) << "SNOMED CT: liver structure";
+  EXPECT_NE(bytesOf(file).find("10200004"), std::string::npos) << "SNOMED CT: liver structure";
 }
 
 TEST_F(ObjectsOut, AsSegmentationOfFineVoxelsKeepTheVolume) {
@@ -144,7 +146,7 @@ TEST_F(ObjectsOut, AsDocumentCarryThePdf) {
   const auto file = folder_ / "report.dcm";
   writeDocumentObject(file, identity_, series("Report"), "Report", "%PDF-1.4\nthe end");
   expectNoError(file);
-  EXPECT_THAT(bytesOf(file), HasSubstr("%PDF-1.4\nthe end"));
+  EXPECT_NE(bytesOf(file).find("%PDF-1.4\nthe end"), std::string::npos);
   EXPECT_THROW(writeDocumentObject(file, identity_, series("Report"), "Report", "text"), DataError);
 }
 
@@ -159,14 +161,15 @@ TEST_F(ObjectsOut, WithoutIdentityHoldNoneOfItsValuesAndBelongTogether) {
   for (const auto& file : {seg, rs, stl}) {
     expectNoError(file);
     const std::string bytes = bytesOf(file);
-    EXPECT_THAT(bytes, HasSubstr(clean.studyUid));
-    EXPECT_THAT(bytes, HasSubstr(clean.frameOfReference));
+    const auto holds = [&](const std::string& text) { return bytes.find(text) != std::string::npos; };
+    EXPECT_TRUE(holds(clean.studyUid));
+    EXPECT_TRUE(holds(clean.frameOfReference));
     for (const IdentifyingElement& element : identifyingElements(identity_))
       if (element.value.size() > 3) { // "F" and "S1" are in every file.
-        EXPECT_THAT(bytes, Not(HasSubstr(element.value))) << element.keyword << " in " << file;
+        EXPECT_FALSE(holds(element.value)) << element.keyword << " in " << file;
       }
-    EXPECT_THAT(bytes, Not(HasSubstr("Jane")));
-    EXPECT_THAT(bytes, Not(HasSubstr("1.2.3.4."))) << "UIDs of images";
+    EXPECT_FALSE(holds("Jane"));
+    EXPECT_FALSE(holds("1.2.840.4711.")) << "UIDs of images";
   }
 }
 

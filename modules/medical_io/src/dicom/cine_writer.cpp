@@ -7,10 +7,10 @@
 
 #include <dcmtk/dcmdata/dctk.h>
 
-#include "quiet_dcmtk.h"
 #include "viscera/core/atomic_file.h"
 #include "viscera/core/error.h"
 #include "viscera/core/phrase.h"
+#include "viscera/medical_io/quiet_dcmtk.h"
 
 namespace viscera::medical_io {
 namespace {

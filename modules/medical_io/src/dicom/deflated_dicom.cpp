@@ -6,9 +6,9 @@
 #include <optional>
 #include <string_view>
 
-#include "dicom/quiet_dcmtk.h"
 #include "file_bytes.h"
 #include "viscera/core/phrase.h"
+#include "viscera/medical_io/quiet_dcmtk.h"
 
 // DCMTK wants its configuration before its other headers.
 #include <dcmtk/config/osconfig.h>

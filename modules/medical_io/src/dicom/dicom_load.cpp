@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "dicom/deflated_dicom.h"
-#include "dicom/quiet_dcmtk.h"
 #include "viscera/core/phrase.h"
+#include "viscera/medical_io/quiet_dcmtk.h"
 
 // DCMTK's configuration has to be known before its other headers.
 #include <dcmtk/config/osconfig.h>

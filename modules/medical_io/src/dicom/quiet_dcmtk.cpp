@@ -1,4 +1,4 @@
-#include "dicom/quiet_dcmtk.h"
+#include "viscera/medical_io/quiet_dcmtk.h"
 
 #include <mutex>
 
