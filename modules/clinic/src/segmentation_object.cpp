@@ -66,8 +66,11 @@ public:
     fill(organs, progress);
     putShared();
     putDimensions();
+    bool onImages = false;
     for (const Frame& frame : frames_)
-      putFrame(frame);
+      onImages = putFrame(frame) || onImages;
+    if (onImages)
+      putReferencedSeries(dataset_, identity_);
     put(dataset_, DCM_NumberOfFrames, std::to_string(frames_.size()));
     if (dataset_.putAndInsertUint8Array(DCM_PixelData, pixels_.data(), pixels_.size()).bad())
       throw CannotCreateError(misuse("DCMTK cannot write the pixels"), file.string());
@@ -98,7 +101,6 @@ private:
     put(dataset_, DCM_ContentLabel, "ORGANS");
     put(dataset_, DCM_ContentDescription, series_.note);
     put(dataset_, DCM_ContentCreatorName, "");
-    putReferencedSeries(dataset_, identity_);
   }
 
   void putSegments(const std::vector<WrittenOrgan>& organs) {
@@ -165,7 +167,8 @@ private:
     index(DCM_ImagePositionPatient, DCM_PlanePositionSequence);
   }
 
-  void putFrame(const Frame& frame) {
+  /// Whether it lies on an image.
+  bool putFrame(const Frame& frame) {
     DcmItem& groups = addItem(dataset_, DCM_PerFrameFunctionalGroupsSequence);
     const Uint32 place[2] = {static_cast<Uint32>(frame.segment + 1), static_cast<Uint32>(frame.slice + 1)};
     if (addItem(groups, DCM_FrameContentSequence)
@@ -176,17 +179,17 @@ private:
              Vec3(grid_.indexToLps * Vec3(0, 0, frame.slice)));
     putWord(addItem(groups, DCM_SegmentIdentificationSequence), DCM_ReferencedSegmentNumber,
             static_cast<int>(frame.segment) + 1);
-    putSource(groups, frame.slice);
+    return putSource(groups, frame.slice);
   }
 
   /// The image that a frame lies on, where the grid is that of the images.
-  void putSource(DcmItem& groups, int slice) {
+  bool putSource(DcmItem& groups, int slice) {
     const Vec3 place = grid_.indexToLps * Vec3(0, 0, slice);
     const auto image =
         std::find_if(identity_.images.begin(), identity_.images.end(),
                      [&](const SourceImage& one) { return (one.position - place).norm() < 0.01; });
     if (image == identity_.images.end())
-      return;
+      return false;
     DcmItem& derivation = addItem(groups, DCM_DerivationImageSequence);
     putCode(derivation, DCM_DerivationCodeSequence, {"113076", "DCM", "Segmentation"});
     DcmItem& source = addItem(derivation, DCM_SourceImageSequence);
@@ -194,6 +197,7 @@ private:
     put(source, DCM_ReferencedSOPInstanceUID, image->instanceUid);
     putCode(source, DCM_PurposeOfReferenceCodeSequence,
             {"121322", "DCM", "Source image for image processing operation"});
+    return true;
   }
 
   const StudyIdentity& identity_;

@@ -12,6 +12,18 @@ namespace {
 constexpr double kAsideMm = 1e-6;
 constexpr double kUnevenDecimals = 1e4; ///< Coordinates have four digits behind the point: 0.1 um.
 
+/// Whether a contour has a corner within the picture.
+bool reachesInto(const SourceImage& image, const Points& corners) {
+  for (const auto& corner : corners.rowwise()) {
+    const Vec3 from = corner.transpose() - image.position;
+    const double x = from.dot(image.row) / image.betweenColumns,
+                 y = from.dot(image.column) / image.betweenRows;
+    if (x >= -0.5 && x <= image.columns - 0.5 && y >= -0.5 && y <= image.rows - 0.5)
+      return true;
+  }
+  return false;
+}
+
 class StructureSetWriter {
 public:
   StructureSetWriter(const StudyIdentity& identity, const ObjectSeries& series)
@@ -91,7 +103,7 @@ private:
     std::size_t written = 0;
     for (std::size_t line = 0; line < cut.lines(); ++line) {
       const std::int32_t begin = cut.first[line], count = cut.first[line + 1] - begin;
-      if (!cut.closed[line] || count < 3)
+      if (!cut.closed[line] || count < 3 || !reachesInto(image, cut.points.middleRows(begin, count)))
         continue;
       DcmItem& contour = addItem(drawn, DCM_ContourSequence);
       putImage(contour, image);

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <new>
+#include <string>
 #include <string_view>
 
 #include <expat.h>
@@ -42,7 +43,38 @@ public:
   const Text& error() const { return error_; }
 
 private:
-  bool parse(std::string_view bytes, bool last);
+  bool parse(std::string_view bytes, bool last) {
+    if (!error_.empty())
+      return false;
+    if (XML_Parse(parser_, bytes.data(), static_cast<int>(bytes.size()), last ? 1 : 0) != XML_STATUS_ERROR)
+      return true;
+    error_ = diagnostic("Error parsing XML in stream at line %1, column %2, byte index %3: %4", line(),
+                        column(), byte(), std::string(XML_ErrorString(XML_GetErrorCode(parser_))));
+    return false;
+  }
+
+  // expat 2.9 has other names for its places.
+#if XML_MAJOR_VERSION > 2 || XML_MINOR_VERSION >= 9
+  std::string line() const {
+    return std::to_string(XML_GetCurrentLineNumber64(parser_));
+  }
+  std::string column() const {
+    return std::to_string(XML_GetCurrentColumnNumber64(parser_));
+  }
+  std::string byte() const {
+    return std::to_string(XML_GetCurrentByteIndex64(parser_));
+  }
+#else
+  std::string line() const {
+    return std::to_string(XML_GetCurrentLineNumber(parser_));
+  }
+  std::string column() const {
+    return std::to_string(XML_GetCurrentColumnNumber(parser_));
+  }
+  std::string byte() const {
+    return std::to_string(XML_GetCurrentByteIndex(parser_));
+  }
+#endif
 
   XML_Parser parser_;
   Text error_;
