@@ -11,6 +11,7 @@
 #include "shapes.h"
 #include "temporary_folder.h"
 #include "viscera/clinic/dicom_objects.h"
+#include "viscera/clinic/measurement_report.h"
 #include "viscera/core/error.h"
 #include "viscera/geometry/volume.h"
 #include "viscera/medical_io/image_beside.h"
@@ -148,6 +149,35 @@ TEST_F(ObjectsOut, AsDocumentCarryThePdf) {
   expectNoError(file);
   EXPECT_NE(bytesOf(file).find("%PDF-1.4\nthe end"), std::string::npos);
   EXPECT_THROW(writeDocumentObject(file, identity_, series("Report"), "Report", "text"), DataError);
+}
+
+TEST_F(ObjectsOut, AsReportHaveTheirNumbersWithCodesUnitsAndSegments) {
+  const WrittenObject segmentation = writeSegmentation(folder_ / "seg.dcm", identity_, series("Organs"),
+                                                       gridOfImages(identity_), organs_, progress_);
+  const std::vector<MeasuredOrgan> measured = {
+      {"Liver",
+       newUid(),
+       1,
+       "phase 1 of 25, 0 ms",
+       {{quantities::kVolume, 267.5, "ml", "milliliter", "volume of the closed surface"}}},
+      {"Left ventricle",
+       newUid(),
+       std::nullopt,
+       "",
+       {{quantities::kEjectionFraction, 61.25, "%", "percent", ""},
+        {quantities::kLongitudinalStrain, -19.5, "%", "percent", "mean of the segments"}}}};
+  const auto file = folder_ / "sr.dcm";
+  writeMeasurementReport(file, identity_, series("Numbers"), segmentation, measured);
+  expectNoError(file);
+  const std::string bytes = bytesOf(file);
+  for (const std::string& text :
+       {std::string("267.5"), std::string("118565006"), std::string("61.25"), std::string("-19.5"),
+        segmentation.instanceUid, std::string("phase 1 of 25")})
+    EXPECT_NE(bytes.find(text), std::string::npos) << text;
+  EXPECT_THROW(writeMeasurementReport(file, identity_, series("x"), std::nullopt, measured), DataError);
+  EXPECT_THROW(
+      writeMeasurementReport(file, identity_, series("x"), segmentation, {{"Liver", newUid(), 1, "", {}}}),
+      DataError);
 }
 
 TEST_F(ObjectsOut, WithoutIdentityHoldNoneOfItsValuesAndBelongTogether) {
