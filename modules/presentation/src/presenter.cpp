@@ -33,7 +33,6 @@ constexpr double kPercent = 100;
 constexpr double kSmall = 10;
 constexpr double kGlassOpacity = 0.15;
 constexpr const char* kChords = "Chordae tendineae";
-constexpr const char* kSeptum = "Septum";
 constexpr const char* kSpread = "\u00b1 %1, %2 to %3, %4, %5 voxels";
 
 Vec3 missingColor(const scene::ColorMap& colors) {
@@ -49,8 +48,8 @@ struct LabelChoice {
   bool ofConduction = false;
   std::vector<std::pair<document::OrganId, Eigen::Index>> chords = {}; ///< See `ValvePicture::chordNames`.
   std::vector<HeartPicture::VesselName> vessels = {};
-  std::shared_ptr<const Points> septum = nullptr; ///< See `HeartPicture::septum`.
-  bool full = false;                              ///< Blood hides what is in the heart's cavities.
+  std::vector<HeartPicture::SeptumName> septa = {};
+  bool full = false; ///< Blood hides what is in the heart's cavities.
 
   bool operator==(const LabelChoice&) const = default;
 };
@@ -184,7 +183,7 @@ void Presenter::Parts::updateLooks(const Scene& scene, std::map<document::OrganI
   for (const auto& cavity : heart.opened()->heart.cavities)
     organs.actorOf(cavity->id)->setRole(scene::SurfaceRole::hollow);
   heart.updateLook(*organs.actorOf(heart.opened()->heart.outer->id), *cut.plane());
-  heart.updateSeptum(*cut.plane(), scene.organs);
+  heart.updateSepta(*cut.plane(), scene.organs);
 }
 
 /// Whatever colours the organs: a map that is given, the stress, an influence, or their own looks.
@@ -251,7 +250,7 @@ void Presenter::Parts::updateLabels(const Scene& scene, bool others) {
       wanted.chords = valves.chordNames();
     if (cut.plane()) {
       wanted.vessels = heart.vesselNames(*cut.plane());
-      wanted.septum = heart.septum();
+      wanted.septa = heart.septa();
     }
   }
   wanted.full = heart.full() && !scene.parts;
@@ -300,7 +299,7 @@ void Presenter::Parts::addConduction(const Scene& scene, std::vector<scene::Orga
 }
 
 /// The names of what only the picture of an opened heart has: chords, vessels that no part is named after,
-/// and the septum in the face of the cut.
+/// and the septa in the face of the cut.
 void Presenter::Parts::addOpened(std::vector<scene::OrganLabels::Item>& items) const {
   using Lies = scene::OrganLabels::Lies;
   for (const auto& [ventricle, point] : labelled.chords)
@@ -326,9 +325,9 @@ void Presenter::Parts::addOpened(std::vector<scene::OrganLabels::Item>& items) c
                        heart.vesselLines(),
                        vessel.inFace ? Lies::inFace : Lies::onSurface});
   }
-  if (labelled.septum)
+  for (const HeartPicture::SeptumName& septum : labelled.septa)
     items.push_back(
-        {translate(kSeptum), organs.actorOf(outer.id), false, 0, {}, labelled.septum, Lies::inFace});
+        {translate(septum.name), organs.actorOf(outer.id), false, 0, {}, septum.middle, Lies::inFace});
 }
 
 /// The document's measurements in their order, and behind them what is being measured.
