@@ -49,6 +49,8 @@ struct LabelChoice {
   std::vector<std::pair<document::OrganId, Eigen::Index>> chords = {}; ///< See `ValvePicture::chordNames`.
   std::vector<HeartPicture::VesselName> vessels = {};
   std::vector<HeartPicture::SeptumName> septa = {};
+  /// Cavities of the opened heart that the cut does not open: what is on their walls cannot be seen.
+  std::vector<document::OrganId> closed = {};
   bool full = false; ///< Blood hides what is in the heart's cavities.
 
   bool operator==(const LabelChoice&) const = default;
@@ -67,6 +69,21 @@ struct LegendText {
            colors.name == other.colors.name;
   }
 };
+
+/// Whether the cut takes something away of a surface.
+bool takesFrom(const Points& points, const scene::CutPlane& plane) {
+  return (points * plane.normal).minCoeff() < plane.origin.dot(plane.normal);
+}
+
+/// Whether a part is on the inside of a cavity that is closed; a valve is seen from the other side, too.
+bool isShutAway(const Part& part, const document::OrganList& organs,
+                const std::vector<document::OrganId>& closed) {
+  if (std::find(closed.begin(), closed.end(), part.organ) == closed.end())
+    return false;
+  const auto organ =
+      std::find_if(organs.begin(), organs.end(), [&](const auto& other) { return other->id == part.organ; });
+  return organ != organs.end() && (*organ)->places[part.place].ringMm <= 0;
+}
 
 OrgansSeen organsSeenIn(const Scene& scene) {
   OrgansSeen seen = scene.view.organsSeen;
@@ -252,6 +269,10 @@ void Presenter::Parts::updateLabels(const Scene& scene, bool others) {
       wanted.vessels = heart.vesselNames(*cut.plane());
       wanted.septa = heart.septa();
     }
+    if (cut.plane() && heart.opened())
+      for (const auto& cavity : heart.opened()->heart.cavities)
+        if (!takesFrom(cavity->mesh->points, *cut.plane()))
+          wanted.closed.push_back(cavity->id);
   }
   wanted.full = heart.full() && !scene.parts;
   if (!others && labelled == wanted)
@@ -275,7 +296,8 @@ void Presenter::Parts::updateLabels(const Scene& scene, bool others) {
   else if (labelled.ofParts)
     parts = partsOf(*scene.state.organs);
   for (const Part& part : parts)
-    if (!labelled.full || !heart.isCavity(part.organ))
+    if ((!labelled.full || !heart.isCavity(part.organ)) &&
+        !isShutAway(part, *scene.state.organs, labelled.closed))
       items.push_back({translate(nameOf(part, *scene.state.organs).c_str()), organs.actorOf(part.organ),
                        false, part.vertex});
   if (labelled.ofConduction)

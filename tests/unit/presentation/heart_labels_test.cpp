@@ -419,5 +419,20 @@ TEST(HeartLabels, NameWhatItOpens) {
                                                     "Tricuspid valve", "Interventricular septum"}));
 }
 
+/// From the side of the right atrium, and from a side where that is closed.
+TEST(HeartLabels, NameWhatIsOnTheSeptumOfAnOpenRightAtriumOnly) {
+  NamedHeart heart;
+  heart.cut(Vec3(0.8, 0.6, 0), -0.2808);
+  heart.lookAtTheCut();
+  heart.show(0);
+  EXPECT_THAT(heart.names(), testing::IsSupersetOf({"Oval fossa", "Opening of the coronary sinus"}));
+  EXPECT_THAT(heart.astray(), testing::IsEmpty());
+  heart.cut(Vec3(-0.6618, -0.7449, 0.0850), -0.1092);
+  heart.lookAtTheCut();
+  heart.show(0);
+  for (const char* name : {"Oval fossa", "Opening of the coronary sinus", "Terminal crest"})
+    EXPECT_THAT(heart.names(), testing::Not(testing::Contains(name)));
+}
+
 } // namespace
 } // namespace viscera::presentation
