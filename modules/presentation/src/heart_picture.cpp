@@ -61,7 +61,7 @@ void HeartPicture::leave() {
       view_.remove(layer.actor);
   opened_.reset();
   septum_.reset();
-  atrialSeptum_.clear();
+  atrialMet_ = false;
   septumPlane_.reset();
   ++revision_;
 }
@@ -255,24 +255,32 @@ void HeartPicture::findSeptum(const scene::CutPlane& plane) {
   septum_ = Septum{left->id, right->id, best.first, best.second};
 }
 
-/// The vertices of the septum between the atria on both sides of the plane, whose mean is in its middle
-/// there.
-void HeartPicture::findAtrialSeptum(const scene::CutPlane& plane) {
-  atrialSeptum_.clear();
-  const auto& septum = tissue_->septum();
-  if (!septum)
+/// The mean of those vertices of the septum between the atria that are near the plane now: in its middle
+/// there, since what a plane cuts of it is small and convex.
+void HeartPicture::updateAtrialSeptum(const scene::CutPlane& plane) {
+  atrialMet_ = false;
+  const Drawn& layer = layers_[kSeptumLayer];
+  if (!layer.added || layer.points->rows() == 0)
     return;
-  const Values heights = septum->points * plane.normal;
+  const Values heights = *layer.points * plane.normal;
   const double level = plane.origin.dot(plane.normal);
-  if (heights.minCoeff() < level && heights.maxCoeff() > level)
-    atrialSeptum_ = verticesNear(plane, septum->points);
+  if (heights.minCoeff() >= level || heights.maxCoeff() <= level)
+    return;
+  const std::vector<Eigen::Index> near = verticesNear(plane, *layer.points);
+  if (near.empty())
+    return;
+  Vec3 sum = Vec3::Zero();
+  for (const Eigen::Index vertex : near)
+    sum += layer.points->row(vertex).transpose();
+  *atrialPoint_ = inFace(sum / static_cast<double>(near.size()), plane);
+  atrialMet_ = true;
 }
 
 std::vector<HeartPicture::SeptumName> HeartPicture::septa() const {
   std::vector<SeptumName> met;
   if (opened_ && septum_)
     met.push_back({kSeptum, septumPoint_});
-  if (opened_ && !atrialSeptum_.empty())
+  if (opened_ && atrialMet_)
     met.push_back({kAtrialSeptum, atrialPoint_});
   return met;
 }
@@ -280,22 +288,15 @@ std::vector<HeartPicture::SeptumName> HeartPicture::septa() const {
 void HeartPicture::updateSepta(const scene::CutPlane& plane, const live::PosedOrgans& organs) {
   if (!opened_)
     return;
-  if (septumPlane_ != plane) {
+  if (septumPlane_ != plane)
     findSeptum(plane);
-    findAtrialSeptum(plane);
-  }
   septumPlane_ = plane;
   if (septum_) {
     const Vec3 left = organs.sharedPoints(septum_->left)->row(septum_->leftVertex).transpose();
     const Vec3 right = organs.sharedPoints(septum_->right)->row(septum_->rightVertex).transpose();
     *septumPoint_ = inFace((left + right) / 2, plane);
   }
-  if (!atrialSeptum_.empty()) {
-    Vec3 sum = Vec3::Zero();
-    for (const Eigen::Index vertex : atrialSeptum_)
-      sum += layers_[kSeptumLayer].points->row(vertex).transpose();
-    *atrialPoint_ = inFace(sum / static_cast<double>(atrialSeptum_.size()), plane);
-  }
+  updateAtrialSeptum(plane);
 }
 
 void HeartPicture::follow(const live::PosedOrgans& organs) {

@@ -96,7 +96,7 @@ private:
   void follow(const live::PosedOrgans& organs);
   void leave();
   void findSeptum(const scene::CutPlane& plane);
-  void findAtrialSeptum(const scene::CutPlane& plane);
+  void updateAtrialSeptum(const scene::CutPlane& plane);
 
   scene::OrganView& view_;
   Threads threads_;
@@ -118,9 +118,8 @@ private:
     Eigen::Index leftVertex = 0, rightVertex = 0;
   };
   std::optional<Septum> septum_;
-  /// The vertices of the septum between the atria that the plane goes between.
-  std::vector<Eigen::Index> atrialSeptum_;
-  std::optional<scene::CutPlane> septumPlane_; ///< For which they were sought.
+  bool atrialMet_ = false;                     ///< Whether the plane meets the septum between the atria.
+  std::optional<scene::CutPlane> septumPlane_; ///< For which `septum_` was sought.
   std::shared_ptr<Points> septumPoint_ = std::make_shared<Points>(Points::Zero(1, 3));
   std::shared_ptr<Points> atrialPoint_ = std::make_shared<Points>(Points::Zero(1, 3));
 };

@@ -258,14 +258,16 @@ TEST_F(TissueOfAHeart, IsFilledBetweenTheAtria) {
       EXPECT_TRUE(filled.inside(place.transpose()) || muscle.inside(place.transpose()))
           << place << " at " << fraction;
     EXPECT_EQ(geometry::countSelfIntersections({fat, septum.triangles, {}}, progress_), 0) << fraction;
+    int inBlood = 0;
     for (std::size_t side = 0; side < made->blood().size(); ++side) {
       Points lumen;
       made->blood()[side]->at(walls, lumen);
       const geometry::WindingNumber blood(
           geometry::TriangleMesh{lumen, made->blood()[side]->mesh()->triangles, {}});
       for (Eigen::Index v = 0; v < fat.rows(); v += 5)
-        EXPECT_FALSE(blood.inside(fat.row(v).transpose())) << fat.row(v) << " at " << fraction;
+        inBlood += blood.inside(fat.row(v).transpose()) ? 1 : 0;
     }
+    EXPECT_EQ(inBlood, 0) << fraction;
   }
 }
 
