@@ -21,7 +21,11 @@ constexpr auto kShipKidneyPeople =
 constexpr auto kSpect =
     "Breen 2011, doi 10.1111/j.1365-2982.2010.01660.x (spread), and \"Simplifying the measurement of "
     "gastric accommodation using SPECT\" (mean)";
-constexpr auto kCustomary = "customary at the bedside";
+constexpr auto kBreathing =
+    "customary; how much people at rest differ: Benchetrit 2000, doi 10.1016/S0034-5687(00)00154-7";
+constexpr auto kRiseOfPressure = "the limit of Doppler ultrasound, which no study of its own gives; measured "
+                                 "by catheter since Gleason and "
+                                 "Braunwald 1962, doi 10.1172/JCI104469";
 /// No study of its own gives it: the mean of the bounds above, 73 and 98 mmHg, rounded.
 constexpr auto kMeanPressure =
     "geometric mean (Chemla 2005, doi 10.1152/japplphysiol.00713.2005) of the systolic and diastolic bounds, "
@@ -150,7 +154,7 @@ void addCirculation(std::vector<Norm>& rows) {
   add("la.mean", "Left atrium", "mean pressure", "mmHg", {4, 12}, kWedgePressure);
   add("ra.mean", "Right atrium", "mean pressure", "mmHg", {2, 6}, kRightHeart);
   add("lv.edp", "Left ventricle", "end-diastolic pressure", "mmHg", {5, 12}, kFillingPressure);
-  add("lv.dpdt", "Left ventricle", "fastest rise of pressure", "mmHg/s", {1200, kInfinity}, kCustomary);
+  add("lv.dpdt", "Left ventricle", "fastest rise of pressure", "mmHg/s", {1200, kInfinity}, kRiseOfPressure);
   add("lv.coupling", "Left ventricle", "coupling Ea/Ees", "", {0.5, 1},
       "between the most efficient (0.5) and the most powerful coupling (1): Burkhoff and Sagawa 1986, "
       "doi 10.1152/ajpregu.1986.250.6.R1021");
@@ -247,9 +251,9 @@ void addStomach(std::vector<Norm>& rows) {
 void addBreathing(std::vector<Norm>& rows) {
   constexpr auto kSubject = "Breathing";
   rows.push_back(
-      within("breathing.rate", kSubject, "breaths", "1/min", {12, 20}, "adults at rest", kCustomary));
+      within("breathing.rate", kSubject, "breaths", "1/min", {12, 20}, "adults at rest", kBreathing));
   rows.push_back(within("breathing.duty", kSubject, "part that is inspiration", "%", {33, 50},
-                        "adults at rest, from 1 : 2 to 1 : 1", kCustomary));
+                        "adults at rest, from 1 : 2 to 1 : 1", kBreathing));
   rows.push_back(within("breathing.down", "Liver", "way down in quiet breathing", "mm", {10, 25},
                         "what several studies measured", "Keall 2006, doi 10.1118/1.2349696"));
 }

@@ -7,6 +7,8 @@
 #include <utility>
 
 #include "sample_heart.h"
+#include "viscera/core/error.h"
+#include "viscera/core/phrase.h"
 
 namespace viscera::live {
 namespace {
@@ -79,7 +81,10 @@ bool sameSurfaces(const SampleHeartOrgans& a, const SampleHeartOrgans& b) {
 HeartTissue::HeartTissue(HeartSurfaces surfaces, const SampleHeartOrgans& heart, Threads threads)
     : mesh_(std::move(surfaces.tissue)), heart_(heart),
       carried_(mesh_->points, verticesOf(meshesOf(heart)), threads),
-      vessels_(std::move(surfaces.vessels), verticesOf(meshesOf(heart)), threads) {
+      vessels_(std::move(surfaces.vessels), verticesOf(meshesOf(heart)), threads),
+      septum_(std::move(surfaces.septum)) {
+  if (septum_)
+    carriedSeptum_.emplace(septum_->points, verticesOf(meshesOf(heart)), threads);
   for (std::size_t side = 0; side < blood_.size(); ++side)
     if (surfaces.lumina[side])
       blood_[side] = std::make_unique<const HeartBlood>(*surfaces.lumina[side], *mesh_);
@@ -94,6 +99,12 @@ Points HeartTissue::carriersAt(const SampleHeartOrgans& heart, const PosedOrgans
 
 void HeartTissue::at(const Points& carriers, Points& out, Threads threads) const {
   carried_.at(carriers, out, threads);
+}
+
+void HeartTissue::septumAt(const Points& carriers, Points& out, Threads threads) const {
+  if (!carriedSeptum_)
+    throw UsageError(misuse("this heart has nothing between its atria"));
+  carriedSeptum_->at(carriers, out, threads);
 }
 
 void HeartTissue::at(const SampleHeartOrgans& heart, const PosedOrgans& organs, Points& out,
@@ -117,6 +128,7 @@ std::shared_ptr<const HeartTissue> makeHeartTissue(const SampleHeartOrgans& hear
   // The tissue was made of these, so that they are in the cache.
   surfaces.lumina = {surface("blood_left", kTissueDone, 1), surface("blood_right", kTissueDone, 1)};
   surfaces.vessels = heartVessels(library, resolution);
+  surfaces.septum = surface("atrial_septum", kTissueDone, 1);
   return std::make_shared<const HeartTissue>(std::move(surfaces), heart, threads);
 }
 

@@ -12,11 +12,21 @@ namespace {
 constexpr double kPaler = 0.25;
 /// The face of blood lies that far behind that of the tissue, mm, which so is seen where both are.
 constexpr double kBloodBehind = 0.2;
-/// The face of a vessel lies that far before that of the tissue around it, mm.
-constexpr double kVesselsBefore = 0.1;
+/// The face of a vessel lies that far before that of the tissue around it, mm; that of the fat between the
+/// atria, which reaches into their walls, that far behind it.
+constexpr double kVesselsBefore = 0.1, kSeptumBehind = 0.1;
 /// Corners of a face that lie that near to the line without them are left out, mm: filling a face takes most
 /// of a frame, and more than in proportion to its corners.
 constexpr double kStraightMm = 0.05;
+
+using LayerKind = HeartPicture::Layer::Kind;
+
+/// How far the face of a layer lies before that of the tissue, mm.
+double towardsReader(LayerKind kind) {
+  if (kind == LayerKind::vessels)
+    return kVesselsBefore;
+  return kind == LayerKind::septum ? -kSeptumBehind : -kBloodBehind;
+}
 
 bool cutWanted(const Scene& scene) {
   return scene.view.cut.on && !scene.view.shown.stress && !scene.state.organs->empty();
@@ -103,9 +113,8 @@ std::vector<scene::CutCaps::Face> CutPicture::facesOf(const Scene& scene, const 
                      {},
                      faceColor(*opened->heart.outer)});
     for (const HeartPicture::Layer& layer : heart.layers()) {
-      const double towardsReader = layer.blood ? -kBloodBehind : kVesselsBefore;
-      const geometry::Plane at{plane.origin - towardsReader * plane.normal, plane.normal};
-      const Vec3 color = layer.blood ? layer.color : paler(layer.color);
+      const geometry::Plane at{plane.origin - towardsReader(layer.kind) * plane.normal, plane.normal};
+      const Vec3 color = layer.kind == LayerKind::blood ? layer.color : paler(layer.color);
       faces.push_back({withoutStraightCorners(geometry::cutSurface(layer.surface, at)), {}, color});
     }
   }

@@ -20,6 +20,20 @@ constexpr double kSeenInFaceMm = 1.5;
 constexpr double kNearCutMm = 3, kThickestSeptumMm = 15, kInFaceMm = 0.01;
 /// The ventricle of each side; one that is hidden has no blood.
 constexpr std::array<const char*, 2> kVentricles = {"lv", "rv"};
+constexpr const char *kSeptum = "Interventricular septum", *kAtrialSeptum = "Interatrial septum";
+
+/// The face of a cut is in that point's place on the plane; it is moved there along the normal.
+Points inFace(const Vec3& point, const scene::CutPlane& plane) {
+  const double height = (point - plane.origin).dot(plane.normal) - kInFaceMm;
+  return (point - height * plane.normal).transpose();
+}
+
+Vec3 colorOf(const geometry::TriangleMesh& mesh) {
+  constexpr double kBrightest = 255;
+  if (mesh.colors.rows() == 0)
+    return Vec3::Ones();
+  return mesh.colors.row(0).cast<double>().transpose() / kBrightest;
+}
 
 std::vector<Eigen::Index> verticesNear(const scene::CutPlane& plane, const Points& points) {
   std::vector<Eigen::Index> near;
@@ -47,6 +61,7 @@ void HeartPicture::leave() {
       view_.remove(layer.actor);
   opened_.reset();
   septum_.reset();
+  atrialMet_ = false;
   septumPlane_.reset();
   ++revision_;
 }
@@ -64,31 +79,47 @@ void HeartPicture::take(std::shared_ptr<const live::HeartTissue> tissue) {
   plane_.reset();
 }
 
+HeartPicture::Layer::Kind HeartPicture::kindOf(std::size_t layer) {
+  if (layer == kSeptumLayer)
+    return Layer::Kind::septum;
+  return layer < kVesselLayers ? Layer::Kind::vessels : Layer::Kind::blood;
+}
+
+/// What a layer is drawn from, at rest; null where there is nothing of it.
+std::shared_ptr<const geometry::TriangleMesh> HeartPicture::meshOf(std::size_t layer) const {
+  if (layer == kSeptumLayer)
+    return tissue_->septum();
+  if (layer < kVesselLayers)
+    return tissue_->vessels().mesh(kKinds[layer]);
+  const auto& blood = tissue_->blood()[layer - kFirstBlood];
+  return blood ? blood->mesh() : nullptr;
+}
+
 void HeartPicture::addActors() {
   for (std::size_t i = 0; i < kLayers; ++i) {
-    const bool vessels = i < kVesselLayers;
-    std::shared_ptr<const geometry::TriangleMesh> mesh;
-    if (vessels)
-      mesh = tissue_->vessels().mesh(kKinds[i]);
-    else if (const auto& blood = tissue_->blood()[i - kVesselLayers])
-      mesh = blood->mesh();
+    const auto mesh = meshOf(i);
     layers_[i] = {};
     if (!mesh || mesh->triangles.rows() == 0)
       continue;
-    layers_[i].actor = std::make_shared<scene::OrganActor>(mesh, threads_);
-    layers_[i].actor->setRole(vessels ? scene::SurfaceRole::picture : scene::SurfaceRole::filling);
-    layers_[i].actor->setColor(vessels ? tissue_->vessels().color(kKinds[i])
-                                       : kBloodColors[i - kVesselLayers]);
+    const Layer::Kind kind = kindOf(i);
+    scene::OrganActor& actor = *(layers_[i].actor = std::make_shared<scene::OrganActor>(mesh, threads_));
+    actor.setRole(kind == Layer::Kind::blood ? scene::SurfaceRole::filling : scene::SurfaceRole::picture);
+    actor.setVertexColorsShown(false);
+    if (kind == Layer::Kind::septum)
+      actor.setColor(colorOf(*mesh));
+    else
+      actor.setColor(kind == Layer::Kind::vessels ? tissue_->vessels().color(kKinds[i])
+                                                  : kBloodColors[i - kFirstBlood]);
   }
 }
 
 /// Whether a layer belongs into the picture of the opened heart.
 bool HeartPicture::wanted(std::size_t layer) const {
-  if (layer < kVesselLayers || !layers_[layer].actor)
+  if (kindOf(layer) != Layer::Kind::blood || !layers_[layer].actor)
     return layers_[layer].actor != nullptr;
   const auto& cavities = opened_->heart.cavities;
   return opened_->blood && std::any_of(cavities.begin(), cavities.end(), [&](const auto& cavity) {
-           return cavity->origin.surface == kVentricles[layer - kVesselLayers] && cavity->look.visible;
+           return cavity->origin.surface == kVentricles[layer - kFirstBlood] && cavity->look.visible;
          });
 }
 
@@ -132,8 +163,10 @@ void HeartPicture::moveLayers(const Points& carriers) {
       continue;
     if (i < kVesselLayers)
       tissue_->vessels().surfaceAt(kKinds[i], *lines_, *layer.points);
+    else if (i == kSeptumLayer)
+      tissue_->septumAt(carriers, *layer.points, Threads{1});
     else
-      tissue_->blood()[i - kVesselLayers]->at(*points_, *layer.points);
+      tissue_->blood()[i - kFirstBlood]->at(*points_, *layer.points);
     layer.actor->setPoints(layer.points);
   }
 }
@@ -143,12 +176,12 @@ std::vector<HeartPicture::Layer> HeartPicture::layers() const {
   for (std::size_t i = 0; i < kLayers; ++i)
     if (const Drawn& layer = layers_[i]; opened_ && layer.added)
       drawn.push_back(
-          {{layer.points.get(), &layer.actor->mesh().triangles}, layer.actor->color(), i >= kVesselLayers});
+          {{layer.points.get(), &layer.actor->mesh().triangles}, layer.actor->color(), kindOf(i)});
   return drawn;
 }
 
 bool HeartPicture::full() const {
-  return opened_ && std::any_of(layers_.begin() + kVesselLayers, layers_.end(),
+  return opened_ && std::any_of(layers_.begin() + kFirstBlood, layers_.end(),
                                 [](const Drawn& layer) { return layer.added; });
 }
 
@@ -222,19 +255,48 @@ void HeartPicture::findSeptum(const scene::CutPlane& plane) {
   septum_ = Septum{left->id, right->id, best.first, best.second};
 }
 
-void HeartPicture::updateSeptum(const scene::CutPlane& plane, const live::PosedOrgans& organs) {
+/// The mean of those vertices of the septum between the atria that are near the plane now: in its middle
+/// there, since what a plane cuts of it is small and convex.
+void HeartPicture::updateAtrialSeptum(const scene::CutPlane& plane) {
+  atrialMet_ = false;
+  const Drawn& layer = layers_[kSeptumLayer];
+  if (!layer.added || layer.points->rows() == 0)
+    return;
+  const Values heights = *layer.points * plane.normal;
+  const double level = plane.origin.dot(plane.normal);
+  if (heights.minCoeff() >= level || heights.maxCoeff() <= level)
+    return;
+  const std::vector<Eigen::Index> near = verticesNear(plane, *layer.points);
+  if (near.empty())
+    return;
+  Vec3 sum = Vec3::Zero();
+  for (const Eigen::Index vertex : near)
+    sum += layer.points->row(vertex).transpose();
+  *atrialPoint_ = inFace(sum / static_cast<double>(near.size()), plane);
+  atrialMet_ = true;
+}
+
+std::vector<HeartPicture::SeptumName> HeartPicture::septa() const {
+  std::vector<SeptumName> met;
+  if (opened_ && septum_)
+    met.push_back({kSeptum, septumPoint_});
+  if (opened_ && atrialMet_)
+    met.push_back({kAtrialSeptum, atrialPoint_});
+  return met;
+}
+
+void HeartPicture::updateSepta(const scene::CutPlane& plane, const live::PosedOrgans& organs) {
   if (!opened_)
     return;
   if (septumPlane_ != plane)
     findSeptum(plane);
   septumPlane_ = plane;
-  if (!septum_)
-    return;
-  const Vec3 left = organs.sharedPoints(septum_->left)->row(septum_->leftVertex).transpose();
-  const Vec3 right = organs.sharedPoints(septum_->right)->row(septum_->rightVertex).transpose();
-  const Vec3 between = (left + right) / 2;
-  const double height = (between - plane.origin).dot(plane.normal) - kInFaceMm;
-  septumPoint_->row(0) = (between - height * plane.normal).transpose();
+  if (septum_) {
+    const Vec3 left = organs.sharedPoints(septum_->left)->row(septum_->leftVertex).transpose();
+    const Vec3 right = organs.sharedPoints(septum_->right)->row(septum_->rightVertex).transpose();
+    *septumPoint_ = inFace((left + right) / 2, plane);
+  }
+  updateAtrialSeptum(plane);
 }
 
 void HeartPicture::follow(const live::PosedOrgans& organs) {

@@ -16,15 +16,15 @@
 
 namespace viscera::presentation {
 
-/// Draws the tissue of a sample heart that is cut open, its coronary vessels and its blood, in place of the
-/// heart's own surfaces, which still are what clicks meet and names are on.
+/// Draws the tissue of a sample heart that is cut open, its coronary vessels, the fat between its atria and
+/// its blood, in place of the heart's own surfaces, which still are what clicks meet and names are on.
 class HeartPicture {
 public:
   /// Something that is drawn beside the tissue, as a closed surface in the present pose.
   struct Layer {
     geometry::SurfaceView surface;
     Vec3 color;
-    bool blood = false; ///< Else vessels.
+    enum class Kind { vessels, septum, blood } kind = Kind::vessels;
   };
 
   HeartPicture(scene::OrganView& view, Threads threads) : view_(view), threads_(threads) {}
@@ -41,7 +41,7 @@ public:
   /// A number that changes whenever `opened` or `surface` do.
   std::uint64_t revision() const { return revision_; }
 
-  /// The vessels and the blood that are drawn.
+  /// The vessels, the septum between the atria and the blood that are drawn.
   std::vector<Layer> layers() const;
   /// The lines of the vessels in the present pose, all in one; they stay the same object.
   const std::shared_ptr<const Points>& vesselLines() const { return namedLines_; }
@@ -54,11 +54,16 @@ public:
   };
   /// A place for each name of a vessel that the cut leaves something of; in the muscle, of one that it meets.
   std::vector<VesselName> vesselNames(const scene::CutPlane& plane) const;
-  /// The middle of the septum in the face of the cut, as one point that follows the pose; null where the cut
-  /// does not meet it.
-  std::shared_ptr<const Points> septum() const { return opened_ && septum_ ? namedSeptum_ : nullptr; }
-  /// Updates `septum`. O(1), and O(vertices) for another plane.
-  void updateSeptum(const scene::CutPlane& plane, const live::PosedOrgans& organs);
+  /// A septum in the face of the cut.
+  struct SeptumName {
+    const char* name = "";
+    std::shared_ptr<const Points> middle; ///< One point, which follows the pose.
+    bool operator==(const SeptumName&) const = default;
+  };
+  /// The septa that the cut meets.
+  std::vector<SeptumName> septa() const;
+  /// Updates `septa`. O(1), and O(vertices) for another plane.
+  void updateSepta(const scene::CutPlane& plane, const live::PosedOrgans& organs);
 
   /// Leaves the surfaces of an opened heart undrawn in the appearances.
   void apply(std::map<document::OrganId, Appearance>& appearances) const;
@@ -72,13 +77,16 @@ public:
   bool isCavity(document::OrganId organ) const;
 
 private:
-  /// A layer with its actor: arteries, veins, blood of the left and of the right side.
+  /// A layer with its actor: arteries, veins, the septum between the atria, blood of the left and of the
+  /// right side.
   struct Drawn {
     std::shared_ptr<scene::OrganActor> actor; ///< Null where there is nothing of it.
     std::shared_ptr<Points> points = std::make_shared<Points>();
     bool added = false;
   };
-  static constexpr std::size_t kVesselLayers = 2, kLayers = 4;
+  static constexpr std::size_t kVesselLayers = 2, kSeptumLayer = 2, kFirstBlood = 3, kLayers = 5;
+  static Layer::Kind kindOf(std::size_t layer);
+  std::shared_ptr<const geometry::TriangleMesh> meshOf(std::size_t layer) const;
 
   bool wanted(std::size_t layer) const;
   void showLayers();
@@ -88,6 +96,7 @@ private:
   void follow(const live::PosedOrgans& organs);
   void leave();
   void findSeptum(const scene::CutPlane& plane);
+  void updateAtrialSeptum(const scene::CutPlane& plane);
 
   scene::OrganView& view_;
   Threads threads_;
@@ -109,9 +118,10 @@ private:
     Eigen::Index leftVertex = 0, rightVertex = 0;
   };
   std::optional<Septum> septum_;
-  std::optional<scene::CutPlane> septumPlane_; ///< For which it was sought.
+  bool atrialMet_ = false;                     ///< Whether the plane meets the septum between the atria.
+  std::optional<scene::CutPlane> septumPlane_; ///< For which `septum_` was sought.
   std::shared_ptr<Points> septumPoint_ = std::make_shared<Points>(Points::Zero(1, 3));
-  std::shared_ptr<const Points> namedSeptum_ = septumPoint_;
+  std::shared_ptr<Points> atrialPoint_ = std::make_shared<Points>(Points::Zero(1, 3));
 };
 
 } // namespace viscera::presentation

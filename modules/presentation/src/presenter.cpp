@@ -33,7 +33,6 @@ constexpr double kPercent = 100;
 constexpr double kSmall = 10;
 constexpr double kGlassOpacity = 0.15;
 constexpr const char* kChords = "Chordae tendineae";
-constexpr const char* kSeptum = "Septum";
 constexpr const char* kSpread = "\u00b1 %1, %2 to %3, %4, %5 voxels";
 
 Vec3 missingColor(const scene::ColorMap& colors) {
@@ -49,8 +48,10 @@ struct LabelChoice {
   bool ofConduction = false;
   std::vector<std::pair<document::OrganId, Eigen::Index>> chords = {}; ///< See `ValvePicture::chordNames`.
   std::vector<HeartPicture::VesselName> vessels = {};
-  std::shared_ptr<const Points> septum = nullptr; ///< See `HeartPicture::septum`.
-  bool full = false;                              ///< Blood hides what is in the heart's cavities.
+  std::vector<HeartPicture::SeptumName> septa = {};
+  /// Cavities of the opened heart that the cut does not open: what is on their walls cannot be seen.
+  std::vector<document::OrganId> closed = {};
+  bool full = false; ///< Blood hides what is in the heart's cavities.
 
   bool operator==(const LabelChoice&) const = default;
 };
@@ -68,6 +69,21 @@ struct LegendText {
            colors.name == other.colors.name;
   }
 };
+
+/// Whether the cut takes something away of a surface.
+bool takesFrom(const Points& points, const scene::CutPlane& plane) {
+  return (points * plane.normal).minCoeff() < plane.origin.dot(plane.normal);
+}
+
+/// Whether a part is on the inside of a cavity that is closed; a valve is seen from the other side, too.
+bool isShutAway(const Part& part, const document::OrganList& organs,
+                const std::vector<document::OrganId>& closed) {
+  if (std::find(closed.begin(), closed.end(), part.organ) == closed.end())
+    return false;
+  const auto organ =
+      std::find_if(organs.begin(), organs.end(), [&](const auto& other) { return other->id == part.organ; });
+  return organ != organs.end() && (*organ)->places[part.place].ringMm <= 0;
+}
 
 OrgansSeen organsSeenIn(const Scene& scene) {
   OrgansSeen seen = scene.view.organsSeen;
@@ -184,7 +200,7 @@ void Presenter::Parts::updateLooks(const Scene& scene, std::map<document::OrganI
   for (const auto& cavity : heart.opened()->heart.cavities)
     organs.actorOf(cavity->id)->setRole(scene::SurfaceRole::hollow);
   heart.updateLook(*organs.actorOf(heart.opened()->heart.outer->id), *cut.plane());
-  heart.updateSeptum(*cut.plane(), scene.organs);
+  heart.updateSepta(*cut.plane(), scene.organs);
 }
 
 /// Whatever colours the organs: a map that is given, the stress, an influence, or their own looks.
@@ -251,8 +267,12 @@ void Presenter::Parts::updateLabels(const Scene& scene, bool others) {
       wanted.chords = valves.chordNames();
     if (cut.plane()) {
       wanted.vessels = heart.vesselNames(*cut.plane());
-      wanted.septum = heart.septum();
+      wanted.septa = heart.septa();
     }
+    if (cut.plane() && heart.opened())
+      for (const auto& cavity : heart.opened()->heart.cavities)
+        if (!takesFrom(cavity->mesh->points, *cut.plane()))
+          wanted.closed.push_back(cavity->id);
   }
   wanted.full = heart.full() && !scene.parts;
   if (!others && labelled == wanted)
@@ -276,7 +296,8 @@ void Presenter::Parts::updateLabels(const Scene& scene, bool others) {
   else if (labelled.ofParts)
     parts = partsOf(*scene.state.organs);
   for (const Part& part : parts)
-    if (!labelled.full || !heart.isCavity(part.organ))
+    if ((!labelled.full || !heart.isCavity(part.organ)) &&
+        !isShutAway(part, *scene.state.organs, labelled.closed))
       items.push_back({translate(nameOf(part, *scene.state.organs).c_str()), organs.actorOf(part.organ),
                        false, part.vertex});
   if (labelled.ofConduction)
@@ -300,7 +321,7 @@ void Presenter::Parts::addConduction(const Scene& scene, std::vector<scene::Orga
 }
 
 /// The names of what only the picture of an opened heart has: chords, vessels that no part is named after,
-/// and the septum in the face of the cut.
+/// and the septa in the face of the cut.
 void Presenter::Parts::addOpened(std::vector<scene::OrganLabels::Item>& items) const {
   using Lies = scene::OrganLabels::Lies;
   for (const auto& [ventricle, point] : labelled.chords)
@@ -326,9 +347,9 @@ void Presenter::Parts::addOpened(std::vector<scene::OrganLabels::Item>& items) c
                        heart.vesselLines(),
                        vessel.inFace ? Lies::inFace : Lies::onSurface});
   }
-  if (labelled.septum)
+  for (const HeartPicture::SeptumName& septum : labelled.septa)
     items.push_back(
-        {translate(kSeptum), organs.actorOf(outer.id), false, 0, {}, labelled.septum, Lies::inFace});
+        {translate(septum.name), organs.actorOf(outer.id), false, 0, {}, septum.middle, Lies::inFace});
 }
 
 /// The document's measurements in their order, and behind them what is being measured.

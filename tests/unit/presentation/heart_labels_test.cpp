@@ -255,8 +255,10 @@ private:
     return false;
   }
   bool isOnAt(const std::string& name, double x, double y) {
-    if (name == "Septum")
+    if (name == "Interventricular septum")
       return isFace(walls_->at(x, y));
+    if (name == "Interatrial septum") // Its fat is no wall, but is drawn beside the vessels.
+      return isFace(walls_->at(x, y)) || isFace(vessels_->at(x, y));
     if (name == "Chordae tendineae")
       return !isFace(walls_->at(x, y));
     for (const Part& part : parts_)
@@ -408,13 +410,28 @@ TEST(HeartLabels, NameWhatItOpens) {
   heart.cut(Vec3(-0.2900, 0.3687, -0.8831), 0.2599);
   heart.lookAtTheCut();
   heart.show(0);
-  EXPECT_THAT(heart.names(),
-              testing::IsSupersetOf({"LV cavity", "RV cavity", "LA cavity", "RA cavity", "Septum"}));
+  EXPECT_THAT(heart.names(), testing::IsSupersetOf({"LV cavity", "RV cavity", "LA cavity", "RA cavity",
+                                                    "Interventricular septum", "Interatrial septum"}));
   heart.cut(Vec3(-0.6388, 0.5490, 0.5390), -0.1352);
   heart.lookAtTheCut();
   heart.show(0);
   EXPECT_THAT(heart.names(), testing::IsSupersetOf({"LV cavity", "RV cavity", "Mitral valve", "Aortic valve",
-                                                    "Tricuspid valve", "Septum"}));
+                                                    "Tricuspid valve", "Interventricular septum"}));
+}
+
+/// From the side of the right atrium, and from a side where that is closed.
+TEST(HeartLabels, NameWhatIsOnTheSeptumOfAnOpenRightAtriumOnly) {
+  NamedHeart heart;
+  heart.cut(Vec3(0.8, 0.6, 0), -0.2808);
+  heart.lookAtTheCut();
+  heart.show(0);
+  EXPECT_THAT(heart.names(), testing::IsSupersetOf({"Oval fossa", "Opening of the coronary sinus"}));
+  EXPECT_THAT(heart.astray(), testing::IsEmpty());
+  heart.cut(Vec3(-0.6618, -0.7449, 0.0850), -0.1092);
+  heart.lookAtTheCut();
+  heart.show(0);
+  for (const char* name : {"Oval fossa", "Opening of the coronary sinus", "Terminal crest"})
+    EXPECT_THAT(heart.names(), testing::Not(testing::Contains(name)));
 }
 
 } // namespace

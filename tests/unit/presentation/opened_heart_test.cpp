@@ -195,7 +195,8 @@ TEST_F(TissueOfAHeart, HoldsTheSailsByChords) {
   EXPECT_LT(within, 0.03 * points);
 }
 
-/// Within 3 mm of the epicardium, which is the surface without them; in the septum, in the muscle.
+/// Within 3 mm of the epicardium, which is the surface without them; in the septum, in the muscle. Where the
+/// coronary sinus opens it is a little deeper: through the wall.
 TEST_F(TissueOfAHeart, HasTheCoronaryVesselsOnItsOutside) {
   const auto made = tissue();
   ASSERT_TRUE(made);
@@ -217,11 +218,86 @@ TEST_F(TissueOfAHeart, HasTheCoronaryVesselsOnItsOutside) {
       const Vec3 at = vessel.axis.row(p).transpose();
       if (vessel.name == "Septal branches") {
         ASSERT_TRUE(muscle.inside(at)) << "point " << p;
+      } else if (vessel.inWall) {
+        ASSERT_GT(epicardium(at), -5) << vessel.name << ", point " << p;
+        ASSERT_LT(epicardium(at), 1) << vessel.name << ", point " << p;
       } else {
         const bool sinks = p < 5 || p + 5 >= vessel.axis.rows(); // Into the aorta's wall or the muscle.
         ASSERT_LT(std::abs(epicardium(at)), sinks ? 5 : 3) << vessel.name << ", point " << p;
       }
     }
+}
+
+/// What a plane meets of the fold between the atria is full, at rest and in the beat: each place there is in
+/// the wall or in the fat, which stays in the walls around it and out of the blood.
+TEST_F(TissueOfAHeart, IsFilledBetweenTheAtria) {
+  const auto made = tissue();
+  ASSERT_TRUE(made && made->septum());
+  const geometry::TriangleMesh& septum = *made->septum();
+  EXPECT_TRUE(geometry::checkSurface(septum).closed());
+  EXPECT_LT(septum.triangles.rows(), 5000);
+  constexpr double kFourChamber[] = {-0.2851, 0.3734, -0.8828};
+  const Vec3 normal(kFourChamber[0], kFourChamber[1], kFourChamber[2]), origin(-7.25, 27.62, 11.3);
+  const Vec3 aside(0.7947, 0.6070, 0), up(-0.5358, 0.7015, 0.4698);
+  // A corner of the gap, from the crux to where the atria meet, at rest in the four-chamber plane, mm.
+  const std::vector<Vec3> places = {origin - 22.5 * aside + 10 * up, origin - 18 * aside + 12 * up,
+                                    origin - 13 * aside + 9.5 * up, origin - 21 * aside + 17 * up};
+  const auto heart = live::sampleHeartIn(state());
+  const geometry::CarriedPoints followed(pointsOf(places), made->carriersAt(*heart, organs()));
+  for (const double fraction : {0.0, 0.2, 0.42, 0.7}) {
+    if (fraction > 0)
+      beatTo(fraction);
+    const Points carriers = made->carriersAt(*heart, organs());
+    Points walls, fat, now;
+    made->at(carriers, walls);
+    made->septumAt(carriers, fat);
+    followed.at(carriers, now);
+    const geometry::WindingNumber muscle(geometry::TriangleMesh{walls, made->mesh()->triangles, {}});
+    const geometry::WindingNumber filled(geometry::TriangleMesh{fat, septum.triangles, {}});
+    for (const auto& place : now.rowwise())
+      EXPECT_TRUE(filled.inside(place.transpose()) || muscle.inside(place.transpose()))
+          << place << " at " << fraction;
+    EXPECT_EQ(geometry::countSelfIntersections({fat, septum.triangles, {}}, progress_), 0) << fraction;
+    int inBlood = 0;
+    for (std::size_t side = 0; side < made->blood().size(); ++side) {
+      Points lumen;
+      made->blood()[side]->at(walls, lumen);
+      const geometry::WindingNumber blood(
+          geometry::TriangleMesh{lumen, made->blood()[side]->mesh()->triangles, {}});
+      for (Eigen::Index v = 0; v < fat.rows(); v += 5)
+        inBlood += blood.inside(fat.row(v).transpose()) ? 1 : 0;
+    }
+    EXPECT_EQ(inBlood, 0) << fraction;
+  }
+}
+
+/// It goes through the right atrium's wall, and ends flush inside between the cava and the tricuspid valve.
+TEST_F(TissueOfAHeart, HasTheMouthOfTheCoronarySinus) {
+  const auto made = tissue();
+  ASSERT_TRUE(made);
+  const auto& vessels = made->vessels().vessels();
+  const auto mouth = std::find_if(vessels.begin(), vessels.end(), [](const auto& vessel) {
+    return vessel.name == "Coronary sinus" && vessel.inWall;
+  });
+  ASSERT_NE(mouth, vessels.end());
+  const geometry::WindingNumber blood(*made->blood()[1]->mesh());
+  const Points& axis = mouth->axis;
+  const Vec3 end = axis.row(axis.rows() - 1).transpose();
+  EXPECT_TRUE(blood.inside(end)) << "its end is seen from the atrium";
+  EXPECT_FALSE(blood.inside(axis.row(0).transpose()));
+  Eigen::Index within = 0;
+  for (Eigen::Index p = 0; p < axis.rows(); ++p)
+    within += blood.inside(axis.row(p).transpose()) ? 1 : 0;
+  EXPECT_LT((axis.row(axis.rows() - within) - axis.row(axis.rows() - 1)).norm(), 1.5)
+      << "flush with the wall";
+  // The sinus itself comes to where this begins.
+  const auto sinus = std::find_if(vessels.begin(), vessels.end(), [](const auto& vessel) {
+    return vessel.name == "Coronary sinus" && !vessel.inWall;
+  });
+  ASSERT_NE(sinus, vessels.end());
+  EXPECT_LT((sinus->axis.rowwise() - axis.row(0)).rowwise().norm().minCoeff(), 2);
+  const Vec3 cava(-48, 17, -12), valve(-37.5, -7.2, 6.3);
+  EXPECT_LT((end - cava).norm() + (end - valve).norm(), 1.5 * (cava - valve).norm()) << "between both";
 }
 
 /// They keep their distance to the surface of the heart that beats.

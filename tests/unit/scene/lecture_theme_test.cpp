@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <string>
@@ -104,6 +105,28 @@ TEST_F(LectureTheme, HasTheStrongestContrastThatThereIs) {
     const auto drawn = grabPicture(window.surface.window());
     EXPECT_EQ(drawn->GetScalarComponentAsDouble(450, 690, 0, 0), dark ? 0 : 255) << "the ground at the top";
   }
+}
+
+/// The contrast of two colours after WCAG 2, from 1 to 21.
+double contrastBetween(const Vec3& a, const Vec3& b) {
+  constexpr double kDark = 0.04045, kOver = 0.05;
+  const auto luminance = [](const Vec3& color) {
+    const auto linear = [](double x) { return x <= kDark ? x / 12.92 : std::pow((x + 0.055) / 1.055, 2.4); };
+    return 0.2126 * linear(color.x()) + 0.7152 * linear(color.y()) + 0.0722 * linear(color.z());
+  };
+  const auto [darker, lighter] = std::minmax({luminance(a), luminance(b)});
+  return (lighter + kOver) / (darker + kOver);
+}
+
+/// Names of organs and parts stand beside all organs, on the background from its upper to its lower end.
+TEST(ColorsOfNames, CanBeReadInEveryTheme) {
+  constexpr double kReadable = 4.5;
+  EXPECT_NEAR(contrastBetween(Vec3::Zero(), Vec3::Ones()), 21, 1e-9);
+  for (const Theme& theme : {darkTheme(), lightTheme(), lectureTheme(true), lectureTheme(false)})
+    for (const double part : {0.0, 0.25, 0.5, 0.75, 1.0}) {
+      const Vec3 ground = (1 - part) * theme.backgroundBottom + part * theme.backgroundTop;
+      EXPECT_GE(contrastBetween(theme.text, ground), kReadable) << theme.dark << ", " << part;
+    }
 }
 
 TEST(LectureThemeOfSlices, MakesTheirTypeLarger) {

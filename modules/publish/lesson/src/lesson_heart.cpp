@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <set>
 
@@ -98,6 +99,23 @@ void addTriangles(const geometry::TriangleMesh& tissue, const Numbered& vertices
     made.triangles.row(next++) << corners[0], corners[1], corners[2];
 }
 
+/// The fat between the atria as part of the tissue: a closed surface of its own that reaches into the walls,
+/// so that the face of a cut has no gap there. Its vertices follow the others.
+void addSeptum(const geometry::TriangleMesh& septum, const Lesson& lesson, PartsToCarry& parts,
+               LessonTissue& made) {
+  const Index points = parts.rest.rows(), triangles = made.triangles.rows();
+  parts.rest.conservativeResize(points + septum.points.rows(), 3);
+  parts.rest.bottomRows(septum.points.rows()) = septum.points;
+  made.colors.conservativeResize(parts.rest.rows(), 3);
+  if (septum.colors.rows() > 0)
+    made.colors.bottomRows(septum.points.rows()) = septum.colors;
+  else
+    made.colors.bottomRows(septum.points.rows()).setConstant(std::numeric_limits<std::uint8_t>::max());
+  made.triangles.conservativeResize(triangles + septum.triangles.rows(), 3);
+  made.triangles.bottomRows(septum.triangles.rows()) =
+      septum.triangles.array() + static_cast<Triangles::Scalar>(lesson.vertexCount() + points);
+}
+
 /// The excitation and the electrocardiogram of the beat at a rate.
 LessonExcitation excitationOf(const sequences::Sequence& sequence, double rate) {
   LessonExcitation made;
@@ -150,6 +168,8 @@ LessonTissue tissueOf(const Lesson& lesson, const LessonSource& source, Progress
     else
       made.colors.row(i) = uniform;
   }
+  if (const auto& septum = source.tissue->septum())
+    addSeptum(*septum, lesson, parts, made);
   addCarriers(heart, lesson, parts);
   made.chambers.assign(parts.surfaces.begin() + 1, parts.surfaces.end());
   made.face = (1 - kPaler) * heart.outer->look.color + kPaler * Vec3::Ones();

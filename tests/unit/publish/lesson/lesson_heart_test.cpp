@@ -2,6 +2,10 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -56,7 +60,7 @@ TEST(LessonOfAnOpenedHeart, HasItsWallsWhereTheWindowHasThem) {
   const geometry::TriangleMesh& mesh = *scene.source.tissue->mesh();
   EXPECT_EQ(lesson.surfaces[tissue.surface].triangleCount - static_cast<Eigen::Index>(tissue.left.size()) +
                 tissue.triangles.rows(),
-            mesh.triangles.rows());
+            mesh.triangles.rows() + scene.source.tissue->septum()->triangles.rows());
   EXPECT_EQ(tissue.chambers.size(), heart.cavities.size());
   std::map<std::array<double, 3>, Eigen::Index> inner;
   for (Eigen::Index i = 0; i < tissue.inner.rest.rows(); ++i)
@@ -74,6 +78,64 @@ TEST(LessonOfAnOpenedHeart, HasItsWallsWhereTheWindowHasThem) {
           worst = std::max(worst, (shown.row(found->second) - exact.row(i)).norm());
       EXPECT_LT(worst, kMostMm) << "rate " << rate << ", " << fraction;
     }
+}
+
+/// The last part of the walls is the closed surface that fills the fold between the atria.
+TEST(LessonOfAnOpenedHeart, HasTheSeptumBetweenTheAtria) {
+  HeartScene scene;
+  const Lesson lesson = scene.made();
+  ASSERT_TRUE(lesson.tissue && scene.source.tissue->septum());
+  const LessonTissue& tissue = *lesson.tissue;
+  const geometry::TriangleMesh& septum = *scene.source.tissue->septum();
+  const Eigen::Index first = tissue.inner.rest.rows() - septum.points.rows();
+  ASSERT_GE(first, 0);
+  EXPECT_EQ(tissue.colors.rows(), tissue.inner.rest.rows());
+  EXPECT_LT((tissue.inner.rest.bottomRows(septum.points.rows()) - septum.points).cwiseAbs().maxCoeff(), 1e-9);
+  const Triangles triangles = tissue.triangles.bottomRows(septum.triangles.rows());
+  EXPECT_EQ(triangles.minCoeff(), lesson.vertexCount() + first);
+  EXPECT_EQ(triangles.maxCoeff() + 1, lesson.vertexCount() + tissue.inner.rest.rows());
+}
+
+/// Planes of resources/scripts/draw_heart_cuts.py by their normals and their places along them, in parts of
+/// the ball around the heart.
+const std::vector<std::pair<Vec3, double>> kLessonCuts = {
+    {{-0.2900, 0.3687, -0.8831}, 0.2599},  {{-0.6618, -0.7449, 0.0850}, -0.1092},
+    {{-0.7691, -0.4429, -0.4608}, 0.0602}, {{-0.6388, 0.5490, 0.5390}, -0.1352},
+    {{-0.6388, 0.5490, 0.5390}, -0.4000},  {{-0.6388, 0.5490, 0.5390}, -0.6025},
+    {{0.7679, 0.4374, 0.4680}, -0.0611},   {{-1.0000, 0.0000, 0.0000}, 0.3184},
+    {{-0.5239, -0.7976, 0.2990}, 0.1622}};
+
+/// A name of the page stands at a vertex; what a cut leaves of it is drawn as walls, so that these have to be
+/// where the vertex is, at every instant. A valve is drawn as its ring.
+TEST(LessonOfAnOpenedHeart, HasItsNamesOnTheWallsInEveryCut) {
+  constexpr double kOnWallMm = 6;
+  HeartScene scene;
+  const Lesson lesson = scene.made();
+  ASSERT_TRUE(lesson.tissue);
+  const Bounds bounds = boundsOf(lesson.rest.topRows(lesson.vertexCount()));
+  std::set<std::string> named;
+  for (const double fraction : {0.0, 0.15, 0.35, 0.6, 0.85}) {
+    const Points vertices = pagePoints(lesson, 1, fraction);
+    const Points inner = shownParts(lesson.tissue->inner, vertices, lesson);
+    const LessonSurface& outer = lesson.surfaces[lesson.tissue->surface];
+    Points walls(inner.rows() + outer.vertexCount, 3);
+    walls << inner, vertices.middleRows(outer.firstVertex, outer.vertexCount);
+    for (const auto& [normal, offset] : kLessonCuts) {
+      const Vec3 origin = bounds.center() + offset * bounds.diagonal() / 2 * normal;
+      for (std::size_t surface = 0; surface < lesson.surfaces.size(); ++surface)
+        for (std::size_t i = 0; i < lesson.surfaces[surface].labels.size(); ++i) {
+          const auto& label = lesson.plan.surfaces[surface].labels[i];
+          const Vec3 at = vertices.row(lesson.surfaces[surface].labels[i]).transpose();
+          if (label.ringMm > 0 || (at - origin).dot(normal) < 0)
+            continue;
+          named.insert(label.text);
+          EXPECT_LT((walls.rowwise() - at.transpose()).rowwise().norm().minCoeff(), kOnWallMm)
+              << label.text << " at " << fraction;
+        }
+    }
+  }
+  for (const char* name : {"Terminal crest", "Oval fossa", "Opening of the coronary sinus"})
+    EXPECT_EQ(named.count(name), 1u) << name;
 }
 
 TEST(LessonOfAnOpenedHeart, HasPartsWhoseWeightsAreOneTogether) {

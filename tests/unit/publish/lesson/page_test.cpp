@@ -1,5 +1,7 @@
 #include "lesson_scene.h"
 
+#include <algorithm>
+#include <cmath>
 #include <regex>
 
 #include <QByteArray>
@@ -41,6 +43,28 @@ std::size_t countOf(const std::string& text, const std::string& what) {
   return count;
 }
 
+/// A colour of a style, #rgb or #rrggbb, red green blue from 0 to 1.
+Vec3 styleColor(const std::string& hex) {
+  const std::size_t digits = hex.size() / 3;
+  Vec3 color;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::string part = hex.substr(i * digits, digits);
+    color[static_cast<Eigen::Index>(i)] = std::stoi(digits == 1 ? part + part : part, nullptr, 16) / 255.0;
+  }
+  return color;
+}
+
+/// The contrast of two colours after WCAG 2.
+double pageContrast(const Vec3& a, const Vec3& b) {
+  const auto luminance = [](const Vec3& color) {
+    const auto linear = [](double x) {
+      return x <= 0.04045 ? x / 12.92 : std::pow((x + 0.055) / 1.055, 2.4);
+    };
+    return 0.2126 * linear(color.x()) + 0.7152 * linear(color.y()) + 0.0722 * linear(color.z());
+  };
+  return (std::max(luminance(a), luminance(b)) + 0.05) / (std::min(luminance(a), luminance(b)) + 0.05);
+}
+
 /// A language in which everything is called back to front.
 class Backwards : public QTranslator {
 public:
@@ -70,6 +94,23 @@ TEST(Page, AllowsItsOwnScriptAndStyleOnly) {
   EXPECT_THAT(page, Not(HasSubstr("http:")));
   EXPECT_THAT(page, Not(HasSubstr("https:")));
   EXPECT_FALSE(std::regex_search(page.substr(0, 6000), std::regex(" on[a-z]+=")));
+}
+
+/// A name's plate lets a part of what is behind it through, which may be anything from black to white.
+TEST(Page, HasNamesThatCanBeReadOnAnythingInBothThemes) {
+  constexpr double kReadable = 4.5, kPercent = 100;
+  BallScene scene;
+  const std::string style = between(pageOf(scene.made(scene.source(scene.sway()))), "<style>", "</style>");
+  const double plate =
+      std::stod(between(between(style, ".name{", "}"), "color-mix(in srgb,var(--bottom) ", "%")) / kPercent;
+  for (const char* theme : {":root{", ":root.light{"}) {
+    const std::string colors = between(style, theme, "}") + ";";
+    const Vec3 text = styleColor(between(colors, "--text:#", ";"));
+    const Vec3 ground = styleColor(between(colors, "--bottom:#", ";"));
+    for (const double behind : {0.0, 0.25, 0.5, 0.75, 1.0})
+      EXPECT_GE(pageContrast(text, plate * ground + (1 - plate) * Vec3::Constant(behind)), kReadable)
+          << theme << ", " << behind;
+  }
 }
 
 TEST(Page, KeepsHostileTextsAsText) {

@@ -35,12 +35,14 @@ struct HeartSurfaces {
   /// The surfaces that the tissue's inside was made from, left and right; null: no blood is drawn.
   std::array<std::shared_ptr<const geometry::TriangleMesh>, 2> lumina = {};
   std::vector<geometry::NamedVessel> vessels = {};
+  /// What fills the fold between the atria; null: nothing.
+  std::shared_ptr<const geometry::TriangleMesh> septum = nullptr;
 };
 
 /// The heart's walls with papillary muscles as one closed surface, open through the valves' rings and at the
-/// ends of the vessels, with the coronary vessels on them and the blood that may fill them. It is no organ of
-/// the document, and follows no handles by itself: the heart's surfaces carry it (`geometry::CarriedPoints`),
-/// so that it goes along with whatever moves them. Immutable; thread-safe.
+/// ends of the vessels, with the coronary vessels on them, the fat between the atria, and the blood that may
+/// fill them. It is no organ of the document, and follows no handles by itself: the heart's surfaces carry it
+/// (`geometry::CarriedPoints`), so that it goes along with whatever moves them. Immutable; thread-safe.
 class HeartTissue {
 public:
   /// `heart` is what carries it. O(vertices), some 0.1 s.
@@ -56,6 +58,11 @@ public:
   void at(const Points& carriers, Points& out, Threads threads = {}) const;
 
   const HeartVessels& vessels() const { return vessels_; }
+  /// The fat in the fold between the atria, a closed surface at rest that reaches a little into both walls,
+  /// and so closes the gap between them in every pose; null where it is not known.
+  const std::shared_ptr<const geometry::TriangleMesh>& septum() const { return septum_; }
+  /// Writes the vertices of `septum` for the carriers as they are now.
+  void septumAt(const Points& carriers, Points& out, Threads threads = {}) const;
   /// The blood of the left side, then of the right; null where it is not known.
   const std::array<std::unique_ptr<const HeartBlood>, 2>& blood() const { return blood_; }
 
@@ -64,6 +71,8 @@ private:
   SampleHeartOrgans heart_;
   geometry::CarriedPoints carried_;
   HeartVessels vessels_;
+  std::shared_ptr<const geometry::TriangleMesh> septum_;
+  std::optional<geometry::CarriedPoints> carriedSeptum_;
   std::array<std::unique_ptr<const HeartBlood>, 2> blood_;
 };
 
