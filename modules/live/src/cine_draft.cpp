@@ -218,7 +218,7 @@ void CineDraft::remove(std::size_t row) {
   guess();
 }
 
-void CineDraft::setPhase(std::size_t row, std::size_t phase) {
+void CineDraft::setPhase(std::size_t row, std::optional<std::size_t> phase) {
   if (row >= labels_.size())
     throw UsageError(misuse("There is no file %1", row));
   labels_[row].phase = phase;

@@ -53,7 +53,8 @@ public:
   void add(std::vector<std::filesystem::path> files);
   /// Throws `UsageError` for a row that is not there, as the next one.
   void remove(std::size_t row);
-  void setPhase(std::size_t row, std::size_t phase);
+  /// None: it is not known any more.
+  void setPhase(std::size_t row, std::optional<std::size_t> phase);
   void clearLabels() { labels_.clear(); }
   const std::vector<Labels>& labels() const { return labels_; }
 
