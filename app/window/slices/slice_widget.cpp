@@ -65,6 +65,7 @@ void SliceWidget::setPicture(const scene::SlicePicture& picture) {
 
 void SliceWidget::setTheme(const Theme& theme) {
   view_->setTheme(viewThemeOf(theme));
+  verdict_->move(kReadingLeft, theme.lecture ? 2 * kVerdictBelow : kVerdictBelow); // Its title is larger.
   scheduleRender();
 }
 

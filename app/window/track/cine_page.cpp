@@ -189,7 +189,7 @@ void CinePage::chooseLabels(bool folder) {
     addLabels({place});
 }
 
-/// Of no known phase, the first file is as good as another.
+/// Any file serves where no phase is known.
 std::optional<live::PhaseLabels> CinePage::firstLabels() const {
   const auto phases = draft_.labelled();
   live::PhaseLabels first{phases.empty() ? 0 : phases.front(), {}};

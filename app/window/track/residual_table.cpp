@@ -261,7 +261,7 @@ QString ResidualTable::phaseName(std::size_t phase) const {
                                                                              : number;
 }
 
-/// Of a right ventricle no label but its own tells a volume.
+/// A right ventricle has a volume only where a label tells it.
 QString ResidualTable::volume(std::size_t phase, double ml) const {
   if (!measured_.isEstimate() || measured_.isLabelled(phase))
     return formatNumber(ml, 1);

@@ -20,7 +20,7 @@ namespace viscera::medical_io {
 namespace {
 
 /// The part of the work that headers are; the rest unpacks what is packed.
-/// Of people.
+/// Sizes that a person can have.
 constexpr double kSmallestCm = 30, kTallestM = 2.5, kLightestKg = 1, kHeaviestKg = 400, kCmPerM = 100;
 constexpr double kHeaderPart = 0.5;
 constexpr double kSamePositionMm = 0.05, kSameDirections = 1e-3;
