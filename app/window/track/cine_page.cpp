@@ -25,7 +25,7 @@ namespace {
 
 constexpr const char* kImagesSlot = "lookIntoImages";
 enum LabelColumn { kLabelFile, kLabelPhase, kLabelRemove, kLabelColumns };
-constexpr int kLabelRowHeight = 32, kShownLabels = 5, kPhaseWidth = 150, kRemoveWidth = 36;
+constexpr int kLabelRowHeight = 32, kShownLabels = 4, kPhaseWidth = 150, kRemoveWidth = 36;
 
 } // namespace
 
