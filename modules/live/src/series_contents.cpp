@@ -96,9 +96,9 @@ SeriesContents lookIntoPhase(const PhaseLabels& labels, Progress& progress) {
   }
   const std::filesystem::path& map = files.files.at("").front();
   std::error_code error;
-  contents.items = itemsOf(std::filesystem::is_directory(map, error)
-                               ? medical_io::readLabelFolder(map, progress)
-                               : medical_io::readLabelMap(map, progress));
+  contents.items =
+      itemsOf(std::filesystem::is_directory(map, error) ? medical_io::readLabelFolder(map, progress)
+                                                        : medical_io::readLabelMap(map, progress));
   return contents;
 }
 
