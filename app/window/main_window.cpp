@@ -45,6 +45,7 @@
 #include "window/timeline/status_line.h"
 #include "window/timeline/timeline_bar.h"
 #include "window/timeline/volume_panel.h"
+#include "window/track/plane_verdict.h"
 #include "window/view/framing.h"
 #include "window/view/organ_pointer.h"
 #include "window/view/view_actions.h"
@@ -259,6 +260,9 @@ void MainWindow::connectFiles() {
   connectFirstPicture();
   connect(&play_->measured(), &MeasuredMotion::changed, this,
           [this] { stress_->model().setCaution(play_->measured().caution()); });
+  slices_->setVerdicts(
+      [this](std::size_t slice) { return planeVerdict(play_->measured(), playback_, slice); });
+  connect(&play_->measured(), &MeasuredMotion::changed, slices_.get(), &SlicePanes::markOutdated);
   connect(&play_->measured(), &MeasuredMotion::found, this, [this, fromFront] {
     showWelcome(false);
     play_->comparison().end();

@@ -41,6 +41,7 @@
 #include "viscera/geometry/volume.h"
 #include "viscera/heart/cardiac_cycle.h"
 #include "viscera/lesson/lesson_plan.h"
+#include "viscera/live/cine_draft.h"
 #include "viscera/live/cine_motion.h"
 #include "viscera/live/cycle_curves.h"
 #include "viscera/live/motion_copy.h"
@@ -174,6 +175,18 @@ Points cubeCorners() {
   request.labels = {{0, {"ed.nrrd"}}, {9, {"es.nrrd"}}};
   const CineMotion found = trackCine(readLabelledStudy(request, progress), {}, progress);
   writeSequence("beat.sequence.json", found.motion.sequence);
+}
+
+[[maybe_unused]] live::CineRequest askForTwoLabels(const medical_io::CineStudy& study) {
+  using namespace live; // There are no such files.
+  Progress progress;
+  CineRequest request;
+  CineDraft draft;
+  draft.setCycle(cycleOf(study, "patient1", progress));
+  draft.add({"ed.nrrd", "es.nrrd"});
+  if (draft.missing().empty())
+    request = draft.request();
+  return request;
 }
 
 [[maybe_unused]] void writeAsTheWindow() {

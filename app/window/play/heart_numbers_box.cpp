@@ -9,10 +9,13 @@
 #include <QTableWidget>
 #include <QVBoxLayout>
 
+#include <cmath>
 #include <optional>
 #include <ostream>
 
 #include "viscera/core/atomic_file.h"
+#include "viscera/document/study_item.h"
+#include "window/play/study_person.h"
 #include "window/style/language.h"
 #include "window/view/view_model.h"
 #include "window/widgets/flow_layout.h"
@@ -25,15 +28,18 @@ namespace {
 
 enum HeartNumberColumn { kNumberName, kNumberValue, kNumberPerM2, kNumberColumns };
 constexpr int kNumberRowHeight = 20;
+constexpr double kSameSurface = 0.006; ///< m2; a box rounds it to two decimals.
 
 } // namespace
 
 HeartNumbersBox::HeartNumbersBox(const ModeParts& parts, const MeasuredMotion& measured, QWidget* parent)
     : QWidget(parent), workspace_(parts.workspace), playback_(parts.playback), volumes_(parts.volumes),
       view_(parts.view), settings_(parts.settings), measured_(measured), ends_(makeRemark(QString(), this)),
-      table_(new QTableWidget(0, kNumberColumns, this)) {
+      about_(makeRemark(QString(), this)), table_(new QTableWidget(0, kNumberColumns, this)) {
   auto* column = makeLayout<QVBoxLayout>(this, 4);
   column->addWidget(ends_);
+  about_->setObjectName(QStringLiteral("heartNumbersAbout"));
+  column->addWidget(about_);
   table_->setObjectName(QStringLiteral("heartNumbers"));
   table_->setAccessibleName(tr("Numbers of the measured heart"));
   table_->setHorizontalHeaderLabels({QString(), tr("value"), tr("per m\u00b2")});
@@ -88,8 +94,10 @@ HeartNumbersBox::Ventricles HeartNumbersBox::ventricles() const {
     if (one.side != 0 || !one.cavity || !measured_.surfaceOf(one.organ))
       continue;
     auto numbers = volumes_.numbers(line, view.cycleEnds, view.person.bodySurfaceM2);
-    if (!numbers.empty())
-      all.emplace_back(one.label, std::move(numbers));
+    if (!numbers.empty()) // A table says at each number that it is an estimate.
+      all.emplace_back(volumes_.isEstimate(line) ? tr("%1 (estimate)").arg(inWords(one.label)).toStdString()
+                                                 : one.label,
+                       std::move(numbers));
   }
   return all;
 }
@@ -121,12 +129,34 @@ void HeartNumbersBox::sync() {
     }
   table_->setColumnHidden(kNumberPerM2, view_.state().person.bodySurfaceM2 <= 0);
   table_->setFixedHeight((table_->rowCount() + 2) * kNumberRowHeight);
+  QStringList about;
+  if (measured_.isEstimate())
+    about.push_back(
+        tr("Estimates: only one phase of the images has labels. Of a right ventricle there are no "
+           "numbers then."));
+  if (const QString person = personText(); !person.isEmpty())
+    about.push_back(person);
+  about_->setText(about.join(QLatin1Char('\n')));
+  about_->setVisible(!about.isEmpty());
   const auto line = volumes_.measuredLine();
   const auto ends = line ? volumes_.ends(*line, view_.state().cycleEnds) : std::nullopt;
   if (ends)
     ends_->setText(tr("ED at %1 % of the cycle, ES at %2 %")
                        .arg(formatNumber(kPercent * ends->diastole, 0))
                        .arg(formatNumber(kPercent * ends->systole, 0)));
+}
+
+/// Where the body surface comes from, as long as it is that of the images.
+QString HeartNumbersBox::personText() const {
+  const auto& item = workspace_.state().study;
+  const double surface = view_.state().person.bodySurfaceM2;
+  const auto stated = item ? statedBodySurface(*item->study) : std::nullopt;
+  if (!stated || std::abs(*stated - surface) > kSameSurface)
+    return {};
+  return tr("Body surface %1 m\u00b2 from the images: %2 cm, %3 kg")
+      .arg(formatNumber(surface, 2))
+      .arg(formatNumber(item->study->heightCm, 0))
+      .arg(formatNumber(item->study->weightKg, 1));
 }
 
 void HeartNumbersBox::askForSize() {

@@ -38,6 +38,7 @@ private:
   void syncIfNew();
   Ventricles ventricles() const;
   void askForSize();
+  QString personText() const;
   void chooseAndWriteCsv();
 
   Workspace& workspace_;
@@ -50,6 +51,7 @@ private:
   heart::ChosenEnds madeWith_;
   anatomy::Person madeFor_;
   QLabel* ends_;
+  QLabel* about_; ///< Whether the numbers are estimates, and whose body surface they are for.
   QTableWidget* table_;
 };
 

@@ -10,12 +10,14 @@
 
 #include "viscera/document/circulation_commands.h"
 #include "viscera/document/organ_commands.h"
+#include "viscera/document/study_item.h"
 #include "viscera/heart/beating_heart.h"
 #include "viscera/live/sequence_setup.h"
 #include "viscera/presentation/strain_figure.h"
 #include "viscera/workbench/loaded_sample.h"
 #include "window/movie/shown_signs.h"
 #include "window/play/play_page.h"
+#include "window/play/study_person.h"
 #include "window/strain/axis_picker.h"
 #include "window/strain/heart_segments.h"
 #include "window/style/language.h"
@@ -82,7 +84,10 @@ PlayMode::PlayMode(const ModeParts& parts, Actions& actions)
       retractKey();
     if (change.organs())
       syncStrain(); // Axes are those of a heart of that shape.
+    if (change.study() && parts_.workspace.state().study)
+      takePerson(*parts_.workspace.state().study->study, parts_.view);
   });
+  connect(measured_.get(), &MeasuredMotion::found, this, &PlayMode::showImages);
 }
 
 PlayMode::~PlayMode() {
@@ -117,7 +122,8 @@ void PlayMode::makeMotionActions(Actions& actions) {
               {tr("Motion from a ser&ies..."),
                "patient",
                {},
-               tr("Compute a patient's own motion from surfaces or label maps of each phase of the cycle")},
+               tr("Compute a patient's own motion from surfaces or label maps of each phase of the cycle, or "
+                  "from cine images and the labels of a few phases")},
               [this] { chooseSeries(); });
 }
 
@@ -165,9 +171,16 @@ void PlayMode::syncValves() {
   valves_->setChecked(why.isEmpty() && parts_.view.state().valves);
 }
 
+/// Contours that move on the images are to be seen, unless the user has chosen a layout with slices.
+void PlayMode::showImages() {
+  if (measured_->isOfStudy() && parts_.view.state().scan.layout == "3d")
+    parts_.view.change([](presentation::ViewState& state) { state.scan.layout = "four"; });
+}
+
 MotionDialog& PlayMode::chooseSeries() {
   if (!seriesDialog_)
     seriesDialog_ = new MotionDialog(parts_.workspace, *measured_, parts_.settings, parts_.area.window());
+  seriesDialog_->offerStudy();
   seriesDialog_->show();
   seriesDialog_->raise();
   seriesDialog_->activateWindow();

@@ -99,6 +99,7 @@ private:
   void slower();
   void addKey();
   void retractKey();
+  void showImages();
   void reportMovieWritten(bool complete, const MoviePlan& plan);
 
   std::unique_ptr<Comparison> comparison_;

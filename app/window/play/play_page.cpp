@@ -229,17 +229,23 @@ void PlayPage::fillRow(std::size_t line) {
   const VolumeMonitor::Line& shown = volumes_.lines()[line];
   const auto range = volumes_.range(line);
   const auto indices = volumes_.indices(line);
-  const auto number = [](bool known, double value) { return known ? formatNumber(value, 1) : nothing(); };
-  const QStringList cells = {volumes_.nameOf(shown), number(range.has_value(), range ? range->high : 0),
-                             number(range.has_value(), range ? range->low : 0),
-                             number(indices.has_value(), indices ? indices->strokeVolumeMl : 0),
-                             indices ? tr("%1 %").arg(formatNumber(kPercent * indices->ejectionFraction, 0))
-                                     : nothing()};
+  // An estimate is marked at each of its numbers.
+  const QString about = volumes_.isEstimate(line) ? QString::fromUtf8("\u2248 ") : QString();
+  const auto number = [&about](bool known, double value) {
+    return known ? about + formatNumber(value, 1) : nothing();
+  };
+  const QStringList cells = {
+      volumes_.nameOf(shown), number(range.has_value(), range ? range->high : 0),
+      number(range.has_value(), range ? range->low : 0),
+      number(indices.has_value(), indices ? indices->strokeVolumeMl : 0),
+      indices ? about + tr("%1 %").arg(formatNumber(kPercent * indices->ejectionFraction, 0)) : nothing()};
   for (int column = 0; column < kCavityColumns; ++column) {
     auto* item = new QTableWidgetItem(cells[column]);
     item->setTextAlignment((column == kCavityName ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
     if (column == kCavityName) // The column has what the numbers leave.
       item->setToolTip(cells[column]);
+    else if (!about.isEmpty())
+      item->setToolTip(tr("An estimate: only one phase of the images has labels"));
     table_->setItem(static_cast<int>(line), column, item);
   }
 }
@@ -292,10 +298,13 @@ void PlayPage::syncIndices() {
   syncPatientCirculation();
   for (QLabel* fact : {fraction_, stroke_, output_})
     setFactShown(fact, playback_.sequence() && best < lines.size());
-  fraction_->setText(indices ? tr("%1 %").arg(formatNumber(kPercent * indices->ejectionFraction, 1))
+  const auto said = [estimate = best < lines.size() && volumes_.isEstimate(best)](const QString& number) {
+    return estimate ? tr("%1 (estimate)").arg(number) : number;
+  };
+  fraction_->setText(indices ? said(tr("%1 %").arg(formatNumber(kPercent * indices->ejectionFraction, 1)))
                              : nothing());
-  stroke_->setText(indices ? tr("%1 ml").arg(formatNumber(indices->strokeVolumeMl, 1)) : nothing());
-  output_->setText(indices ? tr("%1 l/min").arg(formatNumber(indices->cardiacOutputLPerMinute, 1))
+  stroke_->setText(indices ? said(tr("%1 ml").arg(formatNumber(indices->strokeVolumeMl, 1))) : nothing());
+  output_->setText(indices ? said(tr("%1 l/min").arg(formatNumber(indices->cardiacOutputLPerMinute, 1)))
                            : nothing());
   QStringList normal;
   QStringList sources;

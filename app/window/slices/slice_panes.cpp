@@ -194,6 +194,9 @@ void SlicePanes::bringUpToDate() {
     for (const presentation::SlicePane& pane : shown) {
       widget(pane.direction)
           .setPicture(cine_.shown() ? cine_.picture(pane.direction) : presenter_.picture(pane.direction));
+      widget(pane.direction)
+          .setVerdict(cine_.shown() && verdicts_ ? verdicts_(cine_.presenter().slice(pane.direction))
+                                                 : SliceVerdict());
       read(pane.direction, cursor_[static_cast<std::size_t>(pane.direction)]);
     }
   });

@@ -3,7 +3,9 @@
 #include <QObject>
 
 #include <array>
+#include <functional>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "viscera/presentation/presenter.h"
@@ -55,6 +57,12 @@ public:
   /// Sets the measurement under way, which the slices draw.
   void setMeasuring(presentation::PendingMeasurement measuring);
 
+  /// Sets what is said of a slice of the document's cine study in its pane; null: nothing.
+  void setVerdicts(std::function<SliceVerdict(std::size_t slice)> verdicts) {
+    verdicts_ = std::move(verdicts);
+    markOutdated();
+  }
+
   /// Marks the slices as out of date and schedules the rendering of those that are visible.
   void markOutdated();
   /// The slices of a cine study; the panes show them while the document has one.
@@ -92,6 +100,7 @@ private:
   std::array<SliceWidget*, 3> widgets_{};
   presentation::SlicePresenter presenter_;
   CinePanes cine_;
+  std::function<SliceVerdict(std::size_t slice)> verdicts_;
   bool outdated_ = true;
   std::array<std::optional<Eigen::Vector2d>, 3> cursor_;
   std::vector<SliceGrip*> grips_;

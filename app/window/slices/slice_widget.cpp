@@ -27,12 +27,14 @@ constexpr double kWheelStep = 120; ///< Qt: eighths of a degree.
 constexpr int kReadingLeft = 8;
 /// Above the level and width that stand in the picture.
 constexpr int kReadingAbove = 26;
+/// Under the title that stands in the picture.
+constexpr int kVerdictBelow = 26;
 
 } // namespace
 
 SliceWidget::SliceWidget(QWidget* parent)
-    : QVTKOpenGLNativeWidget(parent), view_(std::make_unique<scene::SliceView>()),
-      reading_(new QLabel(this)) {
+    : QVTKOpenGLNativeWidget(parent), view_(std::make_unique<scene::SliceView>()), reading_(new QLabel(this)),
+      verdict_(new QLabel(this)) {
   setFocusPolicy(Qt::StrongFocus);
   setMinimumSize(120, 90);
   setMouseTracking(true);
@@ -45,6 +47,10 @@ SliceWidget::SliceWidget(QWidget* parent)
   reading_->setAttribute(Qt::WA_TransparentForMouseEvents);
   reading_->setStyleSheet(QStringLiteral("background: transparent; color: #e6e8ea;"));
   reading_->hide();
+  verdict_->setObjectName(QStringLiteral("sliceVerdict"));
+  verdict_->setAttribute(Qt::WA_TransparentForMouseEvents);
+  verdict_->move(kReadingLeft, kVerdictBelow);
+  verdict_->hide();
 }
 
 SliceWidget::~SliceWidget() {
@@ -59,6 +65,7 @@ void SliceWidget::setPicture(const scene::SlicePicture& picture) {
 
 void SliceWidget::setTheme(const Theme& theme) {
   view_->setTheme(viewThemeOf(theme));
+  verdict_->move(kReadingLeft, theme.lecture ? 2 * kVerdictBelow : kVerdictBelow); // Its title is larger.
   scheduleRender();
 }
 
@@ -72,6 +79,30 @@ void SliceWidget::setReading(const QString& text) {
 
 QString SliceWidget::reading() const {
   return reading_->text();
+}
+
+/// Slices are black in every theme, and so have the colours of the dark one.
+void SliceWidget::setVerdict(const SliceVerdict& verdict) {
+  const bool good = verdict.light == tracking::FitLight::good, red = verdict.light == tracking::FitLight::red;
+  // A sign beside the colour, for colour-blind users.
+  const QString words = good || verdict.words.isEmpty() ? verdict.words
+                        : red                           ? QString::fromUtf8("\u2715 ") + verdict.words
+                                                        : QStringLiteral("! ") + verdict.words;
+  if (words == verdict_->text())
+    return;
+  const Theme dark = themeOf(ThemeKind::dark);
+  verdict_->setStyleSheet(QStringLiteral("background: transparent; color: %1;")
+                              .arg((good  ? QColor("#e6e8ea")
+                                    : red ? dark.error
+                                          : dark.warning)
+                                       .name()));
+  verdict_->setText(words);
+  verdict_->adjustSize();
+  verdict_->setVisible(!words.isEmpty());
+}
+
+QString SliceWidget::verdict() const {
+  return verdict_->text();
 }
 
 void SliceWidget::placeReading() {

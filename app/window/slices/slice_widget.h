@@ -8,11 +8,18 @@
 #include <utility>
 
 #include "viscera/scene/slice_view.h"
+#include "viscera/tracking/fit_quality.h"
 #include "window/style/theme.h"
 
 class QLabel;
 
 namespace viscera::app {
+
+/// What is said of a slice beside its title, and how far it can be relied upon.
+struct SliceVerdict {
+  QString words; ///< Empty: nothing.
+  tracking::FitLight light = tracking::FitLight::good;
+};
 
 /// A widget that shows one slice of a scan. It reports mouse gestures as signals, in pixels of the slice's
 /// picture, and changes nothing itself. Renders at most once for all changes within one pass of the event
@@ -33,6 +40,9 @@ public:
   /// Sets the text at the lower edge: value, place and organ under the cursor.
   void setReading(const QString& text);
   QString reading() const;
+  /// Sets the text under the title, amber or red by its light.
+  void setVerdict(const SliceVerdict& verdict);
+  QString verdict() const;
 
   /// Sets a function that is called at every press of the left button. If it returns true, the drag is
   /// reported by `gripDragged` and `gripReleased`.
@@ -90,6 +100,7 @@ private:
   std::function<void()> contents_;
   std::optional<Eigen::Vector2d> cross_;
   QLabel* reading_;
+  QLabel* verdict_;
   std::function<bool(const Eigen::Vector2d&, Qt::KeyboardModifiers)> grips_;
   Drag drag_ = Drag::none;
   QPointF pressed_, last_;

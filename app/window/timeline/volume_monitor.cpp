@@ -366,9 +366,18 @@ std::optional<heart::WallMotion> VolumeMonitor::wall() const {
   return side.curves && side.playback->sequence() ? side.curves->wall : std::nullopt;
 }
 
+bool VolumeMonitor::isEstimate(std::size_t line) const {
+  return measured_ && measured_->isEstimate() && measured_->surfaceOf(lines_[line].organ) &&
+         playbackOf(line).sequence() == sides_[0].playback->sequence();
+}
+
+bool VolumeMonitor::isUncertain(std::size_t line) const {
+  return isEstimate(line) && anatomy::chamberKey(lines_[line].label) == "rv";
+}
+
 std::optional<heart::CardiacIndices> VolumeMonitor::indices(std::size_t line) const {
   const Curve curve = cycle(line);
-  if (!lines_[line].cavity || curve.milliliters.empty())
+  if (!lines_[line].cavity || curve.milliliters.empty() || isUncertain(line))
     return std::nullopt;
   return heart::cardiacIndices(curve.milliliters, playbackOf(line).player().ratePerMinute());
 }
@@ -396,7 +405,7 @@ std::optional<heart::CycleEnds> VolumeMonitor::ends(std::size_t line, const hear
 std::vector<heart::HeartNumber> VolumeMonitor::numbers(std::size_t line, const heart::ChosenEnds& chosen,
                                                        double bodySurfaceM2) const {
   const Curve curve = cycle(line);
-  if (!lines_[line].cavity || curve.milliliters.empty())
+  if (!lines_[line].cavity || curve.milliliters.empty() || isUncertain(line))
     return {};
   std::vector<std::pair<std::string, double>> organs;
   for (const Line& organ : lines_)

@@ -86,7 +86,11 @@ public:
   int cycles() const { return cycles_; }
   /// The playback that moves a line's organ.
   const Playback& playbackOf(std::size_t line) const { return *sides_[lines_[line].side].playback; }
-  /// The indices of a cavity, from `cycle`; none while that is empty.
+  /// Whether the volumes of a line over its cycle are estimates: those of a motion from images and labels of
+  /// one phase only. Texts about its numbers say so.
+  bool isEstimate(std::size_t line) const;
+  /// The indices of a cavity, from `cycle`; none while that is empty, and of a right ventricle whose volumes
+  /// are estimates: what its images show falls short too far.
   std::optional<heart::CardiacIndices> indices(std::size_t line) const;
   /// The smallest and the largest volume of `cycle`, ml; none while that is empty.
   std::optional<scene::ValueRange> range(std::size_t line) const;
@@ -122,6 +126,8 @@ Q_SIGNALS:
   void updated();
 
 private:
+  /// A right ventricle with estimates has no indices.
+  bool isUncertain(std::size_t line) const;
   /// One view and what is known about its beat.
   struct Side {
     Workspace* workspace = nullptr;

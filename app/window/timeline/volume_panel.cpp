@@ -343,6 +343,8 @@ void VolumePanel::drawMeasured(double length) {
     const tracking::PhaseTimes& phases = found->series->times;
     std::vector<double> times, milliliters;
     for (std::size_t phase = 0; phase < phases.count(); ++phase) {
+      if (!dots_[i].before && found->images && !found->images->found.isLabelled(phase))
+        continue; // Nobody measured it.
       times.push_back(length * phases.seconds[phase] / phases.periodSeconds);
       milliliters.push_back(found->series->volumesMl[phase][dots_[i].surface]);
     }
@@ -442,7 +444,8 @@ QStringList VolumePanel::normalsForms() const {
 QString VolumePanel::detailOf(std::size_t line) const {
   const VolumeMonitor::Line& shown = monitor_.lines()[line];
   if (const auto indices = posed() ? std::nullopt : monitor_.indices(line))
-    return tr("EF %1 %  SV %2 ml")
+    return (monitor_.isEstimate(line) ? tr("EF about %1 %  SV about %2 ml (estimate)")
+                                      : tr("EF %1 %  SV %2 ml"))
         .arg(formatNumber(kPercent * indices->ejectionFraction, 0))
         .arg(formatNumber(indices->strokeVolumeMl, 0));
   if (shown.restMl <= 0)

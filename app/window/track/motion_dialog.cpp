@@ -3,6 +3,8 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
+#include <QDragEnterEvent>
+#include <QDropEvent>
 #include <QEvent>
 #include <QFileDialog>
 #include <QFileInfo>
@@ -10,6 +12,7 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMimeData>
 #include <QPointer>
 #include <QPushButton>
 #include <QRegularExpression>
@@ -20,10 +23,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "viscera/anatomy/part.h"
 #include "window/style/icon.h"
 #include "window/style/language.h"
+#include "window/track/cine_page.h"
 #include "window/widgets/page.h"
 #include "window/widgets/ready_made.h"
 #include "window/widgets/wrapped_label.h"
@@ -51,6 +56,11 @@ QString partName(live::SeriesPart part, bool labels) {
   }
 }
 
+/// Whether the seconds in a box of so many decimals of a ms are what the files say.
+bool isPeriod(const std::optional<double>& stated, double seconds, int decimals) {
+  return stated && std::abs(*stated - seconds) <= 0.5 * std::pow(10, -decimals) / kMsPerSecond;
+}
+
 } // namespace
 
 MotionDialog::MotionDialog(Workspace& workspace, MeasuredMotion& measured, Settings& settings,
@@ -60,6 +70,8 @@ MotionDialog::MotionDialog(Workspace& workspace, MeasuredMotion& measured, Setti
   setWindowTitle(tr("Motion from a series"));
   setFixedWidth(kDialogWidth);
   auto* column = new QVBoxLayout(this);
+  setAcceptDrops(true);
+  makeSource(*column);
   makeFiles(*column);
   makeItems(*column);
   makeTimes(*column);
@@ -71,8 +83,18 @@ MotionDialog::MotionDialog(Workspace& workspace, MeasuredMotion& measured, Setti
   missing_ = makeRemark({}, this);
   missing_->setObjectName(QStringLiteral("motionMissing"));
   column->addWidget(missing_);
+  makeButtons(*column);
+  connect(&measured, &MeasuredMotion::ended, this, &MotionDialog::onEnded);
+  setFromImages(false);
+}
+
+void MotionDialog::makeButtons(QVBoxLayout& column) {
   auto* buttons = makeLayout<QHBoxLayout>(nullptr, 8);
   buttons->addStretch(1);
+  cancel_ = new QPushButton(tr("Cancel the search"), this);
+  cancel_->setObjectName(QStringLiteral("motionCancel"));
+  connect(cancel_, &QPushButton::clicked, &measured_, &MeasuredMotion::cancel);
+  buttons->addWidget(cancel_);
   auto* close = new QPushButton(tr("Close"), this);
   connect(close, &QPushButton::clicked, this, &QDialog::close);
   buttons->addWidget(close);
@@ -80,10 +102,81 @@ MotionDialog::MotionDialog(Workspace& workspace, MeasuredMotion& measured, Setti
   start_->setObjectName(QStringLiteral("primary"));
   connect(start_, &QPushButton::clicked, this, &MotionDialog::start);
   buttons->addWidget(start_);
-  column->addLayout(buttons);
-  connect(&measured, &MeasuredMotion::ended, this, &MotionDialog::onEnded);
+  column.addLayout(buttons);
+}
+
+void MotionDialog::makeSource(QVBoxLayout& column) {
+  source_ = new QComboBox(this);
+  source_->setObjectName(QStringLiteral("motionSource"));
+  source_->setAccessibleName(tr("What the motion is found from"));
+  source_->addItem(tr("Labels or surfaces of every phase"));
+  source_->addItem(tr("Cine images, and labels of a few phases"));
+  connect(source_, QOverload<int>::of(&QComboBox::currentIndexChanged), this,
+          [this](int index) { setFromImages(index == 1); });
+  column.addWidget(source_);
+}
+
+bool MotionDialog::fromImages() const {
+  return source_->currentIndex() == 1;
+}
+
+void MotionDialog::setFromImages(bool images) {
+  const QSignalBlocker quiet(source_);
+  source_->setCurrentIndex(images ? 1 : 0);
+  seriesBox_->setVisible(!images);
+  cine_->setVisible(images);
+  about_->setText(
+      images
+          ? tr("Turns the labels of a few phases, the ends of diastole and systole at least, and cine images "
+               "of the whole cycle into handles and a key sequence with a key for each phase. Volumes of "
+               "labelled phases are exact; the images show the others. One labelled phase gives an estimate. "
+               "The result replaces the open organs; Undo brings them back.")
+          : tr("Turns one organ, given in several phases of a cycle, into handles and a key sequence with a "
+               "key for each phase. Choose surfaces or label maps, one file for each phase, or one file with "
+               "several phases. The result replaces the open organs; Undo brings them back."));
+  for (QWidget* part :
+       {static_cast<QWidget*>(robust_), static_cast<QWidget*>(robustName_), static_cast<QWidget*>(loop_)})
+    part->setVisible(!images); // Images show a whole cycle, and have their own limit.
+  leaveOutName_->setText(images ? tr("Leave out series") : tr("Leave out phases"));
+  contents_ = {};
+  files_.clear();
+  forgetLook();
+  say({}, false);
   fillItems();
   sync();
+  if (images)
+    lookAtCineLabels();
+}
+
+void MotionDialog::forgetLook() {
+  ++looks_;
+  looking_ = false;
+}
+
+void MotionDialog::offerStudy() {
+  if (!workspace_.state().study || !files_.isEmpty() || cine_->draft().cycle() || finding_)
+    return;
+  setFromImages(true);
+  cine_->useStudy(workspace_.state().study);
+}
+
+void MotionDialog::dragEnterEvent(QDragEnterEvent* event) {
+  if (event->mimeData()->hasUrls())
+    event->acceptProposedAction();
+}
+
+void MotionDialog::dropEvent(QDropEvent* event) {
+  QStringList files;
+  for (const QUrl& url : event->mimeData()->urls())
+    if (url.isLocalFile())
+      files.push_back(url.toLocalFile());
+  if (files.isEmpty())
+    return;
+  event->acceptProposedAction();
+  if (fromImages())
+    cine_->takeDropped(files);
+  else
+    look(files);
 }
 
 /// Keeps the dialog as high as what is in it: sentences wrap, and parts come and go.
@@ -95,11 +188,10 @@ bool MotionDialog::event(QEvent* event) {
 }
 
 void MotionDialog::makeFiles(QVBoxLayout& column) {
-  column.addWidget(makeRemark(
-      tr("Turns one organ, given in several phases of a cycle, into handles and a key sequence with a "
-         "key for each phase. Choose surfaces or label maps, one file for each phase, or one file with "
-         "several phases. The result replaces the open organs; Undo brings them back."),
-      this));
+  about_ = makeRemark({}, this);
+  column.addWidget(about_);
+  seriesBox_ = new QWidget(this);
+  auto* box = makeLayout<QVBoxLayout>(seriesBox_, 8);
   auto* row = makeLayout<QHBoxLayout>(nullptr, 8);
   auto* folder = new QPushButton(icon("open"), tr("Folder..."), this);
   folder->setObjectName(QStringLiteral("seriesFolder"));
@@ -111,10 +203,37 @@ void MotionDialog::makeFiles(QVBoxLayout& column) {
   connect(files, &QPushButton::clicked, this, &MotionDialog::chooseFiles);
   row->addWidget(files);
   row->addStretch(1);
-  column.addLayout(row);
+  box->addLayout(row);
   what_ = new WrappedLabel(this);
   what_->setObjectName(QStringLiteral("seriesWhat"));
-  column.addWidget(what_);
+  box->addWidget(what_);
+  column.addWidget(seriesBox_);
+  cine_ = new CinePage(workspace_, settings_, this);
+  connect(cine_, &CinePage::changed, this, &MotionDialog::takeImages);
+  connect(cine_, &CinePage::labelsChanged, this, &MotionDialog::lookAtCineLabels);
+  connect(cine_, &CinePage::refused, this, [this](const QString& why) { say(why, true); });
+  column.addWidget(cine_);
+}
+
+/// The images say how long a cycle lasts; a user may say otherwise.
+void MotionDialog::takeImages() {
+  const auto& cycle = cine_->draft().cycle();
+  if (cycle && cycle->periodSeconds && cyclePlace_ != cycle->place)
+    period_->setValue(kMsPerSecond * *cycle->periodSeconds);
+  cyclePlace_ = cycle ? cycle->place : std::filesystem::path();
+  sync();
+}
+
+/// Which surfaces there are is read from the first labelled phase.
+void MotionDialog::lookAtCineLabels() {
+  if (!fromImages())
+    return;
+  contents_ = {};
+  forgetLook();
+  fillItems();
+  if (const auto labels = cine_->firstLabels())
+    lookIntoLabels([labels](Progress& progress) { return live::lookIntoPhase(*labels, progress); });
+  sync();
 }
 
 void MotionDialog::makeItems(QVBoxLayout& column) {
@@ -175,11 +294,13 @@ QWidget* MotionDialog::makeMore() {
   robust_->setSuffix(tr(" mm"));
   robust_->setSpecialValueText(tr("No limit"));
   robust_->setToolTip(tr("Larger distances count less: for label maps with outliers"));
-  form->addRow(tr("Distances count less beyond"), robust_);
+  robustName_ = new QLabel(tr("Distances count less beyond"), box);
+  form->addRow(robustName_, robust_);
   leaveOut_ = new QLineEdit(box);
   leaveOut_->setObjectName(QStringLiteral("seriesLeaveOut"));
   leaveOut_->setPlaceholderText(tr("For example 3, 7"));
-  form->addRow(tr("Leave out phases"), leaveOut_);
+  leaveOutName_ = new QLabel(tr("Leave out phases"), box);
+  form->addRow(leaveOutName_, leaveOut_);
   return box;
 }
 
@@ -198,22 +319,27 @@ void MotionDialog::chooseFiles() {
 }
 
 void MotionDialog::look(const QStringList& files) {
+  if (fromImages())
+    setFromImages(false);
   files_ = files;
   contents_ = {};
-  looking_ = true;
   std::vector<std::filesystem::path> paths;
   for (const QString& file : files)
     paths.emplace_back(file.toStdString());
   settings_.setValue(kFolderKey, QFileInfo(files.front()).absolutePath());
   fillItems();
   say({}, false);
+  lookIntoLabels([paths](Progress& progress) { return live::lookIntoSeries(paths, progress); });
   sync();
+}
+
+void MotionDialog::lookIntoLabels(std::function<live::SeriesContents(Progress&)> read) {
+  looking_ = true;
   workspace_.jobs().submit<live::SeriesContents>(
-      tr("Reading the series").toStdString(), kLookSlot,
-      [paths](Progress& progress) { return live::lookIntoSeries(paths, progress); },
-      [this, self = QPointer<MotionDialog>(this)](JobResult<live::SeriesContents> result) {
-        if (!self)
-          return;
+      tr("Reading the series").toStdString(), kLookSlot, std::move(read),
+      [this, self = QPointer<MotionDialog>(this), number = ++looks_](JobResult<live::SeriesContents> result) {
+        if (!self || number != looks_)
+          return; // Others took their place.
         looking_ = false;
         if (result.error) {
           files_.clear();
@@ -227,6 +353,8 @@ void MotionDialog::look(const QStringList& files) {
 
 void MotionDialog::take(const live::SeriesContents& contents) {
   contents_ = contents;
+  if (fromImages())
+    return fillItems();
   if (contents.periodSeconds)
     period_->setValue(kMsPerSecond * *contents.periodSeconds);
   say(contents.phases == 1
@@ -274,9 +402,9 @@ void MotionDialog::sync() {
                      : tr("The files do not state it"));
   rate_->setVisible(period > 0 || !contents_.items.empty());
   QString what = tr("No series is chosen.");
-  if (looking_)
+  if (looking_ && !files_.isEmpty())
     what = tr("Reading %1 ...").arg(QFileInfo(files_.front()).fileName());
-  else if (!contents_.items.empty())
+  else if (!contents_.items.empty() && !files_.isEmpty())
     what = (contents_.labels ? tr("%1: label maps, %n phases", nullptr, int(contents_.phases))
                              : tr("%1: surfaces, %n phases", nullptr, int(contents_.phases)))
                .arg(QFileInfo(files_.front()).fileName());
@@ -287,11 +415,20 @@ void MotionDialog::sync() {
   start_->setToolTip(lacks);
   missing_->setText(lacks);
   // Another label shows the reason where there is no series, or one image.
-  missing_->setVisible(!lacks.isEmpty() && !contents_.items.empty() && contents_.phases != 1);
+  missing_->setVisible(!lacks.isEmpty() &&
+                       (fromImages() || (!contents_.items.empty() && contents_.phases != 1)));
+  cancel_->setVisible(finding_);
 }
 
 /// The input that is missing before the search can start; empty when it is complete.
 QString MotionDialog::missing() const {
+  if (fromImages()) {
+    if (const Text lacks = cine_->draft().missing(); !lacks.empty())
+      return inWords(lacks);
+    if (contents_.items.empty())
+      return looking_ ? tr("The labels are being read") : tr("Choose other labels: these cannot be read");
+    return period_->value() > 0 ? QString() : tr("Enter the duration of one cycle first");
+  }
   if (contents_.items.empty())
     return tr("Choose a series first");
   if (contents_.phases == 1)
@@ -303,27 +440,54 @@ live::SeriesRequest MotionDialog::request() const {
   live::SeriesRequest request;
   for (const QString& file : files_)
     request.inputs.emplace_back(file.toStdString());
+  request.surfaces = surfaces();
+  // The files' own times are kept as long as the period is theirs.
+  const double seconds = period_->value() / kMsPerSecond;
+  if (!isPeriod(contents_.periodSeconds, seconds, period_->decimals()))
+    request.periodSeconds = seconds;
+  request.leftOut = leftOut();
+  for (std::size_t& phase : request.leftOut)
+    --phase;
+  request.loop = loop_->isChecked();
+  return request;
+}
+
+live::CineRequest MotionDialog::cineRequest() const {
+  live::CineRequest request = cine_->draft().request();
+  // One surface in a file a phase has the name that its files share.
+  if (contents_.labels || contents_.items.size() > 1)
+    request.surfaces = surfaces();
+  const double seconds = period_->value() / kMsPerSecond;
+  if (!isPeriod(cine_->draft().cycle()->periodSeconds, seconds, period_->decimals()))
+    request.periodSeconds = seconds;
+  for (const std::size_t series : leftOut())
+    request.leftOutSeries.push_back(static_cast<int>(series));
+  return request;
+}
+
+std::vector<live::LabelledSurface> MotionDialog::surfaces() const {
   const bool heart = std::any_of(contents_.items.begin(), contents_.items.end(), [](const auto& item) {
     return item.part == live::SeriesPart::cavity && anatomy::chamberNamed(item.name);
   });
-  request.surfaces =
-      live::chosenSurfaces(contents_, (heart ? tr("Heart") : tr("Outer surface")).toStdString());
-  // The files' own times are kept as long as the period is theirs.
-  const double seconds = period_->value() / kMsPerSecond;
-  if (!contents_.periodSeconds ||
-      std::abs(*contents_.periodSeconds - seconds) > 0.5 * std::pow(10, -period_->decimals()) / kMsPerSecond)
-    request.periodSeconds = seconds;
+  return live::chosenSurfaces(contents_, (heart ? tr("Heart") : tr("Outer surface")).toStdString());
+}
+
+/// Numbers of phases or of series, as typed.
+std::vector<std::size_t> MotionDialog::leftOut() const {
+  std::vector<std::size_t> numbers;
   for (const QString& number :
        leaveOut_->text().split(QRegularExpression(QStringLiteral("[,;\\s]+")), Qt::SkipEmptyParts)) {
     bool isNumber = false;
     const int phase = number.toInt(&isNumber);
     if (!isNumber || phase < 1)
-      throw UsageError(tr("%1 is not a phase").arg(number).toStdString(), {},
+      throw fromImages()
+          ? UsageError(tr("%1 is not the number of a series").arg(number).toStdString(), {},
+                       tr("name series by their numbers, as in 3, 7").toStdString())
+          : UsageError(tr("%1 is not a phase").arg(number).toStdString(), {},
                        tr("name phases by their numbers, counted from 1, as in 3, 7").toStdString());
-    request.leftOut.push_back(static_cast<std::size_t>(phase - 1));
+    numbers.push_back(static_cast<std::size_t>(phase));
   }
-  request.loop = loop_->isChecked();
-  return request;
+  return numbers;
 }
 
 live::TrackOptions MotionDialog::options() const {
@@ -338,11 +502,14 @@ void MotionDialog::start() {
   if (!start_->isEnabled())
     return;
   try {
-    const live::SeriesRequest asked = request();
+    const auto search = fromImages() ? std::function<void()>([this, asked = cineRequest()] {
+      measured_.findFromImages(asked, options(), cine_->study());
+    })
+                                     : [this, asked = request()] { measured_.find(asked, options()); };
     finding_ = true;
     say({}, false);
     sync();
-    measured_.find(asked, options());
+    search();
   } catch (const Error& error) {
     say(sentenceOf(error), true);
   }

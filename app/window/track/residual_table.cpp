@@ -11,7 +11,10 @@
 
 #include <algorithm>
 
+#include "viscera/anatomy/part.h"
+#include "viscera/live/cine_reading.h"
 #include "window/style/language.h"
+#include "window/track/plane_table.h"
 #include "window/widgets/elided_label.h"
 #include "window/widgets/ready_made.h"
 
@@ -20,6 +23,7 @@ namespace {
 
 enum ResidualColumn {
   kPhase,
+  kSource,
   kPhaseTime,
   kMeanDistance,
   kP95Distance,
@@ -27,6 +31,7 @@ enum ResidualColumn {
   kMeasuredVolume,
   kFreeVolume,
   kFittedVolume,
+  kWallVolume,
   kDice,
   kFlippedTriangles,
   kFoldedTriangles,
@@ -35,7 +40,7 @@ enum ResidualColumn {
 };
 constexpr int kPhaseRowHeight = 20;
 constexpr int kShownPhases = 4;
-constexpr int kAll = -1, kCompared = -2;
+constexpr int kAll = -1, kCompared = -2, kPlanes = -3;
 
 enum DifferenceColumn { kComparedWhat, kComparedBefore, kComparedNow, kDifference, kDifferenceColumns };
 
@@ -78,12 +83,14 @@ ResidualTable::ResidualTable(MeasuredMotion& measured, Playback& playback, QWidg
     : QWidget(parent), measured_(measured), playback_(playback), surfaces_(new QComboBox(this)),
       summary_(new ElidedLabel(this)), stack_(new QStackedLayout),
       table_(new QTableWidget(0, kResidualColumns, this)),
-      differences_(new QTableWidget(0, kDifferenceColumns, this)), theme_(themeOf(ThemeKind::dark)) {
+      differences_(new QTableWidget(0, kDifferenceColumns, this)), planes_(new PlaneTable(measured, this)),
+      theme_(themeOf(ThemeKind::dark)) {
   auto* column = makeLayout<QVBoxLayout>(this, 4, {0, 4, 0, 0});
   column->addWidget(makeHead());
   makeTable();
   stack_->addWidget(table_);
   stack_->addWidget(differences_);
+  stack_->addWidget(planes_);
   column->addLayout(stack_, 1);
   connect(&measured, &MeasuredMotion::changed, this, &ResidualTable::rebuild);
   connect(&playback, &Playback::advanced, this, &ResidualTable::markPhase);
@@ -131,11 +138,12 @@ QWidget* ResidualTable::makeHead() {
 void ResidualTable::makeTable() {
   table_->setObjectName(QStringLiteral("residuals"));
   table_->setAccessibleName(tr("Fit of the motion, phase by phase"));
-  table_->setHorizontalHeaderLabels({tr("Phase"), tr("ms"), tr("mean mm"), tr("95 % mm"), tr("max mm"),
-                                     tr("measured ml"), tr("unconstrained ml"), tr("fitted ml"), tr("Dice"),
-                                     tr("flipped"), tr("folded"), tr("steps")});
+  table_->setHorizontalHeaderLabels({tr("Phase"), tr("from"), tr("ms"), tr("mean mm"), tr("95 % mm"),
+                                     tr("max mm"), tr("measured ml"), tr("unconstrained ml"), tr("fitted ml"),
+                                     tr("wall ml"), tr("Dice"), tr("flipped"), tr("folded"), tr("steps")});
   const QStringList tips = {
       tr("A mark shows that the phase needs attention; the row's tooltip gives the reason"),
+      tr("Whether the phase has labels, or was found in the images"),
       tr("Time of the phase"),
       tr("Distance of the fitted surface from the measured surface, weighted by area"),
       tr("95 % of the area lies within this distance"),
@@ -143,6 +151,8 @@ void ResidualTable::makeTable() {
       tr("Volume that was measured"),
       tr("Volume of the fit before it is brought to the measured volume"),
       tr("Volume of the fit"),
+      tr("Volume of the wall as a check: muscle hardly changes it. More than 10 % beyond the labelled phases "
+         "needs attention"),
       tr("Dice coefficient of the voxels; 1 if all agree"),
       tr("Triangles that face the wrong way"),
       tr("Places in the tissue that are folded"),
@@ -163,6 +173,7 @@ void ResidualTable::makeTable() {
 
 void ResidualTable::setTheme(const Theme& theme) {
   theme_ = theme;
+  planes_->setTheme(theme);
   fill();
 }
 
@@ -183,6 +194,8 @@ void ResidualTable::rebuild() {
       surfaces_->addItem(shortenedName(name, *surfaces_), static_cast<int>(i));
       surfaces_->setItemData(surfaces_->count() - 1, name, Qt::ToolTipRole);
     }
+    if (measured_.images())
+      surfaces_->addItem(tr("Planes of the images"), kPlanes);
     if (found && measured_.before())
       surfaces_->addItem(tr("Compared with the previous series"), kCompared);
   }
@@ -198,16 +211,32 @@ void ResidualTable::fill() {
     return;
   const live::PatientMotion& motion = *found->motion;
   fillDifferences();
-  stack_->setCurrentWidget(surface() == kCompared ? differences_ : table_);
+  planesOf_ = measured_.phaseNow();
+  planes_->fill();
+  stack_->setCurrentWidget(surface() == kCompared ? static_cast<QWidget*>(differences_)
+                           : surface() == kPlanes ? planes_
+                                                  : table_);
+  table_->setColumnHidden(kSource, !measured_.images());
+  table_->setColumnHidden(kWallVolume, motion.tissueMl.empty());
   const bool one = surface() >= 0;
   for (const int column : {kMeasuredVolume, kFreeVolume, kFittedVolume, kFlippedTriangles})
     table_->setColumnHidden(column, !one);
   table_->setColumnHidden(kDice, !motion.phases.front().quality.dice);
   for (int row = 0; row < table_->rowCount(); ++row)
     fillRow(row, motion.phases[static_cast<std::size_t>(row)]);
+  summary_->setFullText(summary().join(QStringLiteral("; ")));
+  markPhase();
+}
+
+/// Ejection fractions and tissue in one line; an estimate begins with that word.
+QStringList ResidualTable::summary() const {
+  const live::PatientMotion& motion = *measured_.present()->motion;
   QStringList parts;
+  if (measured_.isEstimate())
+    parts.push_back(tr("Estimate from the labels of one phase"));
   for (const auto& [name, indices] : motion.indices)
-    parts.push_back(tr("%1: EF %2 %, %3 to %4 ml, %5 l/min")
+    parts.push_back((measured_.isEstimate() ? tr("%1: about EF %2 %, %3 to %4 ml, %5 l/min")
+                                            : tr("%1: EF %2 %, %3 to %4 ml, %5 l/min"))
                         .arg(text(name))
                         .arg(formatNumber(kPercent * indices.ejectionFraction, 1))
                         .arg(formatNumber(indices.endDiastolicMl, 1))
@@ -217,8 +246,42 @@ void ResidualTable::fill() {
     const auto [low, high] = std::minmax_element(motion.tissueMl.begin(), motion.tissueMl.end());
     parts.push_back(tr("tissue %1 to %2 ml").arg(formatNumber(*low, 1)).arg(formatNumber(*high, 1)));
   }
-  summary_->setFullText(parts.join(QStringLiteral("; ")));
-  markPhase();
+  return parts;
+}
+
+/// "10 ES" at the labelled, or of an estimate the emptiest, end of systole.
+QString ResidualTable::phaseName(std::size_t phase) const {
+  const QString number = QString::number(phase + 1);
+  const live::CineMotion* images = measured_.images();
+  if (!images)
+    return number;
+  if (phase == images->endDiastole)
+    return tr("%1 ED").arg(number);
+  return phase == (images->estimate ? images->emptiest : images->endSystole) ? tr("%1 ES").arg(number)
+                                                                             : number;
+}
+
+/// A right ventricle has a volume only where a label tells it.
+QString ResidualTable::volume(std::size_t phase, double ml) const {
+  if (!measured_.isEstimate() || measured_.isLabelled(phase))
+    return formatNumber(ml, 1);
+  const bool right =
+      surface() >= 0 &&
+      anatomy::chamberKey(measured_.present()->series->names[static_cast<std::size_t>(surface())]) == "rv";
+  return right ? QString::fromUtf8("\u2013") : QString::fromUtf8("\u2248 ") + formatNumber(ml, 1);
+}
+
+QStringList ResidualTable::reasonsOf(std::size_t phase) const {
+  const live::PatientMotion& motion = *measured_.present()->motion;
+  QStringList reasons;
+  if (measured_.isEstimate() && !measured_.isLabelled(phase))
+    reasons.push_back(tr("An estimate: this phase has no labels, and only one has some."));
+  for (const Text& reason : motion.phases[phase].verdict.reasons)
+    reasons.push_back(asSentence(reason));
+  if (const auto wall = live::wallAt(motion, measured_.images(), phase); wall && !wall->reason.empty())
+    if (const QString reason = asSentence(wall->reason); !reasons.contains(reason))
+      reasons.push_back(reason);
+  return reasons;
 }
 
 /// A session has the numbers, and not the surfaces.
@@ -240,25 +303,28 @@ void ResidualTable::fillRow(int row, const live::TrackedPhase& phase) {
   if (surface() >= 0)
     own = all.surfaces[static_cast<std::size_t>(surface())];
   const auto number = [](double value, int digits) { return formatNumber(value, digits); };
-  const bool good = phase.verdict.light == tracking::FitLight::good;
-  const bool red = phase.verdict.light == tracking::FitLight::red;
+  const auto index = static_cast<std::size_t>(row);
+  const auto wall = live::wallAt(*measured_.present()->motion, measured_.images(), index);
+  const auto light = std::max(phase.verdict.light, wall ? wall->light : tracking::FitLight::good);
+  const bool good = light == tracking::FitLight::good;
+  const bool red = light == tracking::FitLight::red;
   // A sign beside the colour, for colour-blind users.
   const QString sign = good ? QString() : red ? QString::fromUtf8(" \u2715") : QStringLiteral(" !");
-  const QStringList cells = {QString::number(row + 1) + sign,
+  const QStringList cells = {phaseName(index) + sign,
+                             measured_.isLabelled(index) ? tr("labels") : tr("images"),
                              number(kMsPerSecond * phase.seconds, 0),
                              number(own.meanMm, 2),
                              number(own.p95Mm, 2),
                              number(own.maxMm, 1),
-                             number(own.measuredMl, 1),
-                             number(own.freeMl, 1),
-                             number(own.fittedMl, 1),
+                             volume(index, own.measuredMl),
+                             volume(index, own.freeMl),
+                             volume(index, own.fittedMl),
+                             wall ? number(wall->ml, 1) : QString(),
                              own.dice ? number(*own.dice, 3) : QString(),
                              QString::number(own.flipped),
                              QString::number(all.folded),
                              QString::number(all.steps)};
-  QStringList reasons;
-  for (const Text& reason : phase.verdict.reasons)
-    reasons.push_back(asSentence(reason));
+  const QStringList reasons = reasonsOf(index);
   for (int column = 0; column < kResidualColumns; ++column) {
     auto* item = new QTableWidgetItem(cells[column]);
     item->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
@@ -304,6 +370,10 @@ void ResidualTable::fillDifferences() {
 void ResidualTable::markPhase() {
   if (!isVisible() || !measured_.present())
     return;
+  if (surface() == kPlanes && planesOf_ != measured_.phaseNow()) {
+    planesOf_ = measured_.phaseNow();
+    planes_->fill();
+  }
   const int row = static_cast<int>(measured_.phaseNow());
   if (row == table_->currentRow() || row >= table_->rowCount())
     return;

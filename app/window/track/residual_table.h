@@ -13,11 +13,14 @@ class QTableWidget;
 namespace viscera::app {
 
 class ElidedLabel;
+class PlaneTable;
 
 /// A table of how well a tracked motion fits the measured series, for each phase, of all surfaces together or
-/// of one: distances, measured volumes and those of the fit, flipped triangles, folded tissue. A click on a
-/// row shows its phase. If another series was tracked before, the table can show the differences between
-/// both. Above the table are the switches for measured surfaces and distances in the view.
+/// of one: distances, measured volumes and those of the fit, the wall's volume, flipped triangles, folded
+/// tissue. A click on a row shows its phase. Of a motion from images it says which phases have labels, marks
+/// the ends of diastole and systole and estimates, and has a table of the planes. If another series was
+/// tracked before, the table can show the differences between both. Above the table are the switches for
+/// measured surfaces and distances in the view.
 class ResidualTable final : public QWidget {
   Q_OBJECT
 
@@ -37,7 +40,12 @@ private:
   void fillRow(int row, const live::TrackedPhase& phase);
   void fillDifferences();
   void markPhase();
-  /// The surface that is shown; -1: all together; -2: the differences from the series before.
+  /// A volume in a phase, with the sign of an estimate where it is one.
+  QString volume(std::size_t phase, double ml) const;
+  QStringList summary() const;
+  QStringList reasonsOf(std::size_t phase) const;
+  QString phaseName(std::size_t phase) const;
+  /// The surface that is shown; -1: all together; -2: the differences from the series before; -3: the planes.
   int surface() const;
 
   MeasuredMotion& measured_;
@@ -49,6 +57,8 @@ private:
   QStackedLayout* stack_;
   QTableWidget* table_;
   QTableWidget* differences_;
+  PlaneTable* planes_;
+  std::size_t planesOf_ = 0; ///< The phase that the table of planes shows.
   Theme theme_;
 };
 

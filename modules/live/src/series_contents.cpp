@@ -84,6 +84,24 @@ SeriesContents lookIntoSeries(const std::vector<std::filesystem::path>& inputs, 
   return contents;
 }
 
+SeriesContents lookIntoPhase(const PhaseLabels& labels, Progress& progress) {
+  const SeriesFiles files = labelledFiles({labels}, {});
+  SeriesContents contents;
+  contents.phases = 1;
+  contents.labels = files.kind != SeriesFiles::Kind::surfaces;
+  if (!contents.labels) {
+    for (const auto& [name, list] : files.files)
+      contents.items.push_back({name, {}, SeriesPart::tissue});
+    return contents;
+  }
+  const std::filesystem::path& map = files.files.at("").front();
+  std::error_code error;
+  contents.items =
+      itemsOf(std::filesystem::is_directory(map, error) ? medical_io::readLabelFolder(map, progress)
+                                                        : medical_io::readLabelMap(map, progress));
+  return contents;
+}
+
 std::vector<LabelledSurface> chosenSurfaces(const SeriesContents& contents, const std::string& outerName) {
   std::vector<LabelledSurface> surfaces;
   LabelledSurface outer{outerName, {}};

@@ -57,6 +57,26 @@ TEST(LookIntoSeries, SaysThatAPeriodIsDoubtful) {
   EXPECT_FALSE(contents.periodSeconds);
 }
 
+TEST(LookIntoPhase, ListsSurfacesOfAFolderAndLabelsOfAMap) {
+  tests::TemporaryFolder folder;
+  const std::string tetrahedron = "v 0 0 0\nv 9 0 0\nv 0 9 0\nv 0 0 9\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n";
+  const auto outer = folder.put("EPI_9.obj", tetrahedron), inner = folder.put("LV_9.obj", tetrahedron);
+  Progress progress;
+  const SeriesContents surfaces = lookIntoPhase({9, {outer, inner}}, progress);
+  EXPECT_FALSE(surfaces.labels);
+  EXPECT_EQ(surfaces.phases, 1U);
+  ASSERT_EQ(surfaces.items.size(), 2U);
+  EXPECT_EQ(surfaces.items[0].name, "EPI");
+  EXPECT_EQ(surfaces.items[1].name, "LV");
+  const auto map = folder.put("ed.nii", tests::niftiFile(tests::beatingLabels(0, Vec3(4, 4, 8))));
+  const SeriesContents labels = lookIntoPhase({0, {map}}, progress);
+  EXPECT_TRUE(labels.labels);
+  ASSERT_EQ(labels.items.size(), 3U);
+  EXPECT_EQ(labels.items[2].part, SeriesPart::tissue);
+  EXPECT_THROW(lookIntoPhase({0, {map, outer}}, progress), DataError) << "of two kinds";
+  EXPECT_THROW(lookIntoPhase({0, {folder.path() / "none.nii"}}, progress), NoInputError);
+}
+
 TEST(ReadMotionSeries, TakesOnlyTheSurfacesThatAreChosen) {
   tests::TemporaryFolder folder;
   const std::string tetrahedron = "v 0 0 0\nv 9 0 0\nv 0 9 0\nv 0 0 9\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n";

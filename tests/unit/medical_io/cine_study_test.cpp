@@ -89,6 +89,25 @@ TEST_F(CineStudies, StackTheShortAxisOverBreathHoldsWithTheirGaps) {
                               "in which nothing was seen\n");
 }
 
+TEST_F(CineStudies, HaveHeightAndWeightWhereTheFilesStateThoseOfAPerson) {
+  const auto sized = [](const char* height, const char* weight) {
+    return [height, weight](DicomElements& elements, const CinePicture&) {
+      elements[0x00101020] = std::string("DS") + height;
+      elements[0x00101030] = std::string("DS") + weight;
+    };
+  };
+  write(tests::shortAxisPicture(1, 0, 860), sized("0", "0"));
+  write(tests::shortAxisPicture(2, 17.7, 829), sized("1.78", "76.5"));
+  EXPECT_DOUBLE_EQ(read().heightCm, 178);
+  EXPECT_DOUBLE_EQ(read().weightKg, 76.5);
+  write(tests::shortAxisPicture(1, 0, 860), sized("165", "60"));
+  EXPECT_DOUBLE_EQ(read().heightCm, 165) << "a scanner that writes cm";
+  write(tests::shortAxisPicture(1, 0, 860), sized("17.8", "0"));
+  write(tests::shortAxisPicture(2, 17.7, 829));
+  EXPECT_EQ(read().heightCm, 0) << "no person";
+  EXPECT_EQ(read().weightKg, 0);
+}
+
 TEST_F(CineStudies, NamePlanesByTheirDirectionAroundTheAxis) {
   writeHeart();
   write(tests::longAxisPicture(9, 60, 900));

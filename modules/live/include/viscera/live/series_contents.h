@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "viscera/core/progress.h"
+#include "viscera/live/cine_motion.h"
 #include "viscera/live/motion_series.h"
 
 namespace viscera::live {
@@ -39,6 +40,10 @@ struct SeriesContents {
 /// label with the largest box is tissue, the others are cavities. Reads the first label map, or the whole of
 /// a file of several. Throws what `readMotionSeries` throws of files, `Cancelled`.
 SeriesContents lookIntoSeries(const std::vector<std::filesystem::path>& inputs, Progress& progress);
+
+/// The same of the labels of one phase, as `CineRequest` has them: one label map, or surfaces. Throws what
+/// `joinStudy` throws of files, `Cancelled`.
+SeriesContents lookIntoPhase(const PhaseLabels& labels, Progress& progress);
 
 /// The surfaces of a request from the items: one for each cavity; of label maps with tissue, or with several
 /// cavities, also an outer surface `outerName` of all labels that are used. Throws `UsageError` when nothing
