@@ -24,14 +24,32 @@ struct PhaseLabels {
   std::vector<std::filesystem::path> files;
 };
 
+/// A contour that a user corrected in one slice of a study at one phase: there the surface passes through
+/// these points, whatever the images show.
+struct ContourCorrection {
+  std::size_t phase = 0; ///< Of the cycle, the first is 0. One without labels, which are the truth.
+  /// The slice of the study, counted from 0, or its series; without either that in whose plane the points
+  /// lie.
+  std::optional<std::size_t> slice = std::nullopt;
+  std::optional<int> series = std::nullopt;
+  std::string surface; ///< Its name, "RV"; may be empty where there is only one.
+  Points points;       ///< `k x 3` mm, LPS, in the slice's plane and in order along the contour.
+
+  friend bool operator==(const ContourCorrection& a, const ContourCorrection& b) {
+    return a.phase == b.phase && a.slice == b.slice && a.series == b.series && a.surface == b.surface &&
+           a.points.rows() == b.points.rows() && a.points == b.points;
+  }
+};
+
 /// What a motion is found from.
 struct CineRequest {
   std::filesystem::path images;    ///< A folder of DICOM files, or a file of volumes over time.
   std::vector<PhaseLabels> labels; ///< Of two phases or more; of one for an estimate.
   /// Surfaces as in `SeriesRequest`. One surface in a file a phase may be named here, without labels.
   std::vector<LabelledSurface> surfaces;
-  std::optional<double> periodSeconds; ///< Overrides the median interval of the slices.
-  std::vector<int> leftOutSeries;      ///< Numbers of series whose slices are not used.
+  std::optional<double> periodSeconds;             ///< Overrides the median interval of the slices.
+  std::vector<int> leftOutSeries;                  ///< Numbers of series whose slices are not used.
+  std::vector<ContourCorrection> corrections = {}; ///< Contours that the motion has to meet.
 };
 
 /// Where a plane of a joined study comes from.
