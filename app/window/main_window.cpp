@@ -36,6 +36,7 @@
 #include "window/session/session_files.h"
 #include "window/session/session_view.h"
 #include "window/settings_dialog.h"
+#include "window/slices/contour_grip.h"
 #include "window/slices/handle_grip.h"
 #include "window/slices/patient_offer.h"
 #include "window/slices/scan_actions.h"
@@ -81,6 +82,10 @@ MainWindow::MainWindow(Settings& settings, coordinates::Registry registry, live:
   slices_->addGrip(*handleGrip_);
   files_->addTo(actions_);
   scans_->addTo(actions_);
+  corrector_ = std::make_unique<ContourCorrector>(workspace_);
+  contourGrip_ = std::make_unique<ContourGrip>(workspace_, *slices_, *corrector_, playback_);
+  slices_->addCineGrip(*contourGrip_);
+  contourGrip_->addTo(actions_, *scans_->sliceMenu());
   new PatientOffer(
       workspace_, *files_, *scans_, [this] { return imports_->isOpen(); }, this);
   exports_->addTo(actions_);
