@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "viscera/document/rig_commands.h"
+#include "viscera/live/cine_reading.h"
 #include "viscera/live/sequence_file.h"
 #include "viscera/scene/color_map.h"
 #include "viscera/workbench/loaded_sample.h"
@@ -62,9 +63,78 @@ QString summaryOf(const MeasuredMotion::Found& found) {
     parts.push_back(
         MeasuredMotion::tr("%1 %2 mm").arg(text(motion.sequence.organs[i].name)).arg(formatNumber(mean, 2)));
   }
-  return MeasuredMotion::tr("Motion of %n phases. Mean distance from the measured surfaces: %1.", nullptr,
-                            static_cast<int>(motion.phases.size()))
-      .arg(parts.join(QStringLiteral(", ")));
+  const QString apart = parts.join(QStringLiteral(", "));
+  const int phases = static_cast<int>(motion.phases.size());
+  if (!found.images)
+    return MeasuredMotion::tr("Motion of %n phases. Mean distance from the measured surfaces: %1.", nullptr,
+                              phases)
+        .arg(apart);
+  QStringList labelled;
+  for (const std::size_t phase : found.images->found.labelled)
+    labelled.push_back(QString::number(phase + 1));
+  const QString pattern =
+      found.images->found.estimate
+          ? MeasuredMotion::tr(
+                "An estimate of %n phases from the images and the labels of phase %1 alone. Mean "
+                "distance from labels and followed tissue: %2.",
+                nullptr, phases)
+          : MeasuredMotion::tr(
+                "Motion of %n phases from the images and the labels of phases %1. Mean distance "
+                "from labels and followed tissue: %2.",
+                nullptr, phases);
+  return pattern.arg(labelled.join(listSeparator()), apart);
+}
+
+/// A motion from images on its way into the document.
+struct CineResult {
+  MeasuredMotion::Found found;
+  std::vector<document::NewOrgan> organs;
+  std::shared_ptr<const document::StudyItem> study;
+};
+
+/// Says at the organs that their numbers are estimates: reports list it, and other lists of organs.
+void markEstimate(const live::CineMotion& found, std::vector<document::NewOrgan>& organs) {
+  if (found.estimate)
+    for (document::NewOrgan& organ : organs)
+      organ.organ.warnings.push_back(phrase(
+          "its volumes over the beat and its ejection fraction are estimates: only phase %1 has labels",
+          found.labelled.front() + 1));
+}
+
+/// Reads the images unless they are there, joins them with the labels, and finds the motion. On a worker.
+CineResult findInImages(const live::CineRequest& request, const live::TrackOptions& options,
+                        std::shared_ptr<const document::StudyItem> study, Progress& progress) {
+  CineResult result;
+  live::LabelledStudy joined;
+  runPart(progress, 0, 0.15, [&](Progress& part) {
+    result.study =
+        study ? std::move(study)
+              : std::make_shared<const document::StudyItem>(document::readStudy(request.images, part));
+    joined = live::joinStudy(*result.study->study, request, part);
+  });
+  auto record = std::make_shared<live::CineRecord>();
+  runPart(progress, 0.15, 1, [&](Progress& part) { record->found = live::trackCine(joined, options, part); });
+  record->request = request;
+  record->study = result.study->hash;
+  record->handles = options.rig.handles;
+  record->keepVolumes = options.keepVolumes;
+  result.found.options = options;
+  result.found.series = std::make_shared<const live::MotionSeries>(live::wholeCycle(joined, record->found));
+  result.found.motion = std::shared_ptr<const live::PatientMotion>(record, &record->found.motion);
+  result.found.labels = std::make_shared<const live::MotionSeries>(std::move(joined.labels));
+  result.found.images = record;
+  result.organs = organsOf(*result.found.motion, *result.found.series);
+  markEstimate(record->found, result.organs);
+  return result;
+}
+
+/// The phase's row among the measured surfaces: of a motion from images only labelled phases have them.
+std::size_t rowOf(const MeasuredMotion::Found& found, std::size_t phase) {
+  if (!found.images)
+    return phase;
+  const auto& labelled = found.images->found.labelled;
+  return static_cast<std::size_t>(std::lower_bound(labelled.begin(), labelled.end(), phase) -
+                                  labelled.begin());
 }
 
 /// The number in the series of a phase of the motion, where some were left out.
@@ -122,11 +192,30 @@ void MeasuredMotion::find(const live::SeriesRequest& request, const live::TrackO
       return Q_EMIT ended(tr("The search for the motion was cancelled."));
     if (result.error)
       return Q_EMIT ended(sentenceOf(*result.error));
-    take(result.value->found, result.value->organs);
+    take(result.value->found, result.value->organs, nullptr);
     Q_EMIT ended({});
   };
   workspace_.jobs().submit<Result>(tr("Motion from a series").toStdString(), kTrackSlot, std::move(work),
                                    std::move(done));
+}
+
+void MeasuredMotion::findFromImages(const live::CineRequest& request, const live::TrackOptions& options,
+                                    std::shared_ptr<const document::StudyItem> study) {
+  auto work = [request, options, study = std::move(study)](Progress& progress) {
+    return findInImages(request, options, study, progress);
+  };
+  auto done = [this, search = ++searches_](JobResult<CineResult> result) {
+    if (search != searches_)
+      return; // Another one took its place.
+    if (result.cancelled())
+      return Q_EMIT ended(tr("The search for the motion was cancelled."));
+    if (result.error)
+      return Q_EMIT ended(sentenceOf(*result.error));
+    take(result.value->found, result.value->organs, result.value->study);
+    Q_EMIT ended({});
+  };
+  workspace_.jobs().submit<CineResult>(tr("Motion from images").toStdString(), kTrackSlot, std::move(work),
+                                       std::move(done));
 }
 
 void MeasuredMotion::know(const Found& found) {
@@ -139,7 +228,7 @@ void MeasuredMotion::know(const Found& found) {
 std::optional<live::MeasuredRecord> MeasuredMotion::record() const {
   if (!present_)
     return {};
-  live::MeasuredRecord record{{}, {}, *present_->motion};
+  live::MeasuredRecord record{{}, {}, *present_->motion, present_->images};
   record.series.names = present_->series->names;
   record.series.times = present_->series->times;
   for (const live::SequenceOrgan& surface : present_->motion->sequence.organs)
@@ -156,16 +245,70 @@ void MeasuredMotion::recall(live::MeasuredRecord record) {
       return; // Organs of a session whose files are gone.
     record.motion.sequence.organs.push_back({record.series.names[i], organ->mesh});
   }
+  live::TrackOptions options;
+  if (record.images) {
+    options.rig.handles = record.images->handles;
+    options.keepVolumes = record.images->keepVolumes;
+  }
   know({{},
-        {},
+        options,
         std::make_shared<const live::MotionSeries>(std::move(record.series)),
-        std::make_shared<const live::PatientMotion>(std::move(record.motion))});
+        std::make_shared<const live::PatientMotion>(std::move(record.motion)),
+        std::move(record.images)});
   sync();
 }
 
+void MeasuredMotion::takeCorrected(const live::CineMotion& corrected) {
+  const auto known =
+      std::find_if(known_.begin(), known_.end(), [this](const Found& found) { return &found == present_; });
+  if (known == known_.end() || !known->images)
+    return;
+  auto record = std::make_shared<live::CineRecord>(*known->images);
+  record->found = corrected;
+  record->found.motion.sequence.organs = known->motion->sequence.organs; // The document's.
+  auto series = std::make_shared<live::MotionSeries>(*known->series);
+  series->volumesMl.clear();
+  for (const live::TrackedPhase& phase : corrected.motion.phases) {
+    std::vector<double>& volumes = series->volumesMl.emplace_back();
+    for (const tracking::SurfaceQuality& surface : phase.quality.surfaces)
+      volumes.push_back(surface.measuredMl);
+  }
+  known->series = std::move(series);
+  known->motion = std::shared_ptr<const live::PatientMotion>(record, &record->found.motion);
+  known->images = std::move(record);
+  workspace_.afterChange([this] {
+    followSoon();
+    Q_EMIT changed();
+  });
+}
+
+/// The series with the surfaces that were measured.
+std::shared_ptr<const live::MotionSeries> MeasuredMotion::shownSeries() const {
+  return present_->labels ? present_->labels : present_->series;
+}
+
 bool MeasuredMotion::surfacesKnown() const {
-  return present_ && !(present_->series->masks.empty() && present_->series->meshes.empty() &&
-                       present_->series->corresponding.empty());
+  if (!present_)
+    return false;
+  const auto series = shownSeries();
+  return !(series->masks.empty() && series->meshes.empty() && series->corresponding.empty());
+}
+
+const live::CineMotion* MeasuredMotion::images() const {
+  return present_ && present_->images ? &present_->images->found : nullptr;
+}
+
+bool MeasuredMotion::isEstimate() const {
+  return images() && images()->estimate;
+}
+
+bool MeasuredMotion::isLabelled(std::size_t phase) const {
+  return present_ && (!images() || images()->isLabelled(phase));
+}
+
+bool MeasuredMotion::isOfStudy() const {
+  const auto& study = workspace_.state().study;
+  return images() && study && !study->hash.empty() && study->hash == present_->images->study;
 }
 
 QString MeasuredMotion::caution() const {
@@ -175,12 +318,15 @@ QString MeasuredMotion::caution() const {
                   "over the beat are reliable, the local pattern of this map is not.");
 }
 
-void MeasuredMotion::take(const Found& found, const std::vector<document::NewOrgan>& organs) {
+void MeasuredMotion::take(const Found& found, const std::vector<document::NewOrgan>& organs,
+                          const std::shared_ptr<const document::StudyItem>& study) {
   know(found); // First, because the document notifies observers of its new organs within the step.
   playback_.setSequence(nullptr, {});
   const bool done = workspace_.guarded([&] {
     document::UndoStack& undo = workspace_.undo();
     document::UndoStack::Step step(undo, tr("Motion from a series").toStdString());
+    if (study && !document::identical(workspace_.state().study, study))
+      undo.perform(document::openStudy(*study));
     if (!workspace_.document().organs().empty())
       undo.perform(document::removeAllOrgans());
     undo.perform(document::replaceRig({}));
@@ -222,6 +368,8 @@ void MeasuredMotion::say(const Found& found) {
     message.offers.push_back({tr("Leave out phase %1").arg(numbers.join(QStringLiteral(", "))),
                               [this, fewer, options = found.options] { find(fewer, options); }});
   }
+  if (found.images && !found.images->found.findings.empty())
+    message.text += QLatin1Char(' ') + asSentence(found.images->found.findings.front().text);
   said_ = message.text;
   workspace_.say(message);
 }
@@ -346,13 +494,15 @@ void MeasuredMotion::clearView() {
 const live::MeasuredPhase* MeasuredMotion::measured(std::size_t phase) {
   if (phases_[phase])
     return phases_[phase].get();
-  const auto series = present_->series;
-  if (series->masks.empty()) {
+  const auto series = shownSeries();
+  const std::size_t row = rowOf(*present_, phase);
+  if (series->masks.empty() || !isLabelled(phase)) {
     phases_[phase] = std::make_unique<live::MeasuredPhase>();
-    workspace_.guarded([&] {
-      Progress progress;
-      *phases_[phase] = live::measuredPhase(*series, phase, progress);
-    });
+    if (isLabelled(phase))
+      workspace_.guarded([&] {
+        Progress progress;
+        *phases_[phase] = live::measuredPhase(*series, row, progress);
+      });
     return phases_[phase].get();
   }
   if (making_)
@@ -360,10 +510,10 @@ const live::MeasuredPhase* MeasuredMotion::measured(std::size_t phase) {
   making_ = true;
   workspace_.jobs().submit<live::MeasuredPhase>(
       tr("Surface of phase %1").arg(phase + 1).toStdString(), kPhaseSlot,
-      [series, phase](Progress& progress) { return live::measuredPhase(*series, phase, progress); },
+      [series, row](Progress& progress) { return live::measuredPhase(*series, row, progress); },
       [this, series, phase](JobResult<live::MeasuredPhase> result) {
         making_ = false;
-        if (present_ && present_->series == series && !result.cancelled()) {
+        if (present_ && shownSeries() == series && !result.cancelled()) {
           if (result.error && !std::exchange(reported_, true))
             workspace_.report(*result.error);
           // Stores an empty phase after an error, so that it is not computed again.

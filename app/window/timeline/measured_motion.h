@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "viscera/document/organ_commands.h"
+#include "viscera/document/study_item.h"
+#include "viscera/live/cine_motion.h"
 #include "viscera/live/measured_record.h"
 #include "viscera/live/motion_series.h"
 #include "viscera/live/patient_motion.h"
@@ -16,11 +18,12 @@
 
 namespace viscera::app {
 
-/// Finds a patient's own motion in a series of phases, on a worker, and adds it to the document as organs
-/// with handles and a key sequence in one undo step. It keeps the measurements as long as these organs
-/// are in the document. While the sequence is shown, the view can show the measured surfaces of the nearest
-/// phase, transparent, and the distances from them as colours on the organs. A session saves the numbers
-/// (measured volumes and how well each phase fits), but not the surfaces.
+/// Finds a patient's own motion in a series of phases, or in cine images and labels of a few phases, on a
+/// worker, and adds it to the document as organs with handles and a key sequence in one undo step. It keeps
+/// the measurements as long as these organs are in the document. While the sequence is shown, the view can
+/// show the measured surfaces of the nearest phase, transparent, and the distances from them as colours on
+/// the organs. A session saves the numbers (measured volumes and how well each phase fits), but not the
+/// surfaces.
 class MeasuredMotion final : public QObject {
   Q_OBJECT
 
@@ -31,6 +34,10 @@ public:
     live::TrackOptions options;
     std::shared_ptr<const live::MotionSeries> series;
     std::shared_ptr<const live::PatientMotion> motion;
+    /// How it was found from images, with their request; null where every phase was labelled.
+    std::shared_ptr<const live::CineRecord> images = nullptr;
+    /// The surfaces of the labelled phases; null without images, and in a session.
+    std::shared_ptr<const live::MotionSeries> labels = nullptr;
   };
 
   MeasuredMotion(Workspace& workspace, Playback& playback, Picture& picture, QObject* parent = nullptr);
@@ -39,6 +46,10 @@ public:
   /// Begins to track the motion of a series on a worker, and cancels a search under way. `ended` is emitted
   /// with the outcome.
   void find(const live::SeriesRequest& request, const live::TrackOptions& options);
+  /// The same from images and the labels of some phases. `study` has the images of the request; null: they
+  /// are read. The document gets the study in the same step where it has another one or none.
+  void findFromImages(const live::CineRequest& request, const live::TrackOptions& options,
+                      std::shared_ptr<const document::StudyItem> study);
   void cancel();
 
   /// The motion whose organs are in the document; null without one.
@@ -50,6 +61,14 @@ public:
   std::optional<std::size_t> surfaceBefore(std::size_t surface) const;
   /// The surface of the present motion that an organ was made from; none for other organs.
   std::optional<std::size_t> surfaceOf(document::OrganId organ) const;
+  /// The images of the present motion and what they said; null where there are none.
+  const live::CineMotion* images() const;
+  /// Whether the numbers of the present motion are estimates: images and labels of one phase only.
+  bool isEstimate() const;
+  /// Whether a phase of the present motion was measured: it has labels.
+  bool isLabelled(std::size_t phase) const;
+  /// Whether the present motion was found from the images of the document's study.
+  bool isOfStudy() const;
   /// Whether the measured surfaces are available; false for a motion from a session.
   bool surfacesKnown() const;
   /// A caution about the limits of stress maps of the present motion; empty for none.
@@ -58,6 +77,9 @@ public:
   std::optional<live::MeasuredRecord> record() const;
   /// Restores the numbers of a session whose organs are in the document.
   void recall(live::MeasuredRecord record);
+  /// Takes the numbers of the present motion from one that was fitted to other corrected contours: the same
+  /// organs and handles with other poses, which the document has already.
+  void takeCorrected(const live::CineMotion& corrected);
   /// The phase nearest to the instant that is shown.
   std::size_t phaseNow() const;
   /// Shows the instant of a phase.
@@ -79,7 +101,8 @@ Q_SIGNALS:
   void ended(const QString& refusal);
 
 private:
-  void take(const Found& found, const std::vector<document::NewOrgan>& organs);
+  void take(const Found& found, const std::vector<document::NewOrgan>& organs,
+            const std::shared_ptr<const document::StudyItem>& study);
   void know(const Found& found);
   void say(const Found& found);
   void sync();
@@ -87,6 +110,7 @@ private:
   void follow();
   void clearView();
   const live::MeasuredPhase* measured(std::size_t phase);
+  std::shared_ptr<const live::MotionSeries> shownSeries() const;
   presentation::SurfaceMap distanceMap(const live::MeasuredPhase& measured) const;
 
   Workspace& workspace_;

@@ -13,12 +13,12 @@
 #include "session_scan.h"
 #include "session_study.h"
 #include "stored_surface.h"
-#include "stored_text.h"
 #include "viscera/core/atomic_file.h"
 #include "viscera/core/error.h"
 #include "viscera/core/file_facts.h"
 #include "viscera/core/phrase.h"
 #include "viscera/document/open_files.h"
+#include "viscera/document/stored_text.h"
 #include "viscera/document/validate.h"
 
 namespace viscera::document {

@@ -1,4 +1,4 @@
-#include "stored_text.h"
+#include "viscera/document/stored_text.h"
 
 #include <optional>
 #include <utility>

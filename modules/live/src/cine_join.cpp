@@ -71,10 +71,11 @@ std::vector<PhaseLabels> checkedLabels(const CineRequest& request, std::size_t p
                    [](const PhaseLabels& a, const PhaseLabels& b) { return a.phase < b.phase; });
   for (std::size_t i = 0; i < labels.size(); ++i) {
     if (labels[i].phase >= phases)
-      throw UsageError(phrase("The images have no phase %1", labels[i].phase), "--phase",
-                       phrase("their phases are 0 to %1", phases - 1));
+      throw UsageError(
+          phrase("The images have no phase %1", labels[i].phase + request.firstPhase), "--phase",
+          phrase("their phases are %1 to %2", request.firstPhase, phases - 1 + request.firstPhase));
     if (i > 0 && labels[i].phase == labels[i - 1].phase)
-      throw UsageError(phrase("Phase %1 has labels twice", labels[i].phase), "--phase",
+      throw UsageError(phrase("Phase %1 has labels twice", labels[i].phase + request.firstPhase), "--phase",
                        "name each phase once");
   }
   return labels;
@@ -133,7 +134,10 @@ std::vector<Eigen::Index> capsOf(const geometry::TriangleMesh& mesh, const std::
 /// Reads the labels, as surfaces that are fitted by distances.
 void readLabels(const std::vector<PhaseLabels>& labels, const CineRequest& request, LabelledStudy& joined,
                 Progress& progress) {
-  MotionSeries& series = joined.labels = readLabelledPhases(labels, request.surfaces, progress);
+  std::vector<PhaseLabels> numbered = labels; // As texts call them.
+  for (PhaseLabels& label : numbered)
+    label.phase += request.firstPhase;
+  MotionSeries& series = joined.labels = readLabelledPhases(numbered, request.surfaces, progress);
   for (const PhaseLabels& label : labels) {
     joined.phases.push_back(label.phase);
     series.times.seconds[joined.phases.size() - 1] = joined.times.seconds[label.phase];
@@ -315,6 +319,10 @@ void addPlanes(const CineStudy& study, const CineRequest& request, LabelledStudy
 
 } // namespace
 
+std::size_t phasesOf(const CineStudy& study) {
+  return study.slices.empty() ? 0 : numberingSlice(study).phasesInCycle();
+}
+
 LabelledStudy joinStudy(const medical_io::CineStudy& study, const CineRequest& request, Progress& progress) {
   LabelledStudy joined;
   for (std::size_t i = 0; i < study.slices.size(); ++i) {
@@ -322,6 +330,7 @@ LabelledStudy joinStudy(const medical_io::CineStudy& study, const CineRequest& r
     joined.slices.push_back({{place.origin, place.normal()}, study.slices[i].number, planeName(study, i)});
   }
   joined.warnings = study.findings;
+  joined.firstPhase = request.firstPhase;
   joined.times = timesOfStudy(study, request);
   const std::vector<PhaseLabels> labels = checkedLabels(request, joined.times.count());
   runPart(progress, 0, 0.5, [&](Progress& part) { readLabels(labels, request, joined, part); });

@@ -132,7 +132,7 @@ public:
       if (!found_.isLabelled(phase))
         judgeByImages(phase, tracked.verdict);
       for (const Text& reason : tracked.verdict.reasons)
-        say(tracked.verdict.light, phrase("phase %1: %2", phase, reason), phase, std::nullopt);
+        say(tracked.verdict.light, phrase("phase %1: %2", numberOf(phase), reason), phase, std::nullopt);
     }
   }
 
@@ -142,7 +142,7 @@ public:
       say(FitLight::amber,
           phrase("only phase %1 has labels: volumes and ejection fraction are estimates, and usually too "
                  "small a motion; label the end of systole too",
-                 study_.phases.front()),
+                 numberOf(study_.phases.front())),
           study_.phases.front(), std::nullopt);
     const double full = bloodAt(found_.endDiastole), empty = bloodAt(found_.endSystole);
     if (!found_.estimate && found_.emptiest != found_.endSystole &&
@@ -150,14 +150,16 @@ public:
       say(FitLight::amber,
           phrase("the images show phase %1 emptier than the labelled end of systole, phase %2, by %3 ml: "
                  "label that phase",
-                 found_.emptiest, found_.endSystole, inFixed(empty - bloodAt(found_.emptiest), 1)),
+                 numberOf(found_.emptiest), numberOf(found_.endSystole),
+                 inFixed(empty - bloodAt(found_.emptiest), 1)),
           found_.emptiest, std::nullopt);
     if (!found_.estimate && found_.fullest != found_.endDiastole &&
         bloodAt(found_.fullest) - full > kEmptierPart * full)
       say(FitLight::amber,
           phrase("the images show phase %1 fuller than the labelled end of diastole, phase %2, by %3 ml: "
                  "label that phase",
-                 found_.fullest, found_.endDiastole, inFixed(bloodAt(found_.fullest) - full, 1)),
+                 numberOf(found_.fullest), numberOf(found_.endDiastole),
+                 inFixed(bloodAt(found_.fullest) - full, 1)),
           found_.fullest, std::nullopt);
     const std::vector<bool> isLong = tracking::longAxisPlanes(study_.planes);
     if (isLong.size() == 1 || std::count(isLong.begin(), isLong.end(), true) == 0)
@@ -180,10 +182,10 @@ public:
           met.heldBack
               ? phrase("phase %1: the corrected contour of %2 is met to %3 mm only, since the tissue "
                        "would fold",
-                       correction.phase, where, most)
+                       numberOf(correction.phase), where, most)
               : phrase("phase %1: the corrected contour of %2 is met to %3 mm only: the handles are "
                        "too far apart for its shape",
-                       correction.phase, where, most),
+                       numberOf(correction.phase), where, most),
           correction.phase, std::nullopt);
     }
   }
@@ -196,6 +198,9 @@ public:
   }
 
 private:
+  /// What texts call a phase.
+  std::size_t numberOf(std::size_t phase) const { return phase + study_.firstPhase; }
+
   void say(FitLight light, const Text& text, std::optional<std::size_t> phase,
            std::optional<std::size_t> plane) {
     found_.findings.push_back({light, text, phase, plane});
@@ -285,14 +290,12 @@ std::vector<tracking::LabelledPhase> labelledPhases(const LabelledStudy& study) 
   return labelled;
 }
 
-/// No number of a right ventricle from one label: what its images show falls short too far.
-void dropUncertain(CineMotion& found) {
-  if (found.estimate)
-    std::erase_if(found.motion.indices,
-                  [](const auto& item) { return anatomy::chamberKey(item.first) == "rv"; });
-}
-
 } // namespace
+
+void dropUncertain(bool estimate, PatientMotion& motion) {
+  if (estimate)
+    std::erase_if(motion.indices, [](const auto& item) { return anatomy::chamberKey(item.first) == "rv"; });
+}
 
 bool CineMotion::isLabelled(std::size_t phase) const {
   return std::binary_search(labelled.begin(), labelled.end(), phase);
@@ -372,7 +375,7 @@ CineMotion CineTracker::motion(const std::vector<ContourCorrection>& corrections
   report.addPlanes();
   report.judgePhases();
   report.finish();
-  dropUncertain(found);
+  dropUncertain(found.estimate, motion);
   motion.sequence =
       sequenceOf(study.labels.names, study.times, *parts_->rig, fit.motion.poses, parts_->handles);
   progress.report(1);

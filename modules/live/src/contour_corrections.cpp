@@ -72,14 +72,16 @@ std::size_t surfaceIn(const LabelledStudy& study, const std::string& name, const
 } // namespace
 
 ContourCorrection resolved(const LabelledStudy& study, const ContourCorrection& correction) {
-  const Text where = phrase("correction of phase %1", correction.phase);
+  const std::size_t number = correction.phase + study.firstPhase;
+  const Text where = phrase("correction of phase %1", number);
   if (correction.phase >= study.times.count())
-    throw UsageError(phrase("The images have no phase %1", correction.phase), where,
-                     phrase("their phases are 0 to %1", study.times.count() - 1));
+    throw UsageError(
+        phrase("The images have no phase %1", number), where,
+        phrase("their phases are %1 to %2", study.firstPhase, study.times.count() - 1 + study.firstPhase));
   if (std::binary_search(study.phases.begin(), study.phases.end(), correction.phase))
-    throw UsageError(phrase("Phase %1 has labels, which are exact: only phases between them are corrected",
-                            correction.phase),
-                     where, "change its labels, or leave this correction out");
+    throw UsageError(
+        phrase("Phase %1 has labels, which are exact: only phases between them are corrected", number), where,
+        "change its labels, or leave this correction out");
   if (correction.points.rows() == 0 || !correction.points.allFinite())
     throw UsageError("A corrected contour has no points", where, "give three numbers for each of them, mm");
   ContourCorrection found = correction;

@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "cine_json.h"
 #include "tracked_volumes.h"
 #include "viscera/core/error.h"
 #include "viscera/core/json_reader.h"
@@ -60,6 +61,26 @@ TrackedPhase phaseFrom(const JsonReader& reader, const ordered_json& item, const
   return phase;
 }
 
+/// Verdicts that images had a part in, and no number where a label alone would tell it.
+void readImages(const JsonReader& reader, const ordered_json& item, MeasuredRecord& record) {
+  auto images = std::make_shared<CineRecord>(cineRecordFrom(reader, item, "images"));
+  const std::vector<tracking::FitVerdict> verdicts = verdictsFrom(reader, item, "images");
+  const std::size_t phases = record.motion.phases.size();
+  const bool fits =
+      verdicts.size() == phases &&
+      std::all_of(images->found.planes.begin(), images->found.planes.end(),
+                  [phases](const CinePlaneUse& plane) { return plane.states.size() == phases; }) &&
+      std::all_of(images->found.labelled.begin(), images->found.labelled.end(),
+                  [phases](std::size_t phase) { return phase < phases; });
+  if (!fits)
+    throw DataError(diagnostic("its planes and verdicts are not those of its phases"),
+                    diagnostic("measured motion"));
+  for (std::size_t phase = 0; phase < phases; ++phase)
+    record.motion.phases[phase].verdict = verdicts[phase];
+  dropUncertain(images->found.estimate, record.motion);
+  record.images = std::move(images);
+}
+
 MeasuredRecord recordFrom(const JsonReader& reader, const ordered_json& root) {
   MeasuredRecord record;
   record.series.names = reader.valueOf<std::vector<std::string>>(root, "surfaces", "");
@@ -84,6 +105,8 @@ MeasuredRecord recordFrom(const JsonReader& reader, const ordered_json& root) {
       volumes.push_back(surface.measuredMl);
   }
   addVolumes(record.series, record.motion);
+  if (root.contains("images"))
+    readImages(reader, root.at("images"), record);
   return record;
 }
 
@@ -109,6 +132,8 @@ ordered_json toJson(const MeasuredRecord& record) {
       item["surfaces"].push_back(surfaceJson(surface));
     root["phases"].push_back(std::move(item));
   }
+  if (record.images)
+    root["images"] = cineRecordJson(*record.images, record.motion);
   return root;
 }
 

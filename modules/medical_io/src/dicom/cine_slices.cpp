@@ -20,6 +20,8 @@ namespace viscera::medical_io {
 namespace {
 
 /// The part of the work that headers are; the rest unpacks what is packed.
+/// Of people.
+constexpr double kSmallestCm = 30, kTallestM = 2.5, kLightestKg = 1, kHeaviestKg = 400, kCmPerM = 100;
 constexpr double kHeaderPart = 0.5;
 constexpr double kSamePositionMm = 0.05, kSameDirections = 1e-3;
 constexpr double kSecondsPerMs = 1e-3;
@@ -277,7 +279,20 @@ private:
     study.studyUid = file.studyUid;
     study.date = file.studyDate;
     study.modality = file.modality;
+    addSize(study);
     return study;
+  }
+
+  /// The first height and weight that a person can have; some scanners write the height in cm.
+  void addSize(CineStudy& study) const {
+    for (const FoundSlice& slice : slices_) {
+      const double height = slice.file->heightM.value_or(0), weight = slice.file->weightKg.value_or(0);
+      const double cm = height > kTallestM ? height : kCmPerM * height;
+      if (study.heightCm == 0 && cm >= kSmallestCm && cm <= kCmPerM * kTallestM)
+        study.heightCm = cm;
+      if (study.weightKg == 0 && weight >= kLightestKg && weight <= kHeaviestKg)
+        study.weightKg = weight;
+    }
   }
 
   void addSlices(CineStudy& study, const CineOptions& options) {

@@ -145,6 +145,8 @@ private:
     header_.description = textAt(dataset, dataset, DCM_SeriesDescription);
     header_.patientName = readableName(textAt(dataset, dataset, DCM_PatientName));
     header_.patientId = textAt(dataset, dataset, DCM_PatientID);
+    header_.heightM = numberAt(dataset, DCM_PatientSize);
+    header_.weightKg = numberAt(dataset, DCM_PatientWeight);
     header_.studyUid = codeAt(dataset, DCM_StudyInstanceUID);
     header_.studyDate = codeAt(dataset, DCM_StudyDate);
     header_.seriesDate = codeAt(dataset, DCM_SeriesDate);

@@ -57,6 +57,7 @@ struct DicomHeader {
   std::string patientName, studyDate; ///< As `Scan` has them.
   std::string patientId, studyUid;
   std::string seriesDate; ///< "20240301"; empty: not stated.
+  std::optional<double> heightM, weightKg; ///< Of the patient, as stated.
   int seriesNumber = 0;
   int cardiacImages = 0; ///< Phases of a cycle, as stated; 0: not stated.
   bool packed = false;   ///< Pixels are compressed.

@@ -17,7 +17,7 @@
 #include "viscera/tracking/cine_fit.h"
 
 /// Finds a patient's own motion from cine images and the labels of a few phases. Phases are counted from 0
-/// everywhere here, in texts as well.
+/// everywhere here; in texts as a request says.
 namespace viscera::live {
 
 /// The labels of one phase: a label map; or surfaces, one a file, or a folder of them.
@@ -51,6 +51,7 @@ struct CineRequest {
   std::vector<LabelledSurface> surfaces;
   std::optional<double> periodSeconds;             ///< Overrides the median interval of the slices.
   std::vector<int> leftOutSeries;                  ///< Numbers of series whose slices are not used.
+  std::size_t firstPhase = 0;                      ///< The number by which texts call the first phase.
   std::vector<ContourCorrection> corrections = {}; ///< Contours that the motion has to meet.
 };
 
@@ -86,6 +87,7 @@ struct LabelledStudy {
   /// Those of the request, with their slices and surfaces.
   std::vector<ContourCorrection> corrections;
   std::vector<Text> warnings; ///< What was left out, repaired or assumed, a sentence each.
+  std::size_t firstPhase = 0; ///< As the request has it.
 };
 
 /// Joins a study with the labels of a request, whose `images` are not read. Slices of a stack nearer than 4
@@ -99,6 +101,9 @@ LabelledStudy joinStudy(const medical_io::CineStudy& study, const CineRequest& r
 
 /// Reads the images too: `readCineStudy` and `joinStudy`. Throws what they throw.
 LabelledStudy readLabelledStudy(const CineRequest& request, Progress& progress);
+
+/// Phases of the cycle that a study shows: those of the slice with most of them. 0 for no slices.
+std::size_t phasesOf(const medical_io::CineStudy& study);
 
 /// What a plane can say of a phase.
 enum class PlaneState {

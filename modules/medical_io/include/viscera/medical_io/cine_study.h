@@ -90,6 +90,8 @@ struct CineStudy {
   std::string studyUid;          ///< Of the study.
   std::string date;              ///< "20240301".
   std::string modality;          ///< "MR".
+  double heightCm = 0;           ///< Of the patient; 0: not stated, or no height of a person.
+  double weightKg = 0;           ///< The same.
   std::vector<CineSlice> slices; ///< By the numbers of their series, and along their normals.
   std::vector<CineStack> stacks; ///< The short axis first, then the others with most slices first.
   std::vector<Text> findings;    ///< What is missing, damaged or left out, by file, series and phase.
