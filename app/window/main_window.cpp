@@ -82,10 +82,6 @@ MainWindow::MainWindow(Settings& settings, coordinates::Registry registry, live:
   slices_->addGrip(*handleGrip_);
   files_->addTo(actions_);
   scans_->addTo(actions_);
-  corrector_ = std::make_unique<ContourCorrector>(workspace_);
-  contourGrip_ = std::make_unique<ContourGrip>(workspace_, *slices_, *corrector_, playback_);
-  slices_->addCineGrip(*contourGrip_);
-  contourGrip_->addTo(actions_, *scans_->sliceMenu());
   new PatientOffer(
       workspace_, *files_, *scans_, [this] { return imports_->isOpen(); }, this);
   exports_->addTo(actions_);
@@ -95,6 +91,7 @@ MainWindow::MainWindow(Settings& settings, coordinates::Registry registry, live:
   actions_.add("file.quit", {tr("&Quit"), nullptr, {QKeySequence::Quit}, {}}, [this] { close(); });
   views_ = new ViewActions({workspace_, *picture_, *viewArea_, view_, settings_}, actions_, this);
   makeModes();
+  makeCorrections();
   (new HandleTable(workspace_, poses_, *picture_, *viewArea_->view(), this))->addTo(actions_);
   makeThemeActions();
   actions_.add("edit.settings",
@@ -126,6 +123,29 @@ MainWindow::MainWindow(Settings& settings, coordinates::Registry registry, live:
 MainWindow::~MainWindow() {
   // A drag under way ends while everything that observes the document is there.
   workspace_.guarded([this] { workspace_.undo().cancelStep(); });
+}
+
+/// Contours are corrected while the document has a motion from the images of its study.
+void MainWindow::makeCorrections() {
+  corrector_ = std::make_unique<ContourCorrector>(workspace_);
+  MeasuredMotion& measured = play_->measured();
+  corrector_->setSource([this, &measured]() -> std::optional<ContourCorrector::Origin> {
+    const MeasuredMotion::Found* found = measured.present();
+    if (!found || !found->images || !measured.isOfStudy())
+      return std::nullopt;
+    ContourCorrector::Origin origin{
+        found->images->request, found->options, found->images->found.labelled, {}};
+    for (const auto& organ : workspace_.document().organs())
+      if (const auto surface = measured.surfaceOf(organ->id))
+        origin.surfaces.emplace_back(organ->id, found->series->names[*surface]);
+    return origin;
+  });
+  connect(corrector_.get(), &ContourCorrector::corrected, &measured,
+          [&measured](const auto& motion) { measured.takeCorrected(*motion); });
+  connect(&measured, &MeasuredMotion::changed, this, [this] { actions_.sync(); });
+  contourGrip_ = std::make_unique<ContourGrip>(workspace_, *slices_, *corrector_, playback_);
+  slices_->addCineGrip(*contourGrip_);
+  contourGrip_->addTo(actions_, *scans_->sliceMenu());
 }
 
 void MainWindow::makeModes() {

@@ -99,6 +99,7 @@ protected:
 private:
   bool leavesUnwritten();
   void makeModes();
+  void makeCorrections();
   void makeThemeActions();
   void openSettings();
   void giveTheme();
