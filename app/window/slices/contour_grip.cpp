@@ -25,7 +25,7 @@ void ContourGrip::addTo(Actions& actions, QMenu& menu) {
       {tr("Correct &contours"),
        nullptr,
        {},
-       tr("Drag the contour of a tracked organ in a slice: the motion is fitted to it. Alt does the same "
+       tr("Drag the contour of a tracked organ in a slice: the motion is fitted to it. Ctrl does the same "
           "while it is held. Enabled for a motion that was found in images")},
       false, [this](bool on) { on_ = on; });
   actions.enableWhile({"study.correctContours"}, [this] { return corrector_.available(); });
@@ -56,7 +56,8 @@ std::optional<presentation::ContourPlace> ContourGrip::placeAt(int direction,
 
 /// The pose that is bent is that of a phase: the motion goes to the nearest one first.
 bool ContourGrip::press(int direction, const Eigen::Vector2d& pixel, Qt::KeyboardModifiers modifiers) {
-  if ((!on_ && (modifiers & Qt::AltModifier) == 0) || !corrector_.available() || !placeAt(direction, pixel))
+  if ((!on_ && (modifiers & Qt::ControlModifier) == 0) || !corrector_.available() ||
+      !placeAt(direction, pixel))
     return false;
   const auto [phase, fraction] = corrector_.phaseAt(playback_.player().fraction());
   playback_.pause();
@@ -110,7 +111,7 @@ void ContourGrip::release(int, const Eigen::Vector2d&, bool moved) {
 
 std::optional<Qt::CursorShape> ContourGrip::hover(int direction,
                                                   const std::optional<Eigen::Vector2d>& pixel) {
-  const bool wanted = on_ || (QApplication::keyboardModifiers() & Qt::AltModifier) != 0;
+  const bool wanted = on_ || (QApplication::keyboardModifiers() & Qt::ControlModifier) != 0;
   if (!pixel || !wanted || !corrector_.available() || !placeAt(direction, *pixel))
     return std::nullopt;
   return Qt::PointingHandCursor;

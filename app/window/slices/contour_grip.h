@@ -15,7 +15,7 @@
 
 namespace viscera::app {
 
-/// Drags the contour of a tracked organ in a pane of the study, while "Correct contours" is on or with Alt.
+/// Drags the contour of a tracked organ in a pane of the study, while "Correct contours" is on or with Ctrl.
 /// The contour bends under the mouse; at the release the motion is fitted to it. Escape cancels the drag.
 class ContourGrip final : public QObject, public SliceGrip {
   Q_OBJECT

@@ -55,7 +55,7 @@ TEST(ContourBend, OnlyWhatMovedIsACorrection) {
   const Points corrected = bend.corrected(), covered = bend.covered();
   ASSERT_EQ(corrected.rows(), covered.rows());
   EXPECT_GT(corrected.rows(), 10);
-  EXPECT_LT(corrected.rows(), 40);
+  EXPECT_LT(corrected.rows(), 60);
   for (Eigen::Index i = 0; i < corrected.rows(); ++i) {
     EXPECT_GE((corrected.row(i) - covered.row(i)).norm(), 0.2 - 1e-9);
     EXPECT_NEAR(covered.row(i).norm(), kRingMm, 1e-9);

@@ -1,5 +1,7 @@
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <functional>
 #include <numbers>
 #include <optional>
 #include <utility>
@@ -12,6 +14,7 @@
 namespace viscera::tracking {
 namespace {
 
+constexpr double kStay = 0.2;          ///< The cost of a mean square displacement by a correction, mm^2.
 constexpr double kReachOfCycle = 0.15; ///< As far as phases follow a corrected one.
 constexpr double kSamePlaneMm = 1, kSameDirection = 0.999;
 
@@ -22,6 +25,7 @@ struct CorrectedSite {
   std::vector<std::size_t> phases;                            ///< Ascending.
   std::vector<std::vector<const CorrectedContour*>> contours; ///< One list for each of them.
   std::vector<Points> changes;                                ///< Of the handles in each of them.
+  std::vector<std::uint8_t> heldBack;                         ///< Whether tissue would have folded there.
 };
 
 bool isSite(const CorrectedSite& site, const CorrectedContour& contour) {
@@ -38,7 +42,7 @@ std::vector<CorrectedSite> sitesOf(std::vector<const CorrectedContour*> contours
     auto site = std::find_if(sites.begin(), sites.end(),
                              [&](const CorrectedSite& each) { return isSite(each, *contour); });
     if (site == sites.end())
-      site = sites.insert(sites.end(), {contour->surface, contour->plane, {}, {}, {}});
+      site = sites.insert(sites.end(), {contour->surface, contour->plane, {}, {}, {}, {}});
     if (site->phases.empty() || site->phases.back() != contour->phase) {
       site->phases.push_back(contour->phase);
       site->contours.emplace_back();
@@ -48,11 +52,23 @@ std::vector<CorrectedSite> sitesOf(std::vector<const CorrectedContour*> contours
   return sites;
 }
 
+/// The cost of a change of the handles by a correction: as stiff as where they follow the images, which are
+/// overruled, and of displacement, so that it stays near the contour.
+Eigen::MatrixXd costOf(const CineFitter::Parts& parts) {
+  const MotionRig& rig = parts.rig;
+  const CineStiffness& hold = parts.hold;
+  Eigen::MatrixXd cost = hold.strain * parts.stiffness->strain() + hold.bending * parts.stiffness->bending() +
+                         hold.handles * rig.bending() +
+                         kStay * rig.weights().transpose() * rig.shares().asDiagonal() * rig.weights();
+  cost.diagonal().array() += 1e-6 * cost.diagonal().mean();
+  return cost;
+}
+
 /// The corrections of a fit.
 class CineCorrector {
 public:
   CineCorrector(const CineFitter::Parts& parts, const std::vector<CorrectedContour>& contours)
-      : parts_(parts), places_(parts.times.count()) {
+      : parts_(parts), meeting_(parts.rig, *parts.stiffness, costOf(parts)), places_(parts.times.count()) {
     for (const FreePhase& place : parts.free)
       places_[place.segment->phases[place.at]] = place;
     std::vector<const CorrectedContour*> all;
@@ -68,6 +84,7 @@ public:
     std::vector<std::pair<CorrectedSite*, std::size_t>> all;
     for (CorrectedSite& site : sites_) {
       site.changes.resize(site.phases.size());
+      site.heldBack.resize(site.phases.size());
       for (std::size_t i = 0; i < site.phases.size(); ++i)
         all.emplace_back(&site, i);
     }
@@ -76,7 +93,7 @@ public:
       const auto& [site, i] = all[static_cast<std::size_t>(begin)];
       const std::size_t phase = site->phases[i];
       Points pose = parts_.fit.motion.poses[phase];
-      meet(site->contours[i], phase, pose);
+      site->heldBack[i] = meet(site->contours[i], pose).heldBack;
       site->changes[i] = pose - parts_.fit.motion.poses[phase];
     });
   }
@@ -98,21 +115,24 @@ public:
     const Points& free = parts_.fit.motion.poses[phase];
     Points pose = free;
     std::vector<const CorrectedContour*> own;
+    bool held = false;
     for (const CorrectedSite& site : sites_)
       for (std::size_t i = 0; i < site.phases.size(); ++i) {
         if (const double weight = weightOf(site, site.phases[i], phase); weight > 0)
           pose += weight * site.changes[i];
-        if (site.phases[i] == phase)
+        if (site.phases[i] == phase) {
           own.insert(own.end(), site.contours[i].begin(), site.contours[i].end());
+          held = held || site.heldBack[i] != 0;
+        }
       }
     const CinePose images = parts_.imagesOf(*places_[phase]);
-    bool held = CinePose::holdBack(free, *parts_.stiffness, pose);
+    held = CinePose::holdBack(free, *parts_.stiffness, pose) || held;
     fit.motion.freeVolumesMl[phase] = parts_.rig.volumesMl(parts_.rig.vertices(pose));
     if (!own.empty()) {
-      const VolumeResidual volumes = meet(own, phase, pose);
+      const ContoursMet met = meet(own, pose);
       if (!fit.motion.volumes.empty())
-        fit.motion.volumes[phase] = volumes;
-      held = CinePose::holdBack(free, *parts_.stiffness, pose);
+        fit.motion.volumes[phase] = met.volumes;
+      held = held || met.heldBack;
     }
     keepVolumes(images, phase, pose, fit);
     fit.planes[phase] = images.shares(pose);
@@ -137,13 +157,11 @@ private:
                       "correct a phase that the images are fitted in");
   }
 
-  VolumeResidual meet(const std::vector<const CorrectedContour*>& contours, std::size_t phase,
-                      Points& pose) const {
+  ContoursMet meet(const std::vector<const CorrectedContour*>& contours, Points& pose) const {
     std::function<Values(const Values&)> within;
     if (parts_.keepsVolumes())
       within = [this](const Values& volumes) { return parts_.labels.within(volumes); };
-    return parts_.imagesOf(*places_[phase])
-        .meet(ContourConstraint(parts_.rig, contours), *parts_.stiffness, within, pose);
+    return meeting_.meet(ContourConstraint(parts_.rig, contours), within, pose);
   }
 
   void keepVolumes(const CinePose& images, std::size_t phase, Points& pose, CineFit& fit) const {
@@ -188,6 +206,7 @@ private:
   }
 
   const CineFitter::Parts& parts_;
+  ContourMeeting meeting_;
   std::vector<std::optional<FreePhase>> places_; ///< Of each phase of the cycle; none where it is labelled.
   std::vector<CorrectedSite> sites_;
 };

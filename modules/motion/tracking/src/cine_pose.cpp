@@ -19,9 +19,6 @@ constexpr double kWider = 2; ///< Gates while tissue is far from the labelled po
 constexpr double kLongestWayStep = 0.25, kStillWay = 0.003, kStillHandleMm = 0.15, kLongestStepMm = 10;
 constexpr double kPoseFloor = 1e-7;
 constexpr double kWithinWeight = 0.3, kRimWeight = 0.5; ///< Long-axis rows within the plane.
-/// Corrected contours: the cost of displacement, rounds, what is damped, and when it is enough, mm.
-constexpr double kStay = 0.2, kDamping = 1e-4, kMetWell = 0.05;
-constexpr int kMeetRounds = 10;
 /// Below this det F tissue resists, more the flatter it is: the cost of a point, mm^2.
 constexpr double kLeastRatio = 0.2, kRatioCost = 0.05;
 
@@ -158,7 +155,7 @@ Points CinePose::System::solve(const Points& right) const {
 }
 
 CinePose::System CinePose::systemAt(const Points& pose, const Points& prior, const WallStiffness& stiffness,
-                                    double wider, double stay) const {
+                                    double wider) const {
   static constexpr std::array<std::pair<int, int>, 6> kBlocks = {
       {{0, 0}, {1, 0}, {1, 1}, {2, 0}, {2, 1}, {2, 2}}};
   const Rows rows = rowsAt(pose, wider * kGateMm, wider * kWithinGateMm);
@@ -169,10 +166,8 @@ CinePose::System CinePose::systemAt(const Points& pose, const Points& prior, con
   const Eigen::MatrixXd handles = rows.handles(used, Eigen::all);
   const Points direction = rows.direction(used, Eigen::all);
   const Values weight = rows.weight(used) / (rows.weight.sum() + 1e-9), apart = rows.apart(used);
-  Eigen::MatrixXd hold = hold_.strain * stiffness.strain() + hold_.bending * stiffness.bending() +
-                         hold_.handles * rig_.bending();
-  if (stay > 0)
-    hold += stay * rig_.weights().transpose() * rig_.shares().asDiagonal() * rig_.weights();
+  const Eigen::MatrixXd hold = hold_.strain * stiffness.strain() + hold_.bending * stiffness.bending() +
+                               hold_.handles * rig_.bending();
   const Eigen::Index n = rig_.handles();
   Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(3 * n, 3 * n);
   for (const auto& [row, column] : kBlocks) {
@@ -229,37 +224,6 @@ VolumeResidual CinePose::giveVolumes(const Values& wantedMl, const WallStiffness
   const System system = systemAt(pose, pose, stiffness);
   return solveVolumes(
       rig_, wantedMl, [&](const Points& gradient) { return system.solve(gradient); }, pose);
-}
-
-VolumeResidual CinePose::meet(const ContourConstraint& contours, const WallStiffness& stiffness,
-                              const std::function<Values(const Values&)>& within, Points& pose) const {
-  const System system = systemAt(pose, pose, stiffness, 1, kStay);
-  VolumeResidual volumes{Values::Zero(static_cast<Eigen::Index>(rig_.surfaces().size())), 0, true};
-  for (int round = 0; round < kMeetRounds; ++round) {
-    const HandleEquations equations = contours.at(pose);
-    // min u^T N u with C u = e has u = N^-1 C^T (C N^-1 C^T)^-1 e. Handles are farther apart than points:
-    // what hardly moves anything is damped, and found in the rounds that follow if it can be.
-    const Eigen::MatrixXd answer = system.matrix.solve(equations.rows.transpose());
-    Eigen::MatrixXd schur = equations.rows * answer;
-    schur.diagonal().array() += kDamping * schur.diagonal().mean() + kPoseFloor;
-    const Eigen::LLT<Eigen::MatrixXd> solver(schur);
-    const Eigen::VectorXd change = answer * solver.solve(equations.wanted);
-    pose += change.reshaped(pose.rows(), 3);
-    if (within) {
-      const Values now = rig_.volumesMl(rig_.vertices(pose)), wanted = within(now);
-      // Volumes change where that does not move the contours.
-      const Metric beside = [&](const Points& gradient) {
-        const Eigen::VectorXd free = system.matrix.solve(gradient.reshaped());
-        const Eigen::VectorXd kept = free - answer * solver.solve(equations.rows * free);
-        return Points(kept.reshaped(gradient.rows(), 3));
-      };
-      if (wanted != now)
-        volumes = solveVolumes(rig_, wanted, beside, pose);
-    }
-    if (contours.mostMm(pose) <= kMetWell)
-      break;
-  }
-  return volumes;
 }
 
 std::vector<PlaneShare> CinePose::shares(const Points& pose) const {

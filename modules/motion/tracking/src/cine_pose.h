@@ -1,12 +1,10 @@
 #pragma once
 
-#include <functional>
 #include <vector>
 
 #include <Eigen/Cholesky>
 
 #include "cine_contours.h"
-#include "contour_constraint.h"
 #include "wall_stiffness.h"
 
 namespace viscera::tracking {
@@ -40,10 +38,6 @@ public:
   Points fitted(const Points& prior, const WallStiffness& stiffness, bool& heldBack) const;
   /// `pose` changed to such volumes of the surfaces, ml, at the least cost of its fit.
   VolumeResidual giveVolumes(const Values& wantedMl, const WallStiffness& stiffness, Points& pose) const;
-  /// `pose` changed to meet corrected contours at the least cost of its fit and of displacement, with volumes
-  /// that `within` allows; `within` may be empty.
-  VolumeResidual meet(const ContourConstraint& contours, const WallStiffness& stiffness,
-                      const std::function<Values(const Values& volumesMl)>& within, Points& pose) const;
   /// `pose`, or one nearer to `safe` where tissue would fold that does not fold there; whether it is that.
   static bool holdBack(const Points& safe, const WallStiffness& stiffness, Points& pose);
   /// What each plane contributed.
@@ -75,9 +69,8 @@ private:
 
     Points solve(const Points& right) const;
   };
-  /// `stay`: the cost of displacement, mm^2 a mean square.
-  System systemAt(const Points& pose, const Points& prior, const WallStiffness& stiffness, double wider = 1,
-                  double stay = 0) const;
+  System systemAt(const Points& pose, const Points& prior, const WallStiffness& stiffness,
+                  double wider = 1) const;
 
   const MotionRig& rig_;
   const LabelledPose& from_;

@@ -193,7 +193,7 @@ struct CorrectablePhantom {
     std::vector<Eigen::Index> moved;
     Points points = cut.points;
     for (Eigen::Index i = 0; i < points.rows(); ++i) {
-      const double share = std::exp(-(cut.points.row(i) - grabbed).squaredNorm() / 300);
+      const double share = std::exp(-(cut.points.row(i) - grabbed).squaredNorm() / 650);
       points.row(i) += share * way;
       if (share > 0.05)
         moved.push_back(i);

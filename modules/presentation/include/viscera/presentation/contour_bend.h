@@ -14,7 +14,7 @@ namespace viscera::presentation {
 class ContourBend {
 public:
   /// How far along the contour the bend falls to 1/e^2, mm.
-  static constexpr double kUsualRadiusMm = 25;
+  static constexpr double kUsualRadiusMm = 40;
 
   /// Grabs the place of `cut` nearest to `place`; the contour gets a point there. Throws `UsageError` for a
   /// cut without lines and a radius that is not positive. O(points).

@@ -92,12 +92,12 @@ public:
 
   /// Without corrections.
   const CineFit& fit() const;
-  /// The fit with corrected contours. Each is an equality that goes before the images: the handles change at
-  /// the least cost of the phase's fit until the surface's cut passes within `kCorrectionMetMm` of all its
-  /// points, or as near as the handles can, or as near as no tissue folds. Volumes stay within the labels'.
-  /// Phases up to 0.15 of the cycle away follow by the square of a cosine, as far as the next labelled phase
-  /// or the next correction of the same contour: images that mislead one phase mislead its neighbours. All
-  /// other phases, and everything without corrections, are those of `fit` to the bit.
+  /// The fit with corrected contours. Each goes before the images: the handles change as little as makes the
+  /// surface's cut pass within `kCorrectionMetMm` of all its points, or as near as the handles can without
+  /// folding tissue. Volumes stay within the labels'. Phases up to 0.15 of the cycle away follow by the
+  /// square of a cosine, as far as the next labelled phase or the next correction of the same contour: images
+  /// that mislead one phase mislead its neighbours. All other phases, and everything without corrections, are
+  /// those of `fit` to the bit.
   ///
   /// Bitwise independent of the number of threads. About 0.1 s a phase that changes. Throws `DataError` for a
   /// labelled phase, one outside the labelled ones, a surface that is not there, and without points;
