@@ -8,6 +8,7 @@
 #include "cli/listing.h"
 #include "viscera/anatomy/part.h"
 #include "viscera/core/error.h"
+#include "viscera/live/contour_corrections.h"
 
 namespace viscera::app::cli {
 namespace {
@@ -81,6 +82,16 @@ ordered_json findingJson(const live::CineFinding& finding) {
           {"plane", number(finding.plane)}};
 }
 
+ordered_json correctionJson(const live::CorrectionOutcome& outcome) {
+  return {{"phase", outcome.correction.phase},
+          {"slice", outcome.correction.slice.value_or(0)},
+          {"series", outcome.correction.series.value_or(0)},
+          {"surface", outcome.correction.surface},
+          {"beforeMm", outcome.met.beforeMm},
+          {"mostMm", outcome.met.mostMm},
+          {"met", outcome.met.met()}};
+}
+
 /// What is an estimate says so beside each number; a right ventricle has none.
 void markEstimates(const CineMotion& found, ordered_json& json) {
   for (std::size_t phase = 0; phase < found.motion.phases.size(); ++phase)
@@ -118,11 +129,22 @@ void CineTrackOptions::add(CLI::App& options) {
       .add_option("--leave-out-series", leftOutSeries_, "Series of the images not to use, by their numbers")
       ->type_name("N1,N2,...")
       ->delimiter(',');
+  options
+      .add_option("--correct", corrections_,
+                  "Contours that the motion has to meet, whatever the images show: a file {\"corrections\": "
+                  "[{\"phase\": 4, \"slice\": 2, \"surface\": \"RV\", \"pointsMm\": [[x, y, z], ...]}]}; "
+                  "may be repeated")
+      ->type_name("FILE")
+      ->expected(1)
+      ->take_all();
 }
 
 void CineTrackOptions::requireImages() const {
-  if (!given() && (!phases_.empty() || !leftOutSeries_.empty()))
-    throw UsageError("There are no images", phases_.empty() ? "--leave-out-series" : "--phase",
+  if (!given() && (!phases_.empty() || !leftOutSeries_.empty() || !corrections_.empty()))
+    throw UsageError("There are no images",
+                     !phases_.empty()          ? "--phase"
+                     : !leftOutSeries_.empty() ? "--leave-out-series"
+                                               : "--correct",
                      "give them as in --images STUDY; labels of all phases need no --phase");
 }
 
@@ -132,6 +154,9 @@ live::CineRequest CineTrackOptions::request() const {
   for (const std::string& phase : phases_)
     addLabels(phase, request.labels);
   request.leftOutSeries = leftOutSeries_;
+  for (const std::string& file : corrections_)
+    for (live::ContourCorrection& correction : live::readCorrections(file))
+      request.corrections.push_back(std::move(correction));
   return request;
 }
 
@@ -151,6 +176,9 @@ void addCineReport(const CineMotion& found, Outcome& outcome) {
   json["findings"] = ordered_json::array();
   for (const live::CineFinding& finding : found.findings)
     json["findings"].push_back(findingJson(finding));
+  json["corrections"] = ordered_json::array();
+  for (const live::CorrectionOutcome& correction : found.corrections)
+    json["corrections"].push_back(correctionJson(correction));
   if (found.estimate)
     markEstimates(found, json);
 }
@@ -165,6 +193,10 @@ void addCineLines(const CineMotion& found, Listing& listing) {
                                                fixed(use.closureMm, 1) + " mm from the next label, " +
                                                fixed(use.apartMm, 2) + " mm from the surfaces" +
                                                (use.reason.empty() ? "" : ": " + use.reason.english()));
+  for (const live::CorrectionOutcome& each : found.corrections)
+    listing.add("corrected", each.where.english() + ", phase " + std::to_string(each.correction.phase) +
+                                 ": " + fixed(each.met.beforeMm, 1) + " mm away before, " +
+                                 fixed(each.met.mostMm, 2) + " mm now");
 }
 
 } // namespace viscera::app::cli

@@ -17,7 +17,8 @@ public:
   void add(CLI::App& options);
 
   bool given() const { return !images_.empty(); }
-  /// What is asked for, without surfaces and period. Throws `UsageError`.
+  /// What is asked for, without surfaces and period. Throws `UsageError`, and what reading corrections
+  /// throws.
   live::CineRequest request() const;
   /// Throws `UsageError` where labels are given without images.
   void requireImages() const;
@@ -26,6 +27,7 @@ private:
   std::string images_;
   std::vector<std::string> phases_;
   std::vector<int> leftOutSeries_;
+  std::vector<std::string> corrections_;
 };
 
 /// Adds to what `viscera track` says of a motion which phases are labelled, what each plane contributed and

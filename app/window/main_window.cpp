@@ -36,6 +36,7 @@
 #include "window/session/session_files.h"
 #include "window/session/session_view.h"
 #include "window/settings_dialog.h"
+#include "window/slices/contour_grip.h"
 #include "window/slices/handle_grip.h"
 #include "window/slices/patient_offer.h"
 #include "window/slices/scan_actions.h"
@@ -91,6 +92,7 @@ MainWindow::MainWindow(Settings& settings, coordinates::Registry registry, live:
   actions_.add("file.quit", {tr("&Quit"), nullptr, {QKeySequence::Quit}, {}}, [this] { close(); });
   views_ = new ViewActions({workspace_, *picture_, *viewArea_, view_, settings_}, actions_, this);
   makeModes();
+  makeCorrections();
   (new HandleTable(workspace_, poses_, *picture_, *viewArea_->view(), this))->addTo(actions_);
   makeThemeActions();
   actions_.add("edit.settings",
@@ -122,6 +124,29 @@ MainWindow::MainWindow(Settings& settings, coordinates::Registry registry, live:
 MainWindow::~MainWindow() {
   // A drag under way ends while everything that observes the document is there.
   workspace_.guarded([this] { workspace_.undo().cancelStep(); });
+}
+
+/// Contours are corrected while the document has a motion from the images of its study.
+void MainWindow::makeCorrections() {
+  corrector_ = std::make_unique<ContourCorrector>(workspace_);
+  MeasuredMotion& measured = play_->measured();
+  corrector_->setSource([this, &measured]() -> std::optional<ContourCorrector::Origin> {
+    const MeasuredMotion::Found* found = measured.present();
+    if (!found || !found->images || !measured.isOfStudy())
+      return std::nullopt;
+    ContourCorrector::Origin origin{
+        found->images->request, found->options, found->images->found.labelled, {}};
+    for (const auto& organ : workspace_.document().organs())
+      if (const auto surface = measured.surfaceOf(organ->id))
+        origin.surfaces.emplace_back(organ->id, found->series->names[*surface]);
+    return origin;
+  });
+  connect(corrector_.get(), &ContourCorrector::corrected, &measured,
+          [&measured](const auto& motion) { measured.takeCorrected(*motion); });
+  connect(&measured, &MeasuredMotion::changed, this, [this] { actions_.sync(); });
+  contourGrip_ = std::make_unique<ContourGrip>(workspace_, *slices_, *corrector_, playback_);
+  slices_->addCineGrip(*contourGrip_);
+  contourGrip_->addTo(actions_, *scans_->sliceMenu());
 }
 
 void MainWindow::makeModes() {

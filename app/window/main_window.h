@@ -25,6 +25,8 @@ class ArrivingSurfaces;
 class BindingMessages;
 class ExploreMode;
 class ExportActions;
+class ContourCorrector;
+class ContourGrip;
 class HandleGrip;
 class Help;
 class ImportController;
@@ -97,6 +99,7 @@ protected:
 private:
   bool leavesUnwritten();
   void makeModes();
+  void makeCorrections();
   void makeThemeActions();
   void openSettings();
   void giveTheme();
@@ -149,6 +152,8 @@ private:
   ThemeKind theme_ = ThemeKind::dark;
   std::vector<Subscription> subscriptions_;
   std::unique_ptr<HandleGrip> handleGrip_;
+  std::unique_ptr<ContourCorrector> corrector_;
+  std::unique_ptr<ContourGrip> contourGrip_;
   std::function<bool(const QStringList&)> unwrittenQuestion_;
 };
 

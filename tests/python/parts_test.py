@@ -233,6 +233,11 @@ class PatientMotion(Folder):
         self.assertAlmostEqual(motion.indices["ball"]["ejection_fraction"], (full - empty) / full, 5)
         self.assertEqual(motion.planes[0]["states"][4], "labelled")
         self.assertTrue(all(finding["text"] for finding in motion.findings))
+        self.assertEqual(motion.corrections, [])
+        for wrong in ({"phase": 2}, {"phase": 2, "points_mm": [1, 2, 3]}, {"phase": 2, "points": [[1, 2, 3]]},
+                      {"phase": 4, "points_mm": [[1, 2, 3]]}):  # The last one has labels.
+            with self.assertRaises(viscera.UsageError):
+                viscera.track(labels, {"ball": [1]}, images=images, period=0.8, corrections=[wrong])
         for wrong in ([self.folder / "labels_0.nrrd"], {-1: self.folder / "labels_0.nrrd"}):
             with self.assertRaises(viscera.UsageError):
                 viscera.track(wrong, {"ball": [1]}, images=images)

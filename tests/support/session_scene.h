@@ -1,6 +1,8 @@
 #pragma once
 
+#include <memory>
 #include <string>
+#include <utility>
 
 #include "monkey.h"
 #include "temporary_folder.h"
@@ -77,6 +79,9 @@ inline document::SessionContents fullContents(const viscera::tests::TemporaryFol
   s.undo.perform(document::setCirculationParameter("lvEes", 1.0 / 3));
   document::SessionContents contents;
   contents.state = s.document.state();
+  document::KeySequence keys = *contents.state.keySequence;
+  keys.corrections = {{4, 2, "liver", {Vec3(0.1, -1e-310, 1.0 / 3), Vec3(1, 2, 3)}}};
+  contents.state.keySequence = std::make_shared<const document::KeySequence>(std::move(keys));
   contents.view = nlohmann::ordered_json::parse(
       R"({"mode":"deform","camera":{"position":[0.1,-0.0,1e+300]},"other":[1,"two",null]})");
   return contents;

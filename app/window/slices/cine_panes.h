@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "viscera/presentation/cine_presenter.h"
@@ -27,6 +29,7 @@ public:
     return presenter_.read(pane, pixel);
   }
   const presentation::CinePresenter& presenter() const { return presenter_; }
+  void setBent(std::optional<presentation::BentContour> bent) { presenter_.setBent(std::move(bent)); }
 
   /// Shows the slice so many turns of the wheel further in its stack, or the next long axis.
   void scroll(int pane, double steps);

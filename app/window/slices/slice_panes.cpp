@@ -89,12 +89,12 @@ void SlicePanes::connectWidget(int direction) {
 void SlicePanes::connectGrips(int direction) {
   SliceWidget* widget = widgets_[static_cast<std::size_t>(direction)];
   widget->setGripper([this, direction](const Eigen::Vector2d& pixel, Qt::KeyboardModifiers modifiers) {
-    if (cine_.shown()) // Handles and measurements lie on the slices of a scan.
-      return false;
-    const auto taking = std::find_if(grips_.begin(), grips_.end(), [&](SliceGrip* grip) {
+    // Handles and measurements lie on the slices of a scan.
+    const std::vector<SliceGrip*>& grips = cine_.shown() ? cineGrips_ : grips_;
+    const auto taking = std::find_if(grips.begin(), grips.end(), [&](SliceGrip* grip) {
       return grip->press(direction, pixel, modifiers);
     });
-    holding_ = taking == grips_.end() ? nullptr : *taking;
+    holding_ = taking == grips.end() ? nullptr : *taking;
     return holding_ != nullptr;
   });
   connect(widget, &SliceWidget::gripDragged, this, [this, direction](const Eigen::Vector2d& pixel) {
@@ -111,7 +111,7 @@ void SlicePanes::connectGrips(int direction) {
 /// The first tool that would grab something there determines the cursor.
 void SlicePanes::hover(int direction, const std::optional<Eigen::Vector2d>& pixel) {
   std::optional<Qt::CursorShape> shape;
-  for (SliceGrip* grip : cine_.shown() ? std::vector<SliceGrip*>() : grips_) {
+  for (SliceGrip* grip : cine_.shown() ? cineGrips_ : grips_) {
     const auto its = grip->hover(direction, shape ? std::nullopt : pixel);
     shape = shape ? shape : its;
   }
@@ -136,6 +136,11 @@ Vec3 SlicePanes::drawnAt(const Vec3& rest) const {
 
 void SlicePanes::setMeasuring(presentation::PendingMeasurement measuring) {
   measuring_ = std::move(measuring);
+  markOutdated();
+}
+
+void SlicePanes::setBent(std::optional<presentation::BentContour> bent) {
+  cine_.setBent(std::move(bent));
   markOutdated();
 }
 

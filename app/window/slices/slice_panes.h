@@ -48,6 +48,8 @@ public:
   /// Adds a tool, which has to live longer, that gets the left button before the slices do; tools are asked
   /// in the order in which they were added.
   void addGrip(SliceGrip& grip) { grips_.push_back(&grip); }
+  /// The same for the slices of a cine study, where no other tool works.
+  void addCineGrip(SliceGrip& grip) { cineGrips_.push_back(&grip); }
   /// The largest distance from the mouse at which something can be grabbed, in pixels of a slice's picture.
   double reach(int direction) const;
   /// Where the tissue drawn at a place of a slice is at rest, mm, and the reverse: other places in a warped
@@ -67,6 +69,13 @@ public:
   void markOutdated();
   /// The slices of a cine study; the panes show them while the document has one.
   const CinePanes& cine() const { return cine_; }
+  /// The same, up to date.
+  const CinePanes& cineNow() {
+    bringUpToDate();
+    return cine_;
+  }
+  /// Sets the contour that a user bends in a slice of a study; none: no contour.
+  void setBent(std::optional<presentation::BentContour> bent);
   /// Moves a slice by so many of the scan's voxels, towards head, front and right.
   void scroll(int direction, double steps);
 
@@ -103,7 +112,7 @@ private:
   std::function<SliceVerdict(std::size_t slice)> verdicts_;
   bool outdated_ = true;
   std::array<std::optional<Eigen::Vector2d>, 3> cursor_;
-  std::vector<SliceGrip*> grips_;
+  std::vector<SliceGrip*> grips_, cineGrips_;
   SliceGrip* holding_ = nullptr; ///< The tool that handles the present drag.
   presentation::PendingMeasurement measuring_;
   std::vector<Subscription> subscriptions_;

@@ -258,6 +258,30 @@ void MeasuredMotion::recall(live::MeasuredRecord record) {
   sync();
 }
 
+void MeasuredMotion::takeCorrected(const live::CineMotion& corrected) {
+  const auto known =
+      std::find_if(known_.begin(), known_.end(), [this](const Found& found) { return &found == present_; });
+  if (known == known_.end() || !known->images)
+    return;
+  auto record = std::make_shared<live::CineRecord>(*known->images);
+  record->found = corrected;
+  record->found.motion.sequence.organs = known->motion->sequence.organs; // The document's.
+  auto series = std::make_shared<live::MotionSeries>(*known->series);
+  series->volumesMl.clear();
+  for (const live::TrackedPhase& phase : corrected.motion.phases) {
+    std::vector<double>& volumes = series->volumesMl.emplace_back();
+    for (const tracking::SurfaceQuality& surface : phase.quality.surfaces)
+      volumes.push_back(surface.measuredMl);
+  }
+  known->series = std::move(series);
+  known->motion = std::shared_ptr<const live::PatientMotion>(record, &record->found.motion);
+  known->images = std::move(record);
+  workspace_.afterChange([this] {
+    followSoon();
+    Q_EMIT changed();
+  });
+}
+
 /// The series with the surfaces that were measured.
 std::shared_ptr<const live::MotionSeries> MeasuredMotion::shownSeries() const {
   return present_->labels ? present_->labels : present_->series;

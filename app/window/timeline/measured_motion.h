@@ -77,6 +77,9 @@ public:
   std::optional<live::MeasuredRecord> record() const;
   /// Restores the numbers of a session whose organs are in the document.
   void recall(live::MeasuredRecord record);
+  /// Takes the numbers of the present motion from one that was fitted to other corrected contours: the same
+  /// organs and handles with other poses, which the document has already.
+  void takeCorrected(const live::CineMotion& corrected);
   /// The phase nearest to the instant that is shown.
   std::size_t phaseNow() const;
   /// Shows the instant of a phase.

@@ -83,6 +83,7 @@ void changeKeys(DocumentState& state, const CoordinateChange& change) {
   for (SequenceKey& key : keys.keys)
     for (auto& [handle, displacement] : key.displacements)
       displacement = change.map * displacement;
+  keys.corrections.clear(); // They lie in the planes of a study, which stays where it is.
   state.keySequence = std::make_shared<const KeySequence>(std::move(keys));
 }
 

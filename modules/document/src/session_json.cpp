@@ -96,11 +96,21 @@ ordered_json keySequenceJson(const KeySequence& keySequence) {
                     {"easing", nameOf(key.easing)},
                     {"displacements", std::move(displacements)}});
   }
-  return {{"name", keySequence.name},
-          {"periodSeconds", keySequence.periodSeconds},
-          {"loop", keySequence.loop},
-          {"interpolation", nameOf(keySequence.interpolation)},
-          {"keys", std::move(keys)}};
+  ordered_json item{{"name", keySequence.name},
+                    {"periodSeconds", keySequence.periodSeconds},
+                    {"loop", keySequence.loop},
+                    {"interpolation", nameOf(keySequence.interpolation)},
+                    {"keys", std::move(keys)}};
+  for (const CorrectedContour& correction : keySequence.corrections) {
+    ordered_json points = ordered_json::array();
+    for (const Vec3& point : correction.points)
+      points.push_back(jsonOf(point));
+    item["corrections"].push_back({{"phase", correction.phase},
+                                   {"slice", correction.slice},
+                                   {"surface", correction.surface},
+                                   {"pointsMm", std::move(points)}});
+  }
+  return item;
 }
 
 namespace {
@@ -350,7 +360,7 @@ SequenceKey SessionReader::readKey(const ordered_json& item, const std::string& 
 }
 
 void SessionReader::readKeySequence(const ordered_json& item, DocumentState& state) {
-  takeObject(item, {"name", "periodSeconds", "loop", "interpolation", "keys"}, "recording");
+  takeObject(item, {"name", "periodSeconds", "loop", "interpolation", "keys", "corrections"}, "recording");
   KeySequence keySequence;
   if (const std::string name = optionalText(item, "name", "recording"); !name.empty())
     keySequence.name = name;
@@ -361,6 +371,13 @@ void SessionReader::readKeySequence(const ordered_json& item, DocumentState& sta
   const ordered_json& keys = listOf(item, "keys", "recording");
   for (std::size_t i = 0; i < keys.size(); ++i)
     keySequence.keys.push_back(readKey(keys[i], at("recording.keys", i)));
+  eachOf(item, "corrections", "recording", [&](const ordered_json& correction, const std::string& place) {
+    takeObject(correction, {"phase", "slice", "surface", "pointsMm"}, place);
+    keySequence.corrections.push_back({wholeOf(field(correction, "phase", place), place + ".phase"),
+                                       wholeOf(field(correction, "slice", place), place + ".slice"),
+                                       textOf(correction, "surface", place),
+                                       valueOf<std::vector<Vec3>>(correction, "pointsMm", place)});
+  });
   state.keySequence = std::make_shared<const KeySequence>(std::move(keySequence));
 }
 

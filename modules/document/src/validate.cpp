@@ -190,6 +190,14 @@ void validateKeySequence(const KeySequence& keySequence) {
     for (const auto& [handle, moved] : key.displacements)
       requirePlace(moved, diagnostic("a displacement"), where);
   }
+  for (const CorrectedContour& correction : keySequence.corrections) {
+    const Text where = phrase("%1, correction of phase %2", named(keySequence.name), correction.phase);
+    require(correction.phase >= 0 && correction.slice >= 0 && !correction.points.empty(),
+            diagnostic("it has no phase, no slice or no points"), where);
+    requireName(correction.surface, where);
+    for (const Vec3& point : correction.points)
+      requirePlace(point, diagnostic("a point"), where);
+  }
 }
 
 void validateMeasurements(const DocumentState& state) {

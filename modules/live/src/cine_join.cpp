@@ -8,6 +8,7 @@
 #include "viscera/core/error.h"
 #include "viscera/core/phrase.h"
 #include "viscera/live/cine_motion.h"
+#include "viscera/live/contour_corrections.h"
 
 namespace viscera::live {
 namespace {
@@ -324,11 +325,17 @@ std::size_t phasesOf(const CineStudy& study) {
 
 LabelledStudy joinStudy(const medical_io::CineStudy& study, const CineRequest& request, Progress& progress) {
   LabelledStudy joined;
+  for (std::size_t i = 0; i < study.slices.size(); ++i) {
+    const CineGeometry& place = study.slices[i].geometry;
+    joined.slices.push_back({{place.origin, place.normal()}, study.slices[i].number, planeName(study, i)});
+  }
   joined.warnings = study.findings;
   joined.firstPhase = request.firstPhase;
   joined.times = timesOfStudy(study, request);
   const std::vector<PhaseLabels> labels = checkedLabels(request, joined.times.count());
   runPart(progress, 0, 0.5, [&](Progress& part) { readLabels(labels, request, joined, part); });
+  for (const ContourCorrection& correction : request.corrections)
+    joined.corrections.push_back(resolved(joined, correction));
   runPart(progress, 0.5, 1, [&](Progress& part) { addPlanes(study, request, joined, part); });
   progress.report(1);
   return joined;

@@ -8,6 +8,7 @@
 #include "tracked_volumes.h"
 #include "viscera/anatomy/part.h"
 #include "viscera/core/text.h"
+#include "viscera/live/contour_corrections.h"
 
 namespace viscera::live {
 namespace {
@@ -167,6 +168,28 @@ public:
           std::nullopt, std::nullopt);
   }
 
+  /// Says which corrected contours are met in part only.
+  void addCorrections(const std::vector<ContourCorrection>& corrections) {
+    for (std::size_t i = 0; i < corrections.size(); ++i) {
+      const ContourCorrection correction = resolved(study_, corrections[i]);
+      const tracking::CorrectionMet& met = fit_.corrections[i];
+      const Text where = phrase("%1, %2", named(correction.surface), study_.slices[*correction.slice].name);
+      found_.corrections.push_back({correction, where, met});
+      if (met.met())
+        continue;
+      const Text most = inFixed(met.mostMm, 1);
+      say(FitLight::amber,
+          met.heldBack
+              ? phrase("phase %1: the corrected contour of %2 is met to %3 mm only, since the tissue "
+                       "would fold",
+                       numberOf(correction.phase), where, most)
+              : phrase("phase %1: the corrected contour of %2 is met to %3 mm only: the handles are "
+                       "too far apart for its shape",
+                       numberOf(correction.phase), where, most),
+          correction.phase, std::nullopt);
+    }
+  }
+
   void finish() {
     std::stable_sort(found_.findings.begin(), found_.findings.end(),
                      [](const CineFinding& a, const CineFinding& b) { return a.light > b.light; });
@@ -278,42 +301,72 @@ bool CineMotion::isLabelled(std::size_t phase) const {
   return std::binary_search(labelled.begin(), labelled.end(), phase);
 }
 
-CineMotion trackCine(const LabelledStudy& study, const TrackOptions& options, Progress& progress,
-                     Threads threads) {
+/// What the images were followed for.
+struct CineTracker::Parts {
+  std::shared_ptr<const LabelledStudy> study;
+  TrackOptions options;
+  std::vector<Text> warnings;
+  document::Rig handles;
+  std::optional<tracking::MotionRig> rig;
+  std::optional<tracking::TissueWitnesses> tissue;
+  std::unique_ptr<const tracking::CineFitter> fitter; ///< Refers to `rig`.
+};
+
+CineTracker::CineTracker(std::shared_ptr<const LabelledStudy> study, const TrackOptions& options,
+                         Progress& progress, Threads threads) {
+  auto parts = std::make_unique<Parts>();
+  parts->study = std::move(study);
+  parts->options = options;
+  const LabelledStudy& joined = *parts->study;
+  parts->warnings = joined.warnings;
+  progress.report(0, "surfaces at rest");
+  Progress quiet;
+  const auto rest = restSurfaces(joined.labels, options, parts->warnings, quiet, threads);
+  parts->handles = rigFor(rest, joined.labels, options);
+  runPart(progress, 0.02, 0.08,
+          [&](Progress& part) { parts->rig.emplace(boundTo(parts->handles, rest, options, part, threads)); });
+  tracking::CineFitOptions fitOptions;
+  fitOptions.caps = joined.caps;
+  fitOptions.keepVolumes = options.keepVolumes;
+  fitOptions.fromOne = true;
+  runPart(progress, 0.08, 0.95, [&](Progress& part) {
+    parts->fitter = std::make_unique<const tracking::CineFitter>(
+        *parts->rig, labelledPhases(joined), joined.planes, joined.times, fitOptions, part, threads);
+  });
+  runPart(progress, 0.95, 1, [&](Progress& part) {
+    parts->tissue.emplace(*parts->rig, joined.labels.outer, options.witnesses, part, threads);
+  });
+  parts_ = std::move(parts);
+}
+
+CineTracker::~CineTracker() = default;
+
+const LabelledStudy& CineTracker::study() const {
+  return *parts_->study;
+}
+
+CineMotion CineTracker::motion(const std::vector<ContourCorrection>& corrections, Progress& progress,
+                               Threads threads) const {
+  const LabelledStudy& study = *parts_->study;
   CineMotion found;
   PatientMotion& motion = found.motion;
-  motion.warnings = study.warnings;
+  motion.warnings = parts_->warnings;
   motion.outer = study.labels.outer;
   motion.sliceMm = study.labels.sliceMm();
   found.labelled = study.phases;
   found.estimate = study.phases.size() == 1;
-  progress.report(0, "surfaces at rest");
-  Progress quiet;
-  const auto rest = restSurfaces(study.labels, options, motion.warnings, quiet, threads);
-  const document::Rig handles = rigFor(rest, study.labels, options);
-  std::optional<tracking::MotionRig> rig;
-  runPart(progress, 0.02, 0.08,
-          [&](Progress& part) { rig.emplace(boundTo(handles, rest, options, part, threads)); });
-  tracking::CineFitOptions fitOptions;
-  fitOptions.caps = study.caps;
-  fitOptions.keepVolumes = options.keepVolumes;
-  fitOptions.fromOne = true;
+  const std::vector<tracking::CorrectedContour> contours = correctedContours(study, corrections);
   CineFit fit;
-  runPart(progress, 0.08, 0.9, [&](Progress& part) {
-    fit =
-        tracking::fitCine(*rig, labelledPhases(study), study.planes, study.times, fitOptions, part, threads);
-  });
+  runPart(progress, 0, 0.7,
+          [&](Progress& part) { fit = parts_->fitter->corrected(contours, part, threads); });
   found.endDiastole = fit.endDiastole;
   found.endSystole = fit.endSystole;
   found.fullest = fit.fullest;
   found.emptiest = fit.emptiest;
-  std::optional<tracking::TissueWitnesses> tissue;
-  runPart(progress, 0.9, 0.95, [&](Progress& part) {
-    tissue.emplace(*rig, study.labels.outer, options.witnesses, part, threads);
-  });
-  CineReport report(study, *rig, fit, found);
-  report.addPhases(*tissue, threads, progress);
+  CineReport report(study, *parts_->rig, fit, found);
+  report.addPhases(*parts_->tissue, threads, progress);
   report.judgeCycle(); // Comes first among findings that are as bad.
+  report.addCorrections(corrections);
   MotionSeries cycle;
   cycle.names = study.labels.names;
   cycle.outer = study.labels.outer;
@@ -323,8 +376,23 @@ CineMotion trackCine(const LabelledStudy& study, const TrackOptions& options, Pr
   report.judgePhases();
   report.finish();
   dropUncertain(found.estimate, motion);
-  motion.sequence = sequenceOf(study.labels.names, study.times, *rig, fit.motion.poses, handles);
+  motion.sequence =
+      sequenceOf(study.labels.names, study.times, *parts_->rig, fit.motion.poses, parts_->handles);
   progress.report(1);
+  return found;
+}
+
+CineMotion trackCine(const LabelledStudy& study, const TrackOptions& options, Progress& progress,
+                     Threads threads) {
+  std::optional<CineTracker> tracker;
+  runPart(progress, 0, 0.9, [&](Progress& part) {
+    // Not its own: the study outlives the tracker.
+    tracker.emplace(std::shared_ptr<const LabelledStudy>(std::shared_ptr<const void>(), &study), options,
+                    part, threads);
+  });
+  CineMotion found;
+  runPart(progress, 0.9, 1,
+          [&](Progress& part) { found = tracker->motion(study.corrections, part, threads); });
   return found;
 }
 

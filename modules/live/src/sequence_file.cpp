@@ -1,6 +1,7 @@
 #include "viscera/live/sequence_file.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <map>
 #include <memory>
@@ -319,6 +320,35 @@ document::Command openSequence(SequenceFile sequence) {
         return document::replaceKeySequence(keySequenceFrom(sequence, handles)).apply(state, ids);
       },
       {}};
+}
+
+document::Command correctKeys(SequenceFile corrected, std::vector<std::size_t> keys,
+                              std::vector<document::CorrectedContour> corrections) {
+  return {"Correct contour",
+          [corrected = std::move(corrected), keys = std::move(keys),
+           corrections = std::move(corrections)](const document::DocumentState& before, document::IdSource&) {
+            std::vector<document::HandleId> handles;
+            if (!hasHandles(*before.rig, corrected, handles))
+              throw UsageError("The handles are no longer those of the motion that was found in the images",
+                               "key sequence", "find the motion again, or undo the change of the handles");
+            const document::KeySequence found = keySequenceFrom(corrected, handles);
+            document::KeySequence changed = *before.keySequence;
+            for (const std::size_t index : keys) {
+              const auto key = std::find_if(
+                  changed.keys.begin(), changed.keys.end(), [&](const document::SequenceKey& each) {
+                    return std::abs(each.seconds - found.keys[index].seconds) < sequences::kShortestSpan;
+                  });
+              if (key == changed.keys.end())
+                throw UsageError(phrase("There is no key at phase %1 any more", index), "key sequence",
+                                 "find the motion again, or undo the change of the keys");
+              key->displacements = found.keys[index].displacements;
+            }
+            changed.corrections = corrections;
+            document::DocumentState state = before;
+            state.keySequence = std::make_shared<const document::KeySequence>(std::move(changed));
+            return state;
+          },
+          {}};
 }
 
 } // namespace viscera::live

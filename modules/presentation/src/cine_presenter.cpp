@@ -81,11 +81,13 @@ struct CinePresenter::Parts {
   std::array<CinePane, 3> panes;
   std::shared_ptr<const document::StudyItem> proposedBy; ///< Whose proposal `proposed` is.
   medical_io::ValueWindow proposed;
+  std::optional<BentContour> bent;
 
   const CinePane& pane(int direction) const { return panes[std::size_t(direction)]; }
   void sample(CinePane& pane, const SliceScene& scene);
   void shade(CinePane& pane, const SliceScene& scene);
   void outline(CinePane& pane, const SliceScene& scene, const std::array<std::size_t, 3>& slices);
+  void outlinePosed(CinePane& pane, const SliceCuts::Organ& organ);
   void label(CinePane& pane, const SliceScene& scene) const;
   std::string say(const char* pattern, std::initializer_list<std::string> parts) const;
 };
@@ -154,8 +156,20 @@ void CinePresenter::Parts::outline(CinePane& pane, const SliceScene& scene,
       addContour(organ.rest[pane.plane], pane.frame, kCineRestShade * shownColor(organ.organ->look.color),
                  true, pane.picture.lines);
   for (const SliceCuts::Organ& organ : cuts.organs())
-    addContour(organ.posed[pane.plane], pane.frame, shownColor(organ.organ->look.color), false,
-               pane.picture.lines);
+    outlinePosed(pane, organ);
+}
+
+/// An organ's contour, thin below the one that a user bends.
+void CinePresenter::Parts::outlinePosed(CinePane& pane, const SliceCuts::Organ& organ) {
+  const bool isBent = bent && &pane == &panes[std::size_t(bent->direction)] && bent->organ == organ.organ->id;
+  const Vec3 color = shownColor(organ.organ->look.color);
+  addContour(organ.posed[pane.plane], pane.frame, color, isBent, pane.picture.lines);
+  if (!isBent)
+    return;
+  scene::SliceLine line{{}, bent->closed, color, false};
+  for (Eigen::Index row = 0; row < bent->points.rows(); ++row)
+    line.points.push_back(pane.frame.pixelOf(bent->points.row(row).transpose()));
+  pane.picture.lines.push_back(std::move(line));
 }
 
 /// "Short axis 2 of 3, phase 7 of 25", and below level, width and what is missing.
@@ -266,6 +280,46 @@ SliceReading CinePresenter::read(int direction, const Eigen::Vector2d& pixel) co
     reading.organ = item.organ->id;
   }
   return reading;
+}
+
+std::optional<ContourPlace> CinePresenter::contourAt(int direction, const Eigen::Vector2d& pixel,
+                                                     double reach) const {
+  const CinePane& pane = parts_->pane(direction);
+  std::optional<ContourPlace> nearest;
+  double least = reach;
+  const auto ask = [&](document::OrganId organ, const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+    const Eigen::Vector2d along = b - a;
+    const double part = std::clamp((pixel - a).dot(along) / std::max(along.squaredNorm(), 1e-12), 0.0, 1.0);
+    const Eigen::Vector2d place = a + part * along;
+    if (const double apart = (pixel - place).norm(); apart <= least) {
+      least = apart;
+      nearest = {organ, pane.frame.at(place.x(), place.y())};
+    }
+  };
+  for (const SliceCuts::Organ& item : parts_->cuts.organs()) {
+    if (pane.plane >= item.posed.size())
+      continue;
+    const geometry::PlaneCut& cut = item.posed[pane.plane];
+    for (std::size_t i = 0; i < cut.lines(); ++i)
+      for (Eigen::Index row = cut.first[i]; row < cut.first[i + 1]; ++row) {
+        const Eigen::Index next = row + 1 < cut.first[i + 1] ? row + 1 : cut.closed[i] ? cut.first[i] : row;
+        ask(item.organ->id, pane.frame.pixelOf(cut.points.row(row).transpose()),
+            pane.frame.pixelOf(cut.points.row(next).transpose()));
+      }
+  }
+  return nearest;
+}
+
+geometry::PlaneCut CinePresenter::cut(int direction, document::OrganId organ) const {
+  const std::size_t plane = parts_->pane(direction).plane;
+  for (const SliceCuts::Organ& item : parts_->cuts.organs())
+    if (item.organ->id == organ && plane < item.posed.size())
+      return item.posed[plane];
+  return {};
+}
+
+void CinePresenter::setBent(std::optional<BentContour> bent) {
+  parts_->bent = std::move(bent);
 }
 
 std::vector<ContourFigure> CinePresenter::contours(int direction) const {

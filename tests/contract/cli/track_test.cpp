@@ -155,6 +155,54 @@ TEST_F(Track, FindsTheMotionBetweenTwoLabelledPhasesFromImages) {
   EXPECT_NEAR(played["ejectionFraction"].get<double>(), found["ejectionFraction"]["LV"].get<double>(), 1e-4);
 }
 
+TEST_F(Track, MeetsACorrectedContourOrSaysWhatIsWrongWithIt) {
+  const std::string images = greyCine(), diastole = labelsOf(0), systole = labelsOf(4);
+  const auto track = [&](const std::string& correction, const std::string& out) {
+    return std::vector<std::string>{"track",     "--images",     images, "--phase",   "0=" + diastole,
+                                    "--phase",   "4=" + systole, "-o",   path(out),   "--handles",
+                                    "60",        "--surface",    "LV=1", "--surface", "EPI=1,2,3",
+                                    "--correct", correction};
+  };
+  const auto corrections = [&](const std::string& item) {
+    return put("c.json", "{\"corrections\": [" + item + "]}");
+  };
+  const auto before = files();
+  expectFailure(track(path("none.json"), "n.sequence.json"), kNoInput, "none.json");
+  expectFailure(track(put("c.json", "{}"), "n.sequence.json"), kBadData, "corrections");
+  expectFailure(track(corrections(R"({"phase": 2})"), "n.sequence.json"), kBadData, "pointsMm");
+  expectFailure(
+      track(corrections(R"({"phase": 4, "surface": "LV", "pointsMm": [[0, 0, 0]]})"), "n.sequence.json"),
+      kUsage, "Phase 4 has labels");
+  expectFailure(
+      track(corrections(R"({"phase": 9, "surface": "LV", "pointsMm": [[0, 0, 0]]})"), "n.sequence.json"),
+      kUsage, "no phase 9");
+  expectFailure(
+      track(corrections(R"({"phase": 2, "surface": "RA", "pointsMm": [[0, 0, 0]]})"), "n.sequence.json"),
+      kUsage, "use one of");
+  expectFailure(track(corrections(R"({"phase": 2, "surface": "LV", "pointsMm": [[900, 900, 900]]})"),
+                      "n.sequence.json"),
+                kUsage, "beside the plane");
+  expectFailure({"track", diastole, "-o", path("n.sequence.json"), "--correct", corrections("")}, kUsage,
+                "There are no images");
+  std::filesystem::remove(path("c.json"));
+  EXPECT_EQ(files(), before);
+  // The cavity's wall 2 mm farther out than it is in the images, in the slice at 0 mm.
+  const json found = runJson(
+      track(corrections(R"({"phase": 2, "surface": "LV", "pointsMm": [[-11, 17, 0]]})"), "c.sequence.json"));
+  ASSERT_EQ(found["corrections"].size(), 1U);
+  const json& met = found["corrections"][0];
+  for (const std::string key : {"phase", "slice", "series", "surface", "beforeMm", "mostMm", "met"})
+    EXPECT_TRUE(met.contains(key)) << key;
+  EXPECT_EQ(met["slice"], 5);
+  EXPECT_GT(met["beforeMm"].get<double>(), 0.5);
+  EXPECT_LE(met["mostMm"].get<double>(), 0.3);
+  EXPECT_EQ(met["met"], true);
+  for (const std::size_t phase : {0U, 4U}) {
+    const json& cavity = found["phases"][phase]["surfaces"]["LV"];
+    EXPECT_NEAR(cavity["fittedMl"].get<double>(), cavity["volumeMl"].get<double>(), 1e-5);
+  }
+}
+
 TEST_F(Track, FromOneLabelledPhaseGivesEstimatesThatSaySo) {
   const json found =
       runJson({"track", "--images", greyCine(), "--phase", "0=" + labelsOf(0), "-o", path("e.sequence.json"),

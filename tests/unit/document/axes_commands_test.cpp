@@ -31,6 +31,9 @@ struct Patient : tests::Session {
                        surfacePoint(*document.organs()[1], 7, {0.1, 0.2, 0.7})};
     DocumentState state = document.state();
     state.measurements = std::make_shared<const MeasurementList>(MeasurementList{distance});
+    KeySequence keys = *state.keySequence;
+    keys.corrections = {{4, 2, "liver", {Vec3(1, 2, 3)}}};
+    state.keySequence = std::make_shared<const KeySequence>(std::move(keys));
     undo.reset(state);
   }
 
@@ -57,6 +60,7 @@ TEST(AxesCommands, FromRasToLpsTurnsOrgansHandlesKeysAndMeasurements) {
   EXPECT_EQ(s.document.rig().handles[3].rest, turn * rest);
   EXPECT_EQ(Vec3(s.document.pose().row(3).transpose()), Vec3(-61, -62, -7));
   EXPECT_EQ(s.document.keySequence().keys[0].displacements.begin()->second, turn * moved);
+  EXPECT_TRUE(s.document.keySequence().corrections.empty()) << "they lie in the planes of the images";
   s.expectPointsOnSurfaces();
   const Organ& liver = *s.document.organs()[0];
   EXPECT_GT(geometry::volume(liver.mesh->points, liver.mesh->triangles), 0);

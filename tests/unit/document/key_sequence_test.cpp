@@ -167,5 +167,36 @@ TEST(KeySequence, comesBackFromAFileIntoTheSameHandlesOrIntoItsOwn) {
   EXPECT_TRUE(other.rig().handles.empty());
 }
 
+TEST(CorrectKeys, ReplacesTheKeysThatAreNamedAndKeepsTheContoursInOneStep) {
+  Recorded session;
+  live::SequenceFile corrected = live::sequenceFile(session.document.state());
+  for (sequences::Keyframe& key : corrected.track.keys)
+    key.pose.row(8) = row(7, 8, 60);
+  const KeySequence before = session.keySequence();
+  const std::vector<CorrectedContour> contours = {{1, 0, "ball", {Vec3(1, 2, 3), Vec3(2, 2, 3)}}};
+  session.undo.perform(live::correctKeys(corrected, {1}, contours));
+  const KeySequence after = session.keySequence();
+  EXPECT_EQ(after.corrections, contours);
+  EXPECT_EQ(after.keys[0], before.keys[0]) << "another key stays";
+  EXPECT_EQ(after.keys[2], before.keys[2]);
+  EXPECT_EQ(after.keys[1].id, before.keys[1].id);
+  EXPECT_EQ(after.keys[1].easing, before.keys[1].easing);
+  EXPECT_LT((poseOf(after.keys[1], session.document.rig()).row(8) - row(7, 8, 60)).norm(), 1e-12);
+  session.undo.undo();
+  EXPECT_EQ(session.keySequence(), before);
+  session.undo.redo();
+  EXPECT_EQ(session.keySequence(), after);
+}
+
+TEST(CorrectKeys, RefusesKeysAndHandlesThatAreNoLongerThere) {
+  Recorded session;
+  const live::SequenceFile corrected = live::sequenceFile(session.document.state());
+  session.undo.perform(moveKey(session.key(1), 1.2));
+  EXPECT_THROW(session.undo.perform(live::correctKeys(corrected, {1}, {})), UsageError);
+  EXPECT_NO_THROW(session.undo.perform(live::correctKeys(corrected, {2}, {})));
+  session.undo.perform(removeHandles({session.handle(3)}));
+  EXPECT_THROW(session.undo.perform(live::correctKeys(corrected, {2}, {})), UsageError);
+}
+
 } // namespace
 } // namespace viscera::document

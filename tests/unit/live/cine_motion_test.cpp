@@ -1,4 +1,5 @@
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <memory>
 
@@ -8,6 +9,7 @@
 #include "temporary_folder.h"
 #include "viscera/core/error.h"
 #include "viscera/live/cine_motion.h"
+#include "viscera/live/contour_corrections.h"
 #include "viscera/medical_io/surface_file.h"
 
 namespace viscera::live {
@@ -174,6 +176,90 @@ TEST_F(CineJoin, HasPlanesTimesAndLabelsInTheOrderOfTheCycle) {
   const LabelledStudy less = joined(request);
   EXPECT_EQ(less.planes.size(), 5U);
   EXPECT_EQ(less.times.periodSeconds, 1);
+}
+
+/// A point of the cavity's contour in the plane of the second slice at phase 2, and 2 mm farther out.
+ContourCorrection farther() {
+  ContourCorrection correction;
+  correction.phase = 2;
+  correction.surface = "LV";
+  const geometry::TriangleMesh cavity = CinePhantom::surface(1, 2);
+  const geometry::PlaneCut cut =
+      geometry::cutSurface({&cavity.points, &cavity.triangles}, {Vec3(0, 0, -8), Vec3::UnitZ()});
+  const Eigen::RowVector3d middle = cut.points.colwise().mean(), at = cut.points.row(0);
+  correction.points = at + 2 * (at - middle).normalized();
+  return correction;
+}
+
+TEST_F(CineJoin, FindsTheSliceOfACorrectionOrSaysWhatIsWrong) {
+  CineRequest request;
+  request.labels = {labels(4), labels(0)};
+  request.corrections = {farther()};
+  const LabelledStudy study = joined(request);
+  ASSERT_EQ(study.slices.size(), 7U);
+  ASSERT_EQ(study.corrections.size(), 1U);
+  EXPECT_EQ(study.corrections[0].slice, 1U);
+  EXPECT_EQ(study.corrections[0].series, 2);
+  EXPECT_EQ(restored(stored(study.corrections[0])).points, study.corrections[0].points);
+  ASSERT_EQ(correctedContours(study, request.corrections).size(), 1U);
+  EXPECT_EQ(correctedContours(study, request.corrections)[0].surface, 1U);
+  const auto refused = [&](const std::function<void(ContourCorrection&)>& spoil, const std::string& words) {
+    ContourCorrection correction = farther();
+    spoil(correction);
+    try {
+      resolved(study, correction);
+      ADD_FAILURE() << words;
+    } catch (const UsageError& error) {
+      EXPECT_NE(std::string(error.what()).find(words), std::string::npos) << error.what();
+    }
+  };
+  refused([](auto& each) { each.phase = 4; }, "Phase 4 has labels");
+  refused([](auto& each) { each.phase = 10; }, "no phase 10");
+  refused([](auto& each) { each.slice = 7; }, "no slice 7");
+  refused([](auto& each) { each.series = 9; }, "no series 9");
+  refused([](auto& each) { each.surface = "RV"; }, "There is no surface");
+  refused([](auto& each) { each.points.resize(0, 3); }, "no points");
+  refused([](auto& each) { each.slice = 0; }, "16.0 mm beside the plane");
+  refused([](auto& each) { each.points.row(0) << 30, 15, -3; }, "beside the plane");
+}
+
+TEST_F(CineJoin, ASecondCorrectionOfAContourTakesThePlaceOfWhatItCovers) {
+  ContourCorrection first = farther();
+  first.slice = 1;
+  first.points.resize(3, 3);
+  first.points << 0, 0, -8, 10, 0, -8, 20, 0, -8;
+  ContourCorrection second = first;
+  second.points = Points(1, 3);
+  second.points << 10, 4, -8;
+  Points covered(1, 3);
+  covered << 11, 0, -8;
+  const auto list = withCorrection({first}, second, covered);
+  ASSERT_EQ(list.size(), 1U);
+  ASSERT_EQ(list[0].points.rows(), 3);
+  EXPECT_EQ(list[0].points.row(1), first.points.row(2));
+  EXPECT_EQ(list[0].points.row(2), second.points.row(0));
+  second.phase = 3;
+  EXPECT_EQ(withCorrection({first}, second, covered).size(), 2U);
+}
+
+TEST(CineTracker, MeetsCorrectionsOneAfterTheOtherAndGivesTheEarlierMotionBack) {
+  auto study = std::make_shared<LabelledStudy>(phantomStudy({0, CinePhantom::kSystole}));
+  study->slices.push_back({{study->planes[1].origin, study->planes[1].normal()}, 2, "slice 0, short axis"});
+  Progress progress;
+  const CineTracker tracker(study, fewHandles(), progress);
+  const CineMotion before = tracker.motion({}, progress);
+  ContourCorrection correction = farther();
+  const CineMotion corrected = tracker.motion({correction}, progress);
+  ASSERT_EQ(corrected.corrections.size(), 1U);
+  EXPECT_TRUE(corrected.corrections[0].met.met()) << corrected.corrections[0].met.mostMm;
+  const std::vector<std::size_t> changed = phasesThatDiffer(before, corrected);
+  EXPECT_EQ(changed, (std::vector<std::size_t>{1, 2, 3}));
+  EXPECT_TRUE(phasesThatDiffer(before, tracker.motion({}, progress)).empty()) << "to the bit";
+  for (const std::size_t phase : {std::size_t{0}, CinePhantom::kSystole})
+    EXPECT_EQ(corrected.motion.phases[phase].quality.surfaces[1].fittedMl,
+              before.motion.phases[phase].quality.surfaces[1].fittedMl);
+  EXPECT_EQ(corrected.motion.indices.at("LV").ejectionFraction,
+            before.motion.indices.at("LV").ejectionFraction);
 }
 
 TEST_F(CineJoin, RejectsWhatCannotBeJoined) {

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -190,6 +191,29 @@ TEST(CinePresenter, ShowsTheChosenSliceAndWhereTheOthersCut) {
   ASSERT_EQ(line.points.size(), 2u);
   for (const Eigen::Vector2d& point : line.points)
     EXPECT_NEAR(ball.cine.frame(1).at(point.x(), point.y()).z(), 20, 1e-6);
+}
+
+TEST(CinePresenter, FindsAContourAndDrawsTheOneThatIsBent) {
+  StudiedBall ball;
+  const medical_io::SliceFrame& frame = ball.cine.frame(0);
+  const auto place = ball.cine.contourAt(0, frame.pixelOf(Vec3(30.5, 0, 0)), 5);
+  ASSERT_TRUE(place);
+  EXPECT_EQ(place->organ, ball.organ());
+  EXPECT_NEAR(place->place.norm(), 30, 0.5);
+  EXPECT_FALSE(ball.cine.contourAt(0, frame.pixelOf(Vec3::Zero()), 5)) << "too far from it";
+  const geometry::PlaneCut cut = ball.cine.cut(0, ball.organ());
+  ASSERT_EQ(cut.lines(), 1u);
+  EXPECT_EQ(ball.cine.cut(0, document::OrganId{999}).lines(), 0u);
+  ball.cine.setBent(BentContour{0, ball.organ(), 1.1 * cut.points, true});
+  ball.update();
+  const auto lines = ball.contours(0);
+  ASSERT_EQ(lines.size(), 2u);
+  EXPECT_TRUE(lines[0].thin && !lines[1].thin) << "its own, and the bent one";
+  EXPECT_NEAR(frame.at(lines[1].points[0].x(), lines[1].points[0].y()).norm(), 33, 0.5);
+  EXPECT_EQ(ball.contours(1).size(), 1u) << "in its pane only";
+  ball.cine.setBent(std::nullopt);
+  ball.update();
+  EXPECT_EQ(ball.contours(0).size(), 1u);
 }
 
 TEST(CinePresenter, IsRefusedWithoutAStudy) {

@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -84,6 +85,10 @@ std::shared_ptr<PatientMotion> track(const std::vector<std::filesystem::path>& p
   });
 }
 
+/// A corrected contour: its phase, slice, series, surface and points (`k x 3` mm).
+using CorrectedContour =
+    std::tuple<std::size_t, std::optional<std::size_t>, std::optional<int>, std::string, py::object>;
+
 /// What `viscera.track` takes for images.
 struct CineArguments {
   std::filesystem::path images;
@@ -92,6 +97,7 @@ struct CineArguments {
   int handles = 0;
   std::optional<double> period;
   std::vector<int> leaveOutSeries;
+  std::vector<CorrectedContour> corrections;
   bool keepVolumes = true;
 };
 
@@ -105,6 +111,8 @@ std::shared_ptr<CineMotion> trackImages(const CineArguments& arguments, const py
     request.surfaces.push_back({name, labels});
   request.periodSeconds = arguments.period;
   request.leftOutSeries = arguments.leaveOutSeries;
+  for (const auto& [phase, slice, series, surface, points] : arguments.corrections)
+    request.corrections.push_back({phase, slice, series, surface, *pointsFrom(points, "points_mm")});
   live::TrackOptions options;
   options.rig.handles = arguments.handles;
   options.handles = rigFrom(rig);
@@ -143,6 +151,22 @@ py::list planesOf(const CineMotion& found) {
     for (const live::PlaneState state : use.states)
       states.append(nameOf(state));
     row["states"] = states;
+    all.append(row);
+  }
+  return all;
+}
+
+py::list correctionsOf(const CineMotion& found) {
+  py::list all;
+  for (const live::CorrectionOutcome& outcome : found.corrections) {
+    py::dict row;
+    row["phase"] = outcome.correction.phase;
+    row["slice"] = outcome.correction.slice;
+    row["series"] = outcome.correction.series;
+    row["surface"] = outcome.correction.surface;
+    row["before_mm"] = outcome.met.beforeMm;
+    row["most_mm"] = outcome.met.mostMm;
+    row["met"] = outcome.met.met();
     all.append(row);
   }
   return all;
@@ -291,6 +315,10 @@ void addMotionOfImages(py::module_& module) {
                              "A dict for each plane: name, series, plane, long_axis; weight, likeness (0 to "
                              "1), closure_mm, apart_mm "
                              "(means); fit and reason; states, one for each phase.")
+      .def_property_readonly("corrections", &correctionsOf,
+                             "A dict for each corrected contour: phase, slice, series, surface; before_mm, "
+                             "most_mm (its farthest point from the surface, without and with corrections); "
+                             "met.")
       .def_property_readonly("findings", &findingsOf,
                              "A dict for each thing to know: fit, text, phase, plane (or None).");
   module.def(
@@ -299,13 +327,15 @@ void addMotionOfImages(py::module_& module) {
          const std::vector<std::pair<std::size_t, std::vector<std::filesystem::path>>>& labels,
          const std::vector<std::pair<std::string, std::vector<std::string>>>& surfaces, int handles,
          const py::object& rig, std::optional<double> period, const std::vector<int>& leaveOutSeries,
-         bool keepVolumes, int threads, const py::object& listener) {
-        return trackImages({images, labels, surfaces, handles, period, leaveOutSeries, keepVolumes}, rig,
-                           threads, listener);
+         const std::vector<CorrectedContour>& corrections, bool keepVolumes, int threads,
+         const py::object& listener) {
+        return trackImages(
+            {images, labels, surfaces, handles, period, leaveOutSeries, corrections, keepVolumes}, rig,
+            threads, listener);
       },
       py::arg("images"), py::arg("labels"), py::arg("surfaces"), py::arg("handles"), py::arg("rig"),
-      py::arg("period"), py::arg("leave_out_series"), py::arg("keep_volumes"), py::arg("threads"),
-      py::arg("progress"), "What `viscera.track` calls for images.");
+      py::arg("period"), py::arg("leave_out_series"), py::arg("corrections"), py::arg("keep_volumes"),
+      py::arg("threads"), py::arg("progress"), "What `viscera.track` calls for images.");
 }
 
 } // namespace

@@ -68,6 +68,8 @@ class CineMotion:
     def planes(self) -> list[dict[str, Any]]: ...
     @property
     def findings(self) -> list[dict[str, Any]]: ...
+    @property
+    def corrections(self) -> list[dict[str, Any]]: ...
     def write(self, path: str) -> None: ...
 
 def sequence_names() -> list[str]: ...
@@ -121,6 +123,7 @@ def track_images(
     rig: Optional[ArrayLike],
     period: Optional[float],
     leave_out_series: ListOf[int],
+    corrections: ListOf[tuple[int, Optional[int], Optional[int], str, ArrayLike]],
     keep_volumes: bool,
     threads: int,
     progress: Optional[Progress],

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, Sequence as ListOf, Union
+from typing import TYPE_CHECKING, Any, Sequence as ListOf, Union
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -55,6 +55,19 @@ def sequence_names() -> ListOf[str]:
     return part("_motion").sequence_names()
 
 
+def _correction(given: Mapping[str, Any]) -> tuple[int, int | None, int | None, str, ArrayLike]:
+    unknown = set(given) - {"phase", "slice", "series", "surface", "points_mm"}
+    if unknown or "phase" not in given or "points_mm" not in given:
+        raise UsageError(
+            "A corrected contour has a phase and points_mm, and may have slice, series and surface "
+            f"(it has {', '.join(sorted(given))})"
+        )
+    points = np.asarray(given["points_mm"], dtype=float)
+    if given["phase"] < 0 or points.ndim != 2 or points.shape[1] != 3:
+        raise UsageError("A corrected contour has a phase from 0 and points_mm, k x 3")
+    return given["phase"], given.get("slice"), given.get("series"), given.get("surface", ""), points
+
+
 def _track_images(
     images: PathLike,
     phases: Mapping[int, PathLike | ListOf[PathLike]],
@@ -63,6 +76,7 @@ def _track_images(
     rig: ArrayLike | None,
     period: float | None,
     leave_out_series: ListOf[int],
+    corrections: ListOf[Mapping[str, Any]],
     keep_volumes: bool,
     threads: int,
     progress: Progress | None,
@@ -74,8 +88,8 @@ def _track_images(
         one = isinstance(files, (str, os.PathLike))
         labels.append((phase, [os.fspath(file) for file in ([files] if one else files)]))
     return part("_motion").track_images(
-        os.fspath(images), labels, named, handles or 0, rig, period, list(leave_out_series), keep_volumes, threads,
-        progress,
+        os.fspath(images), labels, named, handles or 0, rig, period, list(leave_out_series),
+        [_correction(each) for each in corrections], keep_volumes, threads, progress,
     )
 
 
@@ -85,6 +99,7 @@ def track(
     *,
     images: PathLike | None = None,
     leave_out_series: ListOf[int] = (),
+    corrections: ListOf[Mapping[str, Any]] = (),
     handles: int | None = None,
     rig: ArrayLike | None = None,
     period: float | None = None,
@@ -109,6 +124,9 @@ def track(
                   phase all other numbers are estimates. times, leave_out, loop, smoothing and robust are not for images.
     leave_out_series
                   series of the images that are not used, by their numbers.
+    corrections   contours that the motion has to meet, whatever the images show: {"phase": 4, "slice": 2, "surface":
+                  "RV", "points_mm": k x 3} each, or "series" in the place of the slice, or neither: that in whose plane
+                  the points lie. Phases without labels only. The result has `corrections`.
     handles       how many (none: 60 for one surface, 120 for more); or
     rig           positions of your own, h x 3 mm, around the organ in the first phase.
     period        of one cycle, s; goes before what the files say.
@@ -135,9 +153,10 @@ def track(
         if len(times) or len(leave_out) or not loop or smoothing is not None or robust:
             raise UsageError("Images have no use for times, leave_out, loop, smoothing and robust (leave them out)")
         return _track_images(
-            images, phases, named, handles, rig, period, leave_out_series, keep_volumes, threads, progress
+            images, phases, named, handles, rig, period, leave_out_series, corrections, keep_volumes, threads,
+            progress,
         )
-    if isinstance(phases, Mapping) or len(leave_out_series):
+    if isinstance(phases, Mapping) or len(leave_out_series) or len(corrections):
         raise UsageError("There are no images (give the images, or a file for each phase)")
     files = [phases] if isinstance(phases, (str, os.PathLike)) else list(phases)
     return part("_motion").track(

@@ -6,11 +6,9 @@
 #include <memory>
 #include <utility>
 
-#include "cine_contours.h"
-#include "cine_pose.h"
+#include "cine_fit_parts.h"
 #include "viscera/core/error.h"
 #include "viscera/core/phrase.h"
-#include "wall_stiffness.h"
 
 namespace viscera::tracking {
 namespace {
@@ -57,12 +55,6 @@ std::vector<LabelledPose> labelledPoses(const MotionRig& rig, const std::vector<
   return poses;
 }
 
-/// The place of a phase that is not labelled.
-struct FreePhase {
-  const CineSegment* segment = nullptr;
-  std::size_t at = 0;
-};
-
 std::vector<FreePhase> freePhases(const std::vector<CineSegment>& segments) {
   std::vector<FreePhase> phases;
   for (const CineSegment& segment : segments)
@@ -70,82 +62,6 @@ std::vector<FreePhase> freePhases(const std::vector<CineSegment>& segments) {
       phases.push_back({&segment, at});
   return phases;
 }
-
-/// The phases with most and least blood, in the cavities together or in the only surface: of the labelled
-/// ones, and of all by the images.
-void findEnds(const MotionRig& rig, const std::vector<LabelledPose>& poses, std::size_t outer, CineFit& fit) {
-  std::vector<double> bloodMl;
-  const auto bloodOf = [&](const Values& volumes) {
-    return volumes.size() > 1 ? volumes.sum() - volumes[static_cast<Eigen::Index>(outer)] : volumes[0];
-  };
-  for (const Values& volumes : fit.motion.freeVolumesMl)
-    bloodMl.push_back(bloodOf(volumes));
-  for (const LabelledPose& pose : poses)
-    bloodMl[pose.phase] = bloodOf(rig.volumesMl(pose.vertices));
-  const auto blood = [&](std::size_t phase) { return bloodMl[phase]; };
-  fit.endDiastole = fit.endSystole = poses.front().phase;
-  for (const LabelledPose& pose : poses) {
-    fit.endDiastole = blood(pose.phase) > blood(fit.endDiastole) ? pose.phase : fit.endDiastole;
-    fit.endSystole = blood(pose.phase) < blood(fit.endSystole) ? pose.phase : fit.endSystole;
-  }
-  fit.fullest = fit.endDiastole;
-  fit.emptiest = fit.endSystole;
-  for (std::size_t phase = 0; phase < fit.motion.poses.size(); ++phase) {
-    fit.fullest = blood(phase) > blood(fit.fullest) ? phase : fit.fullest;
-    fit.emptiest = blood(phase) < blood(fit.emptiest) ? phase : fit.emptiest;
-  }
-}
-
-/// The volumes of the labels, between which those of all phases lie: of cavities, or of the only surface.
-class LabelledVolumes {
-public:
-  LabelledVolumes(const MotionRig& rig, const std::vector<LabelledPose>& poses, std::size_t outer)
-      : outer_(rig.surfaces().size() > 1 ? static_cast<Eigen::Index>(outer) : -1) {
-    for (const LabelledPose& pose : poses) {
-      const Values volumes = rig.volumesMl(pose.vertices);
-      least_ = least_.size() > 0 ? Values(least_.cwiseMin(volumes)) : volumes;
-      most_ = most_.size() > 0 ? Values(most_.cwiseMax(volumes)) : volumes;
-    }
-  }
-  Values within(const Values& volumes) const {
-    Values result = volumes.cwiseMax(least_).cwiseMin(most_);
-    if (outer_ >= 0)
-      result[outer_] = volumes[outer_];
-    return result;
-  }
-
-private:
-  Eigen::Index outer_; ///< Whose volume is free; -1 for none.
-  Values least_, most_;
-};
-
-/// The part of the fit that belongs to one phase between labelled ones.
-class FreePhaseFit {
-public:
-  FreePhaseFit(const MotionRig& rig, const WallStiffness& stiffness, const LabelledVolumes& labels,
-               bool keepVolumes)
-      : rig_(rig), stiffness_(stiffness), labels_(labels), keepVolumes_(keepVolumes) {}
-
-  void run(const CinePose& images, std::size_t phase, CineFit& fit,
-           std::vector<std::uint8_t>& heldBack) const {
-    fit.parts[phase] = images.partOfWay();
-    bool held = false;
-    Points pose = images.fitted(images.between(fit.parts[phase]), stiffness_, held);
-    heldBack[phase] = held;
-    const Values volumes = rig_.volumesMl(rig_.vertices(pose)), wanted = labels_.within(volumes);
-    if (keepVolumes_ && wanted != volumes)
-      fit.motion.volumes[phase] = images.giveVolumes(wanted, stiffness_, pose);
-    fit.planes[phase] = images.shares(pose);
-    fit.motion.freeVolumesMl[phase] = volumes;
-    fit.motion.poses[phase] = std::move(pose);
-  }
-
-private:
-  const MotionRig& rig_;
-  const WallStiffness& stiffness_;
-  const LabelledVolumes& labels_;
-  bool keepVolumes_;
-};
 
 /// Sizes everything for so many phases; volumes that nothing asks for count as met.
 CineFit emptyFit(std::size_t phases, std::size_t planes, Eigen::Index surfaces, bool keepVolumes) {
@@ -171,53 +87,131 @@ void keepEnds(const std::vector<LabelledPose>& poses, MotionFit& fit) {
   }
 }
 
+/// Fits one phase between labelled ones.
+void fitFree(const CineFitter::Parts& parts, const FreePhase& place, CineFit& fit,
+             std::vector<std::uint8_t>& heldBack) {
+  const CinePose images = parts.imagesOf(place);
+  const std::size_t phase = place.segment->phases[place.at];
+  fit.parts[phase] = images.partOfWay();
+  bool held = false;
+  Points pose = images.fitted(images.between(fit.parts[phase]), *parts.stiffness, held);
+  heldBack[phase] = held;
+  const Values volumes = parts.rig.volumesMl(parts.rig.vertices(pose)), wanted = parts.labels.within(volumes);
+  if (parts.keepsVolumes() && wanted != volumes)
+    fit.motion.volumes[phase] = images.giveVolumes(wanted, *parts.stiffness, pose);
+  fit.planes[phase] = images.shares(pose);
+  fit.motion.freeVolumesMl[phase] = volumes;
+  fit.motion.poses[phase] = std::move(pose);
+}
+
+std::vector<CinePlane> withoutImages(const std::vector<CinePlane>& planes) {
+  std::vector<CinePlane> places;
+  for (const CinePlane& plane : planes)
+    places.push_back({plane.name, plane.origin, plane.alongRow, plane.alongColumn, plane.spacing, {}, {}});
+  return places;
+}
+
 } // namespace
 
-CineFit fitCine(const MotionRig& rig, std::vector<LabelledPhase> labelled,
-                const std::vector<CinePlane>& planes, const PhaseTimes& times, const CineFitOptions& options,
-                Progress& progress, Threads threads) {
+void findEnds(const MotionRig& rig, const std::vector<LabelledPose>& poses, std::size_t outer, CineFit& fit) {
+  std::vector<double> bloodMl;
+  const auto bloodOf = [&](const Values& volumes) {
+    return volumes.size() > 1 ? volumes.sum() - volumes[static_cast<Eigen::Index>(outer)] : volumes[0];
+  };
+  for (const Values& volumes : fit.motion.freeVolumesMl)
+    bloodMl.push_back(bloodOf(volumes));
+  for (const LabelledPose& pose : poses)
+    bloodMl[pose.phase] = bloodOf(rig.volumesMl(pose.vertices));
+  const auto blood = [&](std::size_t phase) { return bloodMl[phase]; };
+  fit.endDiastole = fit.endSystole = poses.front().phase;
+  for (const LabelledPose& pose : poses) {
+    fit.endDiastole = blood(pose.phase) > blood(fit.endDiastole) ? pose.phase : fit.endDiastole;
+    fit.endSystole = blood(pose.phase) < blood(fit.endSystole) ? pose.phase : fit.endSystole;
+  }
+  fit.fullest = fit.endDiastole;
+  fit.emptiest = fit.endSystole;
+  for (std::size_t phase = 0; phase < fit.motion.poses.size(); ++phase) {
+    fit.fullest = blood(phase) > blood(fit.fullest) ? phase : fit.fullest;
+    fit.emptiest = blood(phase) < blood(fit.emptiest) ? phase : fit.emptiest;
+  }
+}
+
+LabelledVolumes::LabelledVolumes(const MotionRig& rig, const std::vector<LabelledPose>& poses,
+                                 std::size_t outer)
+    : outer_(rig.surfaces().size() > 1 ? static_cast<Eigen::Index>(outer) : -1) {
+  for (const LabelledPose& pose : poses) {
+    const Values volumes = rig.volumesMl(pose.vertices);
+    least_ = least_.size() > 0 ? Values(least_.cwiseMin(volumes)) : volumes;
+    most_ = most_.size() > 0 ? Values(most_.cwiseMax(volumes)) : volumes;
+  }
+}
+
+Values LabelledVolumes::within(const Values& volumes) const {
+  Values result = volumes.cwiseMax(least_).cwiseMin(most_);
+  if (outer_ >= 0)
+    result[outer_] = volumes[outer_];
+  return result;
+}
+
+CinePose CineFitter::Parts::imagesOf(const FreePhase& phase) const {
+  return {rig,    *phase.segment, phase.at, poses[phase.segment->from], poses[phase.segment->to], isLong,
+          planes, options.caps,   hold};
+}
+
+CineFitter::CineFitter(const MotionRig& rig, std::vector<LabelledPhase> labelled,
+                       const std::vector<CinePlane>& planes, const PhaseTimes& times,
+                       const CineFitOptions& options, Progress& progress, Threads threads)
+    : parts_(new Parts{.rig = rig,
+                       .times = times,
+                       .options = options,
+                       .outer = outerOf(rig.surfaces()),
+                       .planes = withoutImages(planes),
+                       .isLong = longAxisPlanes(planes)}) {
   std::stable_sort(labelled.begin(), labelled.end(),
                    [](const LabelledPhase& a, const LabelledPhase& b) { return a.phase < b.phase; });
   requireLabels(labelled, times, options.fromOne);
   requireValid(planes);
-  const std::size_t outer = outerOf(rig.surfaces());
-  CineFit fit = emptyFit(times.count(), planes.size(), static_cast<Eigen::Index>(rig.surfaces().size()),
-                         options.keepVolumes);
-  std::vector<LabelledPose> poses;
+  Parts& p = *parts_;
+  CineFit& fit = p.fit = emptyFit(times.count(), planes.size(),
+                                  static_cast<Eigen::Index>(rig.surfaces().size()), options.keepVolumes);
   runPart(progress, 0, 0.05, [&](Progress& part) {
-    poses = labelledPoses(rig, labelled, times, options, fit.motion, part, threads);
+    p.poses = labelledPoses(rig, labelled, times, options, fit.motion, part, threads);
   });
-  for (const LabelledPose& pose : poses)
+  for (const LabelledPose& pose : p.poses)
     fit.motion.poses[pose.phase] = pose.pose;
-  std::unique_ptr<const WallStiffness> stiffness;
   runPart(progress, 0.05, 0.1, [&](Progress& part) {
-    stiffness = std::make_unique<const WallStiffness>(rig, outer, part, threads);
+    p.stiffness = std::make_unique<const WallStiffness>(rig, p.outer, part, threads);
   });
-  std::vector<CineSegment> segments;
   runPart(progress, 0.1, 0.6, [&](Progress& part) {
-    segments = cineSegments(rig, poses, planes, times, options.caps, part, threads);
+    p.segments = cineSegments(rig, p.poses, planes, times, options.caps, part, threads);
   });
-  const std::vector<bool> isLong = longAxisPlanes(planes);
-  const std::vector<FreePhase> free = freePhases(segments);
-  const CineStiffness hold =
-      labelled.size() > 1 ? CineStiffness::betweenLabels() : CineStiffness::fromOneLabel();
-  const LabelledVolumes labels(rig, poses, outer);
-  const FreePhaseFit phaseFit(rig, *stiffness, labels, options.keepVolumes && labelled.size() > 1);
+  p.free = freePhases(p.segments);
+  if (labelled.size() == 1)
+    p.hold = CineStiffness::fromOneLabel();
+  p.labels = LabelledVolumes(rig, p.poses, p.outer);
   std::vector<std::uint8_t> heldBack(times.count(), 0);
   std::atomic<int> done{0};
-  parallelRanges(static_cast<Eigen::Index>(free.size()), 1, threads, [&](Eigen::Index begin, Eigen::Index) {
+  parallelRanges(static_cast<Eigen::Index>(p.free.size()), 1, threads, [&](Eigen::Index begin, Eigen::Index) {
     progress.throwIfCancelled();
-    const auto& [segment, at] = free[static_cast<std::size_t>(begin)];
-    const CinePose images(rig, *segment, at, poses[segment->from], poses[segment->to], isLong, planes,
-                          options.caps, hold);
-    phaseFit.run(images, segment->phases[at], fit, heldBack);
-    progress.report(0.6 + 0.4 * ++done / static_cast<double>(free.size()), "fitting the images");
+    fitFree(p, p.free[static_cast<std::size_t>(begin)], fit, heldBack);
+    progress.report(0.6 + 0.4 * ++done / static_cast<double>(p.free.size()), "fitting the images");
   });
-  keepEnds(poses, fit.motion);
+  keepEnds(p.poses, fit.motion);
   fit.heldBack.assign(heldBack.begin(), heldBack.end());
-  findEnds(rig, poses, outer, fit);
+  findEnds(rig, p.poses, p.outer, fit);
   progress.report(1);
-  return fit;
+}
+
+CineFitter::~CineFitter() = default;
+
+const CineFit& CineFitter::fit() const {
+  return parts_->fit;
+}
+
+CineFit fitCine(const MotionRig& rig, std::vector<LabelledPhase> labelled,
+                const std::vector<CinePlane>& planes, const PhaseTimes& times, const CineFitOptions& options,
+                Progress& progress, Threads threads) {
+  return CineFitter(rig, std::move(labelled), planes, times, options, progress, threads).fit();
 }
 
 std::vector<Eigen::Index> capTriangles(const TidySeries& tidy) {

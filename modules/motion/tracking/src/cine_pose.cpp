@@ -203,15 +203,20 @@ Points CinePose::fitted(const Points& prior, const WallStiffness& stiffness, boo
       break;
   }
   // No more folds than on the way between the labels themselves.
+  heldBack = holdBack(prior, stiffness, pose);
+  return pose;
+}
+
+bool CinePose::holdBack(const Points& safe, const WallStiffness& stiffness, Points& pose) {
   const auto folds = [&](const Points& at) { return (stiffness.ratios(at).array() <= 0).count(); };
-  const auto least = folds(prior);
-  const Points all = pose - prior;
-  heldBack = false;
+  const auto least = folds(safe);
+  const Points all = pose - safe;
+  bool heldBack = false;
   for (double part = 0.75; folds(pose) > least && part >= 0; part -= 0.25) {
     heldBack = true;
-    pose = prior + part * all;
+    pose = safe + part * all;
   }
-  return pose;
+  return heldBack;
 }
 
 VolumeResidual CinePose::giveVolumes(const Values& wantedMl, const WallStiffness& stiffness,

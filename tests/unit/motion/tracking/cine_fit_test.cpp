@@ -1,6 +1,7 @@
 #include <cmath>
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <numbers>
 
 #include <gtest/gtest.h>
@@ -10,6 +11,7 @@
 #include "cine_phantom.h"
 #include "shared_organs.h"
 #include "viscera/core/error.h"
+#include "viscera/geometry/plane_cut.h"
 #include "viscera/tracking/fit_quality.h"
 
 namespace viscera::tracking {
@@ -162,6 +164,124 @@ TEST(FitCine, CanBeCancelled) {
                        {CinePhantom::labelled(0), CinePhantom::labelled(CinePhantom::kSystole)}, planes,
                        PhaseTimes::even(CinePhantom::kPhases, 0.8), {}, progress),
                Cancelled);
+}
+
+/// The phantom's fit, which can be corrected: found once for several tests.
+struct CorrectablePhantom {
+  MotionRig rig = CinePhantom::rig();
+  std::vector<CinePlane> planes = CinePhantom::planes();
+  std::unique_ptr<const CineFitter> fitter;
+
+  CorrectablePhantom() {
+    Progress progress;
+    fitter = std::make_unique<const CineFitter>(
+        rig,
+        std::vector<LabelledPhase>{CinePhantom::labelled(0), CinePhantom::labelled(CinePhantom::kSystole)},
+        planes, PhaseTimes::even(CinePhantom::kPhases, 0.8), CineFitOptions{}, progress);
+  }
+  /// The cavity's contour in a phase and plane, bent outward by so many mm over some centimetres.
+  CorrectedContour bent(std::size_t phase, std::size_t plane, double mm) const {
+    CorrectedContour contour;
+    contour.phase = phase;
+    contour.surface = 1;
+    contour.plane = {planes[plane].origin, planes[plane].normal()};
+    const Points vertices = rig.vertices(fitter->fit().motion.poses[phase], 1);
+    const geometry::PlaneCut cut =
+        geometry::cutSurface({&vertices, &rig.surfaces()[1].triangles}, contour.plane);
+    const Eigen::RowVector3d middle = cut.points.colwise().mean(), grabbed = cut.points.row(0);
+    const Eigen::RowVector3d way = mm * (grabbed - middle).normalized();
+    std::vector<Eigen::Index> moved;
+    Points points = cut.points;
+    for (Eigen::Index i = 0; i < points.rows(); ++i) {
+      const double share = std::exp(-(cut.points.row(i) - grabbed).squaredNorm() / 650);
+      points.row(i) += share * way;
+      if (share > 0.05)
+        moved.push_back(i);
+    }
+    contour.points = points(moved, Eigen::all);
+    return contour;
+  }
+  CineFit corrected(const std::vector<CorrectedContour>& contours, Threads threads = {}) const {
+    Progress progress;
+    return fitter->corrected(contours, progress, threads);
+  }
+};
+
+const CorrectablePhantom& correctableOnce() {
+  static const CorrectablePhantom phantom;
+  return phantom;
+}
+
+TEST(CineFitter, MeetsACorrectedContourAndNeighboursFollow) {
+  const CorrectablePhantom& phantom = correctableOnce();
+  const CineFit& free = phantom.fitter->fit();
+  Progress progress;
+  const TissueWitnesses tissue(phantom.rig, 0, 1000, progress);
+  for (const double mm : {3.0, -3.0})
+    for (const std::size_t plane : {1U, 5U}) {
+      const CineFit fit = phantom.corrected({phantom.bent(7, plane, mm)});
+      ASSERT_EQ(fit.corrections.size(), 1U);
+      EXPECT_NEAR(fit.corrections[0].beforeMm, 3, 1);
+      EXPECT_LE(fit.corrections[0].mostMm, kCorrectionMetMm) << mm << " mm in plane " << plane;
+      EXPECT_TRUE(fit.corrections[0].met());
+      EXPECT_FALSE(fit.corrections[0].heldBack);
+      const auto moved = [&](std::size_t phase) {
+        return (phantom.rig.vertices(fit.motion.poses[phase]) -
+                phantom.rig.vertices(free.motion.poses[phase]))
+            .rowwise()
+            .norm()
+            .maxCoeff();
+      };
+      EXPECT_GT(moved(7), moved(6));
+      EXPECT_GT(moved(6), 0) << "a neighbour follows";
+      EXPECT_GT(moved(8), 0);
+      for (const std::size_t phase : {0U, 1U, 2U, 3U, 4U, 5U, 9U})
+        EXPECT_TRUE(fit.motion.poses[phase] == free.motion.poses[phase]) << "stays to the bit: " << phase;
+      EXPECT_EQ(tissue.foldedAt(fit.motion.poses[7]), 0);
+      const double volume = phantom.rig.volumesMl(phantom.rig.vertices(fit.motion.poses[7]))[1];
+      EXPECT_LE(volume, CinePhantom::volumeMl(1, 0) + 1e-5);
+      EXPECT_GE(volume, CinePhantom::volumeMl(1, CinePhantom::kSystole) - 1e-5);
+    }
+}
+
+TEST(CineFitter, WithoutCorrectionsIsTheFitToTheBitWhateverCameBefore) {
+  const CorrectablePhantom& phantom = correctableOnce();
+  const std::vector<Points> before = phantom.fitter->fit().motion.poses;
+  phantom.corrected({phantom.bent(2, 1, 2)});
+  EXPECT_TRUE(phantom.corrected({}).motion.poses == before);
+  EXPECT_TRUE(phantom.corrected({}).corrections.empty());
+}
+
+TEST(CineFitter, MeetsSeveralCorrectionsAtOnceOnAnyNumberOfThreads) {
+  const CorrectablePhantom& phantom = correctableOnce();
+  const std::vector<CorrectedContour> contours = {phantom.bent(7, 1, 2), phantom.bent(6, 1, 2),
+                                                  phantom.bent(7, 5, -2)};
+  const CineFit one = phantom.corrected(contours, Threads{1}),
+                three = phantom.corrected(contours, Threads{3});
+  EXPECT_TRUE(one.motion.poses == three.motion.poses);
+  for (const CorrectionMet& met : one.corrections)
+    EXPECT_LE(met.mostMm, kCorrectionMetMm);
+}
+
+TEST(CineFitter, ACorrectionThatIsMetAlreadyChangesNextToNothing) {
+  const CorrectablePhantom& phantom = correctableOnce();
+  const CineFit fit = phantom.corrected({phantom.bent(6, 2, 0)});
+  EXPECT_LT((fit.motion.poses[6] - phantom.fitter->fit().motion.poses[6]).cwiseAbs().maxCoeff(), 0.05);
+}
+
+TEST(CineFitter, RefusesLabelledPhasesAndContoursOfNothing) {
+  const CorrectablePhantom& phantom = correctableOnce();
+  CorrectedContour contour = phantom.bent(2, 1, 2);
+  contour.phase = CinePhantom::kSystole;
+  EXPECT_THROW(phantom.corrected({contour}), DataError);
+  contour.phase = CinePhantom::kPhases;
+  EXPECT_THROW(phantom.corrected({contour}), DataError);
+  contour.phase = 2;
+  contour.surface = 2;
+  EXPECT_THROW(phantom.corrected({contour}), DataError);
+  contour.surface = 1;
+  contour.points.resize(0, 3);
+  EXPECT_THROW(phantom.corrected({contour}), DataError);
 }
 
 TEST(LongAxisPlanes, AreThoseBesideTheStack) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <memory>
 #include <string>
@@ -23,6 +24,17 @@ struct SequenceKey {
   friend bool operator==(const SequenceKey&, const SequenceKey&) = default;
 };
 
+/// A contour that the user corrected in a slice of the document's study at one phase; the keys around that
+/// phase meet it.
+struct CorrectedContour {
+  std::int64_t phase = 0;   ///< Of the cycle, the first is 0.
+  std::int64_t slice = 0;   ///< Of the study.
+  std::string surface;      ///< The name of the organ that it belongs to.
+  std::vector<Vec3> points; ///< mm, in the slice's plane.
+
+  friend bool operator==(const CorrectedContour&, const CorrectedContour&) = default;
+};
+
 /// The key sequence of a document: poses with their times, made by the user or found in a series, which can
 /// be played as a motion. An empty one has no keys.
 struct KeySequence {
@@ -31,6 +43,8 @@ struct KeySequence {
   bool loop = true;
   sequences::Interpolation interpolation = sequences::Interpolation::eased;
   std::vector<SequenceKey> keys; ///< In order of time.
+  std::vector<CorrectedContour> corrections =
+      {}; ///< Of a motion found in images, in the order of their making.
 
   /// The key with that id, or null.
   const SequenceKey* key(KeyId id) const;

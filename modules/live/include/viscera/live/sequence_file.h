@@ -55,4 +55,11 @@ document::Rig rigOf(const SequenceFile& sequence);
 /// if stated, its coordinates.
 document::Command openSequence(SequenceFile sequence);
 
+/// Gives keys of the document's key sequence the poses that `corrected` has at their times, and the sequence
+/// these corrected contours in the place of those that it had: one undo step. `keys` are indices of
+/// `corrected.track.keys`; all other keys stay as they are. When applied it throws `UsageError` where the
+/// document's handles are others, or where a key is no longer at its time.
+document::Command correctKeys(SequenceFile corrected, std::vector<std::size_t> keys,
+                              std::vector<document::CorrectedContour> corrections);
+
 } // namespace viscera::live

@@ -6,9 +6,24 @@
 #include <string>
 #include <vector>
 
+#include "viscera/geometry/plane_cut.h"
 #include "viscera/presentation/slice_presenter.h"
 
 namespace viscera::presentation {
+
+/// A place on an organ's contour in a pane.
+struct ContourPlace {
+  document::OrganId organ;
+  Vec3 place = Vec3::Zero(); ///< mm.
+};
+
+/// A contour that is being bent by hand, in one pane.
+struct BentContour {
+  int direction = 0;
+  document::OrganId organ;
+  Points points; ///< `n x 3` mm.
+  bool closed = false;
+};
 
 /// Draws slices of a document's cine study in their own planes: grey levels of the phase that belongs to the
 /// view's fraction of the cycle, contours of the organs as they are posed and at rest, and where the planes
@@ -36,6 +51,13 @@ public:
   std::optional<std::size_t> phase(int direction) const;
   /// The value and the organ at a pixel (whole numbers are centres, from the lower left).
   SliceReading read(int direction, const Eigen::Vector2d& pixel) const;
+  /// The contour nearest to a pixel, at most `reach` pixels away; none where there is none.
+  std::optional<ContourPlace> contourAt(int direction, const Eigen::Vector2d& pixel, double reach) const;
+  /// An organ's cut by the pane's plane; without lines for an organ that it does not meet.
+  geometry::PlaneCut cut(int direction, document::OrganId organ) const;
+  /// Sets the contour that is being bent, which is drawn from the next update on over the organ's own, thin
+  /// one; none: no contour.
+  void setBent(std::optional<BentContour> bent);
   /// The contours of the organs that the slice meets.
   std::vector<ContourFigure> contours(int direction) const;
 
