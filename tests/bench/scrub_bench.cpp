@@ -82,7 +82,7 @@ void scrubGatedScan(benchmark::State& state, std::size_t keptBytes) {
   Progress progress;
   const auto file = GatedFile::only().file();
   auto time = medical_io::readScanOverTime(file, {}, progress, {keptBytes});
-  document::ScanItem item{"gated", time->volume(0), file};
+  document::ScanItem item{"gated", time->volume(0), file, {}, 0};
   item.time = std::make_shared<const medical_io::ScanOverTime>(*std::move(time));
   ScrubbedBall ball(document::openScan(std::move(item)));
   presentation::SlicePresenter slices;
@@ -108,8 +108,12 @@ public:
 
   CineFolder() {
     for (int number = 0; number < kSlices; ++number) {
-      medical_io::CineSeries series{"Bench^Cine", "bench", "1.2.3", "1.2.3." + std::to_string(number + 1),
-                                    "1.2.4"};
+      medical_io::CineSeries series;
+      series.patientName = "Bench^Cine";
+      series.patientId = "bench";
+      series.studyUid = "1.2.3";
+      series.seriesUid = "1.2.3." + std::to_string(number + 1);
+      series.frameOfReferenceUid = "1.2.4";
       series.number = number + 1;
       series.description = number < kStack ? "cine_sax" : "cine_4CH";
       series.phases = kPhases;

@@ -46,6 +46,12 @@ public:
   /// Adds a tool, which has to live longer, that gets the left button before the slices do; tools are asked
   /// in the order in which they were added.
   void addGrip(SliceGrip& grip) { grips_.push_back(&grip); }
+  /// What tools ask of a pane, of the scan's slice or of the study's: its frame, up to date, the normal of
+  /// its plane, the row of the handle there or -1, and the measured point there.
+  const medical_io::SliceFrame& frameNow(int direction);
+  Vec3 normalOf(int direction);
+  int handleAt(int direction, const Eigen::Vector2d& pixel);
+  std::optional<scene::MeasurementGlyphs::Mark> measuredAt(int direction, const Eigen::Vector2d& pixel);
   /// The largest distance from the mouse at which something can be grabbed, in pixels of a slice's picture.
   double reach(int direction) const;
   /// Where the tissue drawn at a place of a slice is at rest, mm, and the reverse: other places in a warped

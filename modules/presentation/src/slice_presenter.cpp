@@ -255,7 +255,9 @@ void SlicePresenter::update(const SliceScene& scene, const std::vector<SlicePane
       slice.picture.lines.clear();
     const medical_io::SliceDirection direction = medical_io::sliceDirections()[std::size_t(pane.direction)];
     p.label(slice, direction, scene, focus);
-    slice.grips = addMarks(scene, direction, slice.frame, p.regions, p.language, slice.picture);
+    slice.grips = addMarks(
+        scene, {Vec3(Vec3::Unit(direction.axis)), direction.axis, stepAlong(scene.state, direction.axis)},
+        slice.frame, p.regions, p.language, slice.picture);
   }
 }
 
