@@ -7,12 +7,16 @@
 
 #include "cli/listing.h"
 #include "cli/number_bounds.h"
+#include "viscera/core/error.h"
 #include "viscera/medical_io/image_beside.h"
+#include "viscera/medical_io/scan_over_time.h"
 
 namespace viscera::app::cli {
 namespace {
 
 using nlohmann::ordered_json;
+
+constexpr double kMsOfSecond = 1000;
 
 std::string sizeText(const std::array<int, 3>& size) {
   return std::to_string(size[0]) + " x " + std::to_string(size[1]) + " x " + std::to_string(size[2]);
@@ -86,6 +90,34 @@ Listing listingOf(const medical_io::Scan& scan, const std::array<double, 2>& ran
   return listing;
 }
 
+/// All phases of a scan over time, also where some are damaged; none for a scan of one instant.
+std::optional<medical_io::ScanOverTime> phasesIn(const std::string& file, const medical_io::Scan& scan,
+                                                 const medical_io::ScanOptions& chosen, Outcome& outcome,
+                                                 CommandContext& context) {
+  if (scan.phaseTimesMs.size() < 2)
+    return std::nullopt;
+  auto time = medical_io::readScanOverTime(file, chosen, context.progress);
+  if (time)
+    outcome.warnings.insert(outcome.warnings.end(), time->findings.begin(), time->findings.end());
+  return time;
+}
+
+ordered_json timeJson(const medical_io::ScanOverTime& time) {
+  return {{"phases", time.phasesInCycle()},
+          {"fractions", time.fractions},
+          {"missingFractions", time.missing},
+          {"intervalMs",
+           time.periodSeconds > 0 ? ordered_json(kMsOfSecond * time.periodSeconds) : ordered_json(nullptr)},
+          {"findings", time.findings}};
+}
+
+/// "20 phases in 800 ms", "19 of 20 phases".
+std::string timeText(const medical_io::ScanOverTime& time) {
+  return std::to_string(time.fractions.size()) +
+         (time.missing.empty() ? "" : " of " + std::to_string(time.phasesInCycle())) + " phases" +
+         (time.periodSeconds > 0 ? " in " + significant(kMsOfSecond * time.periodSeconds, 4) + " ms" : "");
+}
+
 } // namespace
 
 void ScanInputOptions::addTo(CLI::App& options) {
@@ -126,7 +158,8 @@ void appendFindings(std::vector<Text>& warnings, const medical_io::Scan& scan) {
       warnings.push_back(finding.sentence);
 }
 
-Outcome describeScan(const medical_io::Scan& scan, const std::string& file, CommandContext& context) {
+Outcome describeScan(const medical_io::Scan& scan, const std::string& file,
+                     const medical_io::ScanOptions& chosen, CommandContext& context) {
   const std::vector<medical_io::ScanSeries> series = medical_io::listScans(file, context.progress);
   const std::array<double, 2> range = scan.range();
   const medical_io::ValueWindow window = scan.firstWindow();
@@ -136,6 +169,7 @@ Outcome describeScan(const medical_io::Scan& scan, const std::string& file, Comm
     directions.push_back(numbersJson(scan.indexToLps.linear().col(axis).normalized()));
   Outcome outcome;
   appendFindings(outcome.warnings, scan);
+  const auto time = phasesIn(file, scan, chosen, outcome, context);
   const auto labels = medical_io::imageBeside(file, medical_io::ImageContents::labels, context.progress);
   outcome.json = {
       {"kind", "scan"},
@@ -157,11 +191,14 @@ Outcome describeScan(const medical_io::Scan& scan, const std::string& file, Comm
       {"window", window.width},
       {"phases", std::max<std::size_t>(scan.phaseTimesMs.size(), 1)},
       {"phaseTimesMs", scan.phaseTimesMs},
+      {"time", time ? timeJson(*time) : ordered_json(nullptr)},
       {"transferSyntax", scan.transferSyntax},
       {"series", seriesJson(series)},
       {"findings", scanFindingsJson(scan)},
       {"warnings", outcome.warnings}};
   Listing listing = listingOf(scan, range);
+  if (time)
+    listing.add("time", timeText(*time));
   if (labels)
     listing.add("label map", labels->string() + ", beside it");
   if (series.size() > 1)

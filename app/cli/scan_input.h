@@ -36,6 +36,7 @@ private:
 void appendFindings(std::vector<Text>& warnings, const medical_io::Scan& scan);
 
 /// Describes the contents of a scan and lists the other series in its folder.
-Outcome describeScan(const medical_io::Scan& scan, const std::string& file, CommandContext& context);
+Outcome describeScan(const medical_io::Scan& scan, const std::string& file,
+                     const medical_io::ScanOptions& chosen, CommandContext& context);
 
 } // namespace viscera::app::cli

@@ -347,7 +347,7 @@ private:
     medical_io::ScanOrLabels image =
         read(medical_io::volumesIn(file_) > 1 ? scan_.chosen().phase : scan_.chosenPhase());
     if (const auto* scan = std::get_if<medical_io::Scan>(&image))
-      return describeScan(*scan, file_, context);
+      return describeScan(*scan, file_, scan_.chosen(), context);
     return describe(std::get<medical_io::LabelMap>(image), file_, context.progress);
   }
 

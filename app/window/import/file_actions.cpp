@@ -49,12 +49,11 @@ QString patterns(const std::vector<std::string>& extensions) {
   return list.join(QLatin1Char(' '));
 }
 
-/// Series or phases of a DICOM series.
+/// Several series to choose from; the phases of one are opened together.
 bool hasSeveralScans(const std::filesystem::path& place, Progress& progress) {
   if (!medical_io::isScan(place) || medical_io::isLabelMap(place))
     return false;
-  const auto series = medical_io::listScans(place, progress);
-  return series.size() > 1 || (series.size() == 1 && series.front().phases > 1);
+  return medical_io::listScans(place, progress).size() > 1;
 }
 
 /// The files that are there; all of them where none is.

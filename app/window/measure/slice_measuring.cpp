@@ -36,24 +36,28 @@ document::MeasuredPoint SliceMeasuring::pointAt(const Vec3& place, int axis) con
 }
 
 document::MeasuredPoint SliceMeasuring::pointAt(int direction, const Eigen::Vector2d& pixel) const {
-  return pointAt(panes_.presenter().frame(direction).at(pixel.x(), pixel.y()), axisOf(direction));
+  return pointAt(panes_.frameNow(direction).at(pixel.x(), pixel.y()), axisOf(direction));
+}
+
+bool SliceMeasuring::measuresHere() const {
+  return !panes_.cine().shown() || !tool_.active() || !document::isRegion(*tool_.kind());
 }
 
 bool SliceMeasuring::press(int direction, const Eigen::Vector2d& pixel, Qt::KeyboardModifiers modifiers) {
-  if (!tool_.enabled() || modifiers != Qt::NoModifier)
+  if (!tool_.enabled() || modifiers != Qt::NoModifier || !measuresHere())
     return false;
   if (tool_.active()) {
     tool_.add(pointAt(direction, pixel), axisOf(direction));
     drawing_ = tool_.begun();
     return true;
   }
-  const auto mark = panes_.presenter().measuredAt(direction, pixel, panes_.reach(direction));
+  const auto mark = panes_.measuredAt(direction, pixel);
   if (!mark || !tool_.hold(*mark))
     return false;
   const auto first = tool_.regionStart();
   start_ =
       first ? Vec3(tool_.placeHeld() + (panes_.drawnAt(*first) - *first)) : panes_.drawnAt(tool_.placeHeld());
-  offset_ = panes_.presenter().frame(direction).pixelOf(start_) - pixel;
+  offset_ = panes_.frameNow(direction).pixelOf(start_) - pixel;
   return true;
 }
 
@@ -61,8 +65,9 @@ bool SliceMeasuring::press(int direction, const Eigen::Vector2d& pixel, Qt::Keyb
 void SliceMeasuring::drag(int direction, const Eigen::Vector2d& pixel) {
   if (!tool_.holding())
     return tool_.setUnderMouse(pointAt(direction, pixel), axisOf(direction));
-  Vec3 place = panes_.presenter().frame(direction).at((pixel + offset_).x(), (pixel + offset_).y());
-  place[axisOf(direction)] = start_[axisOf(direction)];
+  Vec3 place = panes_.frameNow(direction).at((pixel + offset_).x(), (pixel + offset_).y());
+  const Vec3 normal = panes_.normalOf(direction);
+  place += normal.dot(start_ - place) * normal;
   tool_.moveHeld(pointAt(place, axisOf(direction)));
 }
 
@@ -75,14 +80,13 @@ void SliceMeasuring::release(int direction, const Eigen::Vector2d& pixel, bool m
 
 std::optional<Qt::CursorShape> SliceMeasuring::hover(int direction,
                                                      const std::optional<Eigen::Vector2d>& pixel) {
-  if (!tool_.enabled())
+  if (!tool_.enabled() || !measuresHere())
     return std::nullopt;
   if (tool_.active()) {
     tool_.setUnderMouse(pixel ? std::optional(pointAt(direction, *pixel)) : std::nullopt, axisOf(direction));
     return Qt::CrossCursor;
   }
-  tool_.setHovered(pixel ? panes_.presenter().measuredAt(direction, *pixel, panes_.reach(direction))
-                         : std::nullopt);
+  tool_.setHovered(pixel ? panes_.measuredAt(direction, *pixel) : std::nullopt);
   return tool_.hovered() ? std::optional(Qt::PointingHandCursor) : std::nullopt;
 }
 

@@ -24,6 +24,8 @@ private:
   document::MeasuredPoint pointAt(const Vec3& place, int axis) const;
   document::MeasuredPoint pointAt(int direction, const Eigen::Vector2d& pixel) const;
   static int axisOf(int direction);
+  /// Whether the chosen kind can be measured on what the slices show: a study has no values of regions.
+  bool measuresHere() const;
 
   MeasureTool& tool_;
   SlicePanes& panes_;

@@ -60,6 +60,8 @@ void MovieStage::addCaption() {
 
 const std::vector<double>& MovieStage::show(double seconds) {
   seconds_ = seconds;
+  if (runner_.sequence()) // Images over time stand in the picture in the phase of its instant.
+    view_.scan.cine.fraction = std::fmod(seconds_, periodSeconds()) / periodSeconds();
   runner_.show(seconds);
   const std::vector<double> all = runner_.volumesMl();
   milliliters_.clear();

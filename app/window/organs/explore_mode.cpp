@@ -64,7 +64,7 @@ ExploreMode::ExploreMode(const ModeParts& parts, SlicePanes& slices, Actions& ac
   addQuiz(actions);
   new QuizPrompt(quiz_, *parts.area.view()); // The view owns it.
   studyFollowed_ = workspace_.onChange([this](const document::Change& change) {
-    if (change.study()) // It plays in the timeline.
+    if (change.study() || change.scan()) // They play in the timeline.
       Q_EMIT panelsChanged();
   });
 }

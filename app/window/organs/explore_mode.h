@@ -1,5 +1,6 @@
 #pragma once
 
+#include "viscera/document/scan_item.h"
 #include "window/measure/measure_tool.h"
 #include "window/measure/slice_measuring.h"
 #include "window/modes/mode.h"
@@ -25,7 +26,7 @@ public:
   presentation::Shown shown() const override { return {}; }
   live::WantedPose pose() const override { return live::WantedPose::sequence; }
   UsefulPanels panels() const override {
-    return {false, parts_.playback.sequence() || workspace_.state().study, false};
+    return {false, parts_.playback.sequence() || document::hasImagesOverTime(workspace_.state()), false};
   }
   QString hint() const override;
   void enter() override { tool_.setEnabled(true); }

@@ -157,6 +157,17 @@ void ExplorePage::sync() {
   warnings_->setVisible(!lines.isEmpty());
 }
 
+/// How many phases a scan has, how long its cycle is, and what is odd about them.
+QString ExplorePage::phasesLineOf(const medical_io::ScanOverTime& time) {
+  const auto all = static_cast<int>(time.phasesInCycle());
+  QStringList lines(time.periodSeconds > 0
+                        ? tr("%n phases in %1 s", nullptr, all).arg(formatNumber(time.periodSeconds, 3))
+                        : tr("%n phases", nullptr, all));
+  for (const Text& finding : time.findings)
+    lines << asSentence(finding);
+  return lines.join(QLatin1Char('\n'));
+}
+
 void ExplorePage::syncScan() {
   const auto item = workspace_.state().scan;
   const QString none = QStringLiteral("-");
@@ -175,6 +186,8 @@ void ExplorePage::syncScan() {
     if (!item->file.empty())
       scanFile_->setText(QFileInfo(text(item->file.string())).fileName());
     scanFile_->setToolTip(text(item->file.string()));
+    if (item->time)
+      lines << phasesLineOf(*item->time);
     for (const medical_io::ScanFinding& finding : scan.findings)
       lines << asSentence(finding.sentence);
     for (const Text& sentence : document::scanFit(workspace_.state()))

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "viscera/medical_io/scan_over_time.h"
 #include "window/widgets/page.h"
 #include "window/work/actions.h"
 #include "window/work/workspace.h"
@@ -20,6 +21,7 @@ private:
   QWidget* makeViews(const Actions& actions);
   void sync();
   void syncScan();
+  static QString phasesLineOf(const medical_io::ScanOverTime& time);
   void syncStudy();
   void syncSections();
 

@@ -71,7 +71,7 @@ QString lineOf(const medical_io::ScanSeries& series) {
   return line.trimmed();
 }
 
-/// What can be opened at a place: every phase of every series.
+/// What can be opened at a place: every series, with all of its phases.
 struct Offer {
   QString line;
   medical_io::ScanOptions options;
@@ -79,13 +79,12 @@ struct Offer {
 
 std::vector<Offer> offersOf(const std::vector<medical_io::ScanSeries>& series) {
   std::vector<Offer> offers;
-  for (const medical_io::ScanSeries& item : series)
-    for (int phase = 0; phase < std::max(1, item.phases); ++phase) {
-      QString line = QStringLiteral("%1. %2").arg(offers.size() + 1).arg(lineOf(item));
-      if (item.phases > 1)
-        line += ScanActions::tr("  phase %1 of %2").arg(phase + 1).arg(item.phases);
-      offers.push_back({line, {item.id, phase}});
-    }
+  for (const medical_io::ScanSeries& item : series) {
+    QString line = QStringLiteral("%1. %2").arg(offers.size() + 1).arg(lineOf(item));
+    if (item.phases > 1)
+      line += ScanActions::tr("  %n phases", nullptr, item.phases);
+    offers.push_back({line, {item.id, 0}});
+  }
   return offers;
 }
 
@@ -112,7 +111,7 @@ int offerOf(const QString& place, const std::vector<medical_io::ScanSeries>& ser
         std::any_of(item.files.begin(), item.files.end(),
                     [&name](const std::filesystem::path& file) { return file.filename() == name; }))
       return offer;
-    offer += std::max(1, item.phases);
+    ++offer;
   }
   return 0;
 }
@@ -295,9 +294,12 @@ void ScanActions::read(const QString& place, const medical_io::ScanOptions& opti
 /// Shows new images with their own level, width and places.
 void ScanActions::showFromHere() {
   const bool alone = workspace_.document().organs().empty();
-  view_.change([alone](ViewState& view) {
+  const auto item = workspace_.state().scan;
+  const double fraction = item ? document::fractionOf(*item) : 0;
+  view_.change([alone, fraction](ViewState& view) {
     const ScanLook before = view.scan;
     view.scan = {};
+    view.scan.cine.fraction = fraction;
     view.scan.layout = before.layout == "3d" ? "four" : before.layout;
     view.scan.standing = before.standing || alone; // Else the 3D view would be empty.
     view.scan.warped = before.warped;
@@ -319,6 +321,8 @@ void ScanActions::opened() {
     odd.push_back(finding.sentence);
     partly = partly || finding.kind == medical_io::ScanFinding::Kind::partRead;
   }
+  if (item->time)
+    odd.insert(odd.end(), item->time->findings.begin(), item->time->findings.end());
   for (const Text& sentence : document::scanFit(workspace_.state()))
     odd.push_back(sentence);
   reportScanFindings(odd, partly);

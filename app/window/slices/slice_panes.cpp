@@ -86,11 +86,16 @@ void SlicePanes::connectWidget(int direction) {
           [this, direction](const std::optional<Eigen::Vector2d>& pixel) { hover(direction, pixel); });
 }
 
+std::vector<SliceGrip*> SlicePanes::gripsNow() const {
+  std::vector<SliceGrip*> grips = cine_.shown() ? cineGrips_ : std::vector<SliceGrip*>();
+  grips.insert(grips.end(), grips_.begin(), grips_.end());
+  return grips;
+}
+
 void SlicePanes::connectGrips(int direction) {
   SliceWidget* widget = widgets_[static_cast<std::size_t>(direction)];
   widget->setGripper([this, direction](const Eigen::Vector2d& pixel, Qt::KeyboardModifiers modifiers) {
-    // Handles and measurements lie on the slices of a scan.
-    const std::vector<SliceGrip*>& grips = cine_.shown() ? cineGrips_ : grips_;
+    const std::vector<SliceGrip*> grips = gripsNow();
     const auto taking = std::find_if(grips.begin(), grips.end(), [&](SliceGrip* grip) {
       return grip->press(direction, pixel, modifiers);
     });
@@ -111,7 +116,7 @@ void SlicePanes::connectGrips(int direction) {
 /// The first tool that would grab something there determines the cursor.
 void SlicePanes::hover(int direction, const std::optional<Eigen::Vector2d>& pixel) {
   std::optional<Qt::CursorShape> shape;
-  for (SliceGrip* grip : cine_.shown() ? cineGrips_ : grips_) {
+  for (SliceGrip* grip : gripsNow()) {
     const auto its = grip->hover(direction, shape ? std::nullopt : pixel);
     shape = shape ? shape : its;
   }
@@ -120,6 +125,30 @@ void SlicePanes::hover(int direction, const std::optional<Eigen::Vector2d>& pixe
   else
     widget(direction).unsetCursor();
   read(direction, pixel);
+}
+
+const medical_io::SliceFrame& SlicePanes::frameNow(int direction) {
+  bringUpToDate();
+  return frame(direction);
+}
+
+Vec3 SlicePanes::normalOf(int direction) {
+  if (cine_.shown())
+    return frameNow(direction).plane().normal;
+  return Vec3::Unit(medical_io::sliceDirections()[static_cast<std::size_t>(direction)].axis);
+}
+
+int SlicePanes::handleAt(int direction, const Eigen::Vector2d& pixel) {
+  bringUpToDate();
+  return cine_.shown() ? cine_.presenter().handleAt(direction, pixel, reach(direction))
+                       : presenter_.handleAt(direction, pixel, reach(direction));
+}
+
+std::optional<scene::MeasurementGlyphs::Mark> SlicePanes::measuredAt(int direction,
+                                                                     const Eigen::Vector2d& pixel) {
+  bringUpToDate();
+  return cine_.shown() ? cine_.presenter().measuredAt(direction, pixel, reach(direction))
+                       : presenter_.measuredAt(direction, pixel, reach(direction));
 }
 
 double SlicePanes::reach(int direction) const {
@@ -192,6 +221,8 @@ void SlicePanes::bringUpToDate() {
       warping = presentation::warpingOf(workspace_.warp());
     const ViewState view = picture_.state(); // With what is selected.
     presentation::SliceScene scene{workspace_.state(), workspace_.live(), view};
+    scene.measuring = &measuring_;
+    scene.activeHandle = picture_.view().handles()->GetActiveHandle();
     if (cine_.shown())
       cine_.update(scene, shown);
     else
@@ -211,8 +242,6 @@ void SlicePanes::bringUpToDate() {
 void SlicePanes::updateScan(presentation::SliceScene scene, const std::vector<presentation::SlicePane>& shown,
                             const presentation::Warping* warping) {
   scene.warping = warping;
-  scene.measuring = &measuring_;
-  scene.activeHandle = picture_.view().handles()->GetActiveHandle();
   presenter_.update(scene, shown);
 }
 

@@ -48,8 +48,14 @@ public:
   /// Adds a tool, which has to live longer, that gets the left button before the slices do; tools are asked
   /// in the order in which they were added.
   void addGrip(SliceGrip& grip) { grips_.push_back(&grip); }
-  /// The same for the slices of a cine study, where no other tool works.
+  /// The same, before the others, for the slices of a cine study alone.
   void addCineGrip(SliceGrip& grip) { cineGrips_.push_back(&grip); }
+  /// What tools ask of a pane, of the scan's slice or of the study's: its frame, up to date, the normal of
+  /// its plane, the row of the handle there or -1, and the measured point there.
+  const medical_io::SliceFrame& frameNow(int direction);
+  Vec3 normalOf(int direction);
+  int handleAt(int direction, const Eigen::Vector2d& pixel);
+  std::optional<scene::MeasurementGlyphs::Mark> measuredAt(int direction, const Eigen::Vector2d& pixel);
   /// The largest distance from the mouse at which something can be grabbed, in pixels of a slice's picture.
   double reach(int direction) const;
   /// Where the tissue drawn at a place of a slice is at rest, mm, and the reverse: other places in a warped
@@ -112,6 +118,8 @@ private:
   std::function<SliceVerdict(std::size_t slice)> verdicts_;
   bool outdated_ = true;
   std::array<std::optional<Eigen::Vector2d>, 3> cursor_;
+  /// Those that are asked for the slices that are shown, the first ones first.
+  std::vector<SliceGrip*> gripsNow() const;
   std::vector<SliceGrip*> grips_, cineGrips_;
   SliceGrip* holding_ = nullptr; ///< The tool that handles the present drag.
   presentation::PendingMeasurement measuring_;

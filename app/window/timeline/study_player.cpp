@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "viscera/document/scan_item.h"
 #include "viscera/document/study_item.h"
 #include "viscera/presentation/cine_view.h"
 #include "window/style/language.h"
@@ -9,6 +10,8 @@
 namespace viscera::app {
 namespace {
 constexpr int kStudyFrameMs = 40; ///< 25 frames a second.
+/// A cycle whose duration no file states plays in this time, as `presentation::cineSeconds` has it.
+constexpr double kUnknownPeriodSeconds = 1;
 } // namespace
 
 StudyPlayer::StudyPlayer(Workspace& workspace, ViewModel& view, Playback& playback, QObject* parent)
@@ -22,24 +25,33 @@ StudyPlayer::StudyPlayer(Workspace& workspace, ViewModel& view, Playback& playba
     followMotion();
   });
   subscription_ = workspace.onChange([this](const document::Change& change) {
-    if (!change.study())
+    if (!change.study() && !change.scan())
       return;
     pause();
     Q_EMIT stateChanged();
   });
 }
 
+bool StudyPlayer::hasImages() const {
+  return document::hasImagesOverTime(workspace_.state());
+}
+
 bool StudyPlayer::leads() const {
-  return workspace_.state().study && !playback_.sequence();
+  return hasImages() && !playback_.sequence();
 }
 
 double StudyPlayer::periodSeconds() const {
-  const auto& study = workspace_.state().study;
-  return study ? presentation::cineSeconds(*study->study) : 0;
+  const document::DocumentState& state = workspace_.state();
+  if (state.study)
+    return presentation::cineSeconds(*state.study->study);
+  if (!hasImages())
+    return 0;
+  const double period = state.scan->time->periodSeconds;
+  return period > 0 ? period : kUnknownPeriodSeconds;
 }
 
 void StudyPlayer::followMotion() {
-  if (workspace_.state().study && playback_.showing())
+  if (hasImages() && playback_.showing())
     seek(playback_.player().fraction());
 }
 
@@ -74,11 +86,18 @@ void StudyPlayer::seek(double fraction) {
 
 void StudyPlayer::step(int pictures) {
   pause();
-  if (!workspace_.state().study)
+  const document::DocumentState& state = workspace_.state();
+  if (!hasImages())
     return;
-  const medical_io::CineStudy& study = *workspace_.state().study->study;
-  const std::size_t slice = presentation::cineSlices(study, view_.state().scan.cine)[0];
-  seek(presentation::cineStep(study.slices[slice], fraction(), pictures));
+  if (state.study) {
+    const medical_io::CineStudy& study = *state.study->study;
+    const std::size_t slice = presentation::cineSlices(study, view_.state().scan.cine)[0];
+    return seek(presentation::cineStep(study.slices[slice], fraction(), pictures));
+  }
+  medical_io::CineSlice phases;
+  phases.fractions = state.scan->time->fractions;
+  phases.missing = state.scan->time->missing;
+  seek(presentation::cineStep(phases, fraction(), pictures));
 }
 
 void StudyPlayer::advance() {

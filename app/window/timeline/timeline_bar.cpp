@@ -209,12 +209,14 @@ void TimelineBar::clearSequence() {
 
 /// The study has no rate of its own to choose: its cycle is that of the patient.
 void TimelineBar::syncStudy() {
-  const QString line = tr("The images of the cine study: there is no motion yet");
+  const QString line = study_->ofScan() ? tr("The phases of the scan: there is no motion yet")
+                                        : tr("The images of the cine study: there is no motion yet");
   for (QWidget* widget : std::initializer_list<QWidget*>{rate_, rateSlider_}) {
     widget->setEnabled(false);
     widget->setToolTip(line);
   }
-  scrubber_->setPhases({{tr("Cine study").toStdString(), 0, 1}}, study_->periodSeconds());
+  scrubber_->setPhases({{(study_->ofScan() ? tr("Scan") : tr("Cine study")).toStdString(), 0, 1}},
+                       study_->periodSeconds());
   scrubber_->setFraction(study_->fraction());
   play_->setIcon(icon(study_->playing() ? "pause" : "play"));
   loop_->setChecked(study_->loop());

@@ -38,6 +38,29 @@ ScanItem withHash(ScanItem item) {
   return item;
 }
 
+bool sameTime(const ScanItem& a, const ScanItem& b) {
+  return a.time == b.time || (a.time && b.time && a.time->hash == b.time->hash);
+}
+
+/// The phase of the file that is asked for; the first that can be read where it is damaged.
+std::size_t phaseNumbered(const medical_io::ScanOverTime& time, int number) {
+  const auto found = std::find(time.numbers.begin(), time.numbers.end(), number);
+  return found == time.numbers.end() ? 0 : static_cast<std::size_t>(found - time.numbers.begin());
+}
+
+/// A scan with all of its phases, named by what its series and its file are called.
+ScanItem timedItem(const std::filesystem::path& file, medical_io::ScanOverTime time, int number) {
+  const std::size_t phase = phaseNumbered(time, number);
+  const std::shared_ptr<const medical_io::Scan> scan = time.volume(phase);
+  medical_io::Scan named;
+  named.modality = scan->modality;
+  named.description = scan->description;
+  ScanItem item = scanItem(std::move(named), file, {time.series, time.numbers[phase]});
+  item.scan = scan;
+  item.time = std::make_shared<const medical_io::ScanOverTime>(std::move(time));
+  return withHash(std::move(item));
+}
+
 } // namespace
 
 std::string scanHash(const medical_io::Scan& scan) {
@@ -66,8 +89,8 @@ bool identical(const std::shared_ptr<const ScanItem>& a, const std::shared_ptr<c
   if (a == b || !a || !b)
     return a == b;
   const medical_io::Scan &x = *a->scan, &y = *b->scan;
-  const bool samePlace =
-      a->name == b->name && a->file == b->file && a->series == b->series && a->phase == b->phase;
+  const bool samePlace = sameTime(*a, *b) && a->name == b->name && a->file == b->file &&
+                         a->series == b->series && a->phase == b->phase;
   return samePlace &&
          (&x == &y || (x.size == y.size && x.indexToLps.matrix() == y.indexToLps.matrix() &&
                        x.slope == y.slope && x.intercept == y.intercept && x.samples == y.samples));
@@ -87,6 +110,8 @@ ScanItem scanItem(medical_io::Scan scan, const std::filesystem::path& file,
 
 ScanItem openScanFile(const std::filesystem::path& file, const medical_io::ScanOptions& options,
                       Progress& progress) {
+  if (auto time = medical_io::readScanOverTime(file, options, progress))
+    return timedItem(file, *std::move(time), options.phase);
   return withHash(scanItem(medical_io::readScan(file, options, progress), file, options));
 }
 
@@ -97,12 +122,37 @@ std::optional<ScanItemOrLabels> openImage(const std::filesystem::path& file, Pro
     medical_io::ScanOrLabels read = medical_io::readScanOrLabels(file, {}, progress);
     if (auto* labels = std::get_if<medical_io::LabelMap>(&read))
       return std::move(*labels);
+    if (std::get<medical_io::Scan>(read).phaseTimesMs.size() > 1)
+      return openScanFile(file, {}, progress);
     return withHash(scanItem(std::get<medical_io::Scan>(std::move(read)), file));
   } catch (const DataError&) {
     if (!medical_io::isLabelMap(file))
       throw;
     return std::nullopt;
   }
+}
+
+std::shared_ptr<const medical_io::Scan> scanAt(const ScanItem& item, double fraction) {
+  if (!item.time)
+    return item.scan;
+  const std::optional<std::size_t> phase = item.time->shownAt(fraction);
+  if (!phase)
+    return nullptr;
+  if (item.time->numbers[*phase] == item.scan->phase)
+    return item.scan;
+  try {
+    return item.time->volume(*phase);
+  } catch (const DataError&) {
+    return nullptr; // Its file has changed since: the slices say that nothing is known.
+  }
+}
+
+bool hasImagesOverTime(const DocumentState& state) {
+  return state.study || (state.scan && state.scan->time);
+}
+
+double fractionOf(const ScanItem& item) {
+  return item.time ? item.time->fractions[phaseNumbered(*item.time, item.scan->phase)] : 0;
 }
 
 std::optional<int> phaseOfLabels(const std::filesystem::path& file, const ScanItem* scan,

@@ -19,6 +19,16 @@ fs::path lastNameOf(const fs::path& place) {
   return place.has_filename() ? place.filename() : place.parent_path().filename();
 }
 
+/// The hash of the phases of a scan over time; empty without.
+std::string timeHashIn(SessionReader& reader, const ordered_json& item) {
+  if (!item.contains("time"))
+    return {};
+  const ordered_json& time = item.at("time");
+  reader.takeObject(time, {"phases", "hash"}, "scan.time");
+  reader.wholeOf(reader.field(time, "phases", "scan.time"), "scan.time.phases");
+  return reader.optionalText(time, "hash", "scan.time");
+}
+
 } // namespace
 
 std::optional<fs::path> findImage(const fs::path& relative, const fs::path& absolute, const fs::path& folder,
@@ -49,6 +59,8 @@ ordered_json sessionScanJson(const ScanItem& item, bool inside, const fs::path& 
     json["series"] = item.series;
   if (item.phase != 0)
     json["phase"] = item.phase;
+  if (item.time)
+    json["time"] = {{"phases", item.time->phasesInCycle()}, {"hash", item.time->hash}};
   if (inside || item.file.empty() || !fs::exists(item.file, error))
     json["image"] = storedScan(*item.scan);
   else if (!item.hash.empty())
@@ -66,7 +78,8 @@ void forgetFolders(ordered_json& scan) {
 
 void readSessionScan(SessionReader& reader, const ordered_json& item, const fs::path& folder,
                      const std::vector<fs::path>& alsoIn, OpenedSession& opened, Progress& progress) {
-  reader.takeObject(item, {"name", "relative", "absolute", "series", "phase", "hash", "image"}, "scan");
+  reader.takeObject(item, {"name", "relative", "absolute", "series", "phase", "time", "hash", "image"},
+                    "scan");
   const std::string name = reader.textOf(item, "name", "scan");
   const bool inside = item.contains("image");
   const auto placeOf = [&](const char* key) -> fs::path {
@@ -84,11 +97,16 @@ void readSessionScan(SessionReader& reader, const ordered_json& item, const fs::
     const fs::path was = nameAlone ? (folder / lastNameOf(absolute)).lexically_normal() : absolute;
     // Saved by its file's name, it has the hash by which a change of that file is noticed.
     std::string hash = scanHash(*scan);
+    if (item.contains("time"))
+      opened.warnings.push_back(
+          phrase("%1: %2", name,
+                 Text("the session holds one phase of this scan; open its file again for the others")));
     opened.contents.state.scan = std::make_shared<const ScanItem>(
         ScanItem{name, std::move(scan), file.value_or(was), options.series, options.phase, std::move(hash)});
     return;
   }
   const std::string hash = reader.optionalText(item, "hash", "scan");
+  const std::string timeHash = timeHashIn(reader, item);
   const auto missing = [&](const Text& problem) {
     opened.contents.missingScan = item;
     opened.warnings.push_back(phrase("%1: %2", name, problem));
@@ -101,7 +119,10 @@ void readSessionScan(SessionReader& reader, const ordered_json& item, const fs::
     ScanItem scan =
         explainingShortMemory(file->string(), [&] { return openScanFile(*file, options, progress); });
     scan.name = name;
-    if (!hash.empty() && hash != scan.hash)
+    if (!item.contains("time"))
+      scan.time = nullptr; // Saved by a version in which a scan was one of its phases.
+    if ((!hash.empty() && hash != scan.hash) ||
+        (!timeHash.empty() && !(scan.time && timeHash == scan.time->hash)))
       opened.warnings.push_back(
           phrase("%1: %2", name, phrase("%1 has changed since the session was saved", file->string())));
     opened.contents.state.scan = std::make_shared<const ScanItem>(std::move(scan));

@@ -88,7 +88,8 @@ std::size_t newBytes(const DocumentState& before, const DocumentState& after) {
   if (after.circulation != before.circulation)
     bytes += sizeof(CirculationChoice);
   if (before.scan && !(after.scan && after.scan->scan == before.scan->scan))
-    bytes += bytesOf(*before.scan->scan);
+    bytes += before.scan->time ? std::min(before.scan->time->bytes, before.scan->time->keptBytes)
+                               : bytesOf(*before.scan->scan);
   if (before.study && !(after.study && after.study->study == before.study->study))
     bytes += bytesOf(*before.study->study);
   return bytes;

@@ -9,6 +9,7 @@
 #include "dicom/dicom_folder.h"
 #include "dicom/dicom_mark.h"
 #include "viscera/core/error.h"
+#include "viscera/medical_io/scan.h"
 
 namespace viscera::medical_io {
 namespace {
@@ -55,6 +56,20 @@ std::size_t CineSlice::phaseAt(double fraction) const {
   return nearest;
 }
 
+namespace {
+
+/// Whether a place has series that are the phases of one scan; those of other folders are not asked for.
+bool hasGatedScan(const std::filesystem::path& folder, Progress& progress) {
+  try {
+    const std::vector<ScanSeries> series = listScans(folder, progress);
+    return !series.empty() && series.front().phases > 1 && series.front().id.ends_with("@gated");
+  } catch (const DataError&) {
+    return false;
+  }
+}
+
+} // namespace
+
 std::optional<CineStudy> findCineStudy(const std::filesystem::path& place, Progress& progress,
                                        const CineOptions& options) {
   std::error_code ignored;
@@ -62,8 +77,10 @@ std::optional<CineStudy> findCineStudy(const std::filesystem::path& place, Progr
       dicomKind(place) == DicomKind::none)
     return arrangedStudy(cineOfVolumes(place, progress, options));
   const bool isFolder = std::filesystem::is_directory(place, ignored);
-  return arrangedStudy(
-      dicomCine(isFolder ? place : place.parent_path(), dicomImages(place), progress, options));
+  auto study = dicomCine(isFolder ? place : place.parent_path(), dicomImages(place), progress, options);
+  if (!study && isFolder && hasGatedScan(place, progress))
+    study = cineOfVolumes(place, progress, options);
+  return arrangedStudy(std::move(study));
 }
 
 CineStudy readCineStudy(const std::filesystem::path& place, Progress& progress, const CineOptions& options) {

@@ -7,9 +7,10 @@
 
 namespace viscera::medical_io {
 
-/// A file with volumes over time, other than DICOM, as a stack of slices over time; its planes are not named
-/// yet. A phase's layers are decoded together. None for a file of one volume. Throws as `readScan`.
-std::optional<CineStudy> cineOfVolumes(const std::filesystem::path& file, Progress& progress,
+/// Volumes over time, of a file or of DICOM series that are the phases of one scan, as a stack of slices over
+/// time; its planes are not named yet. A phase's layers are decoded together, and `options.keptBytes` of
+/// phases stay. None for a place with one volume. Throws as `readScan`.
+std::optional<CineStudy> cineOfVolumes(const std::filesystem::path& place, Progress& progress,
                                        const CineOptions& options);
 
 } // namespace viscera::medical_io

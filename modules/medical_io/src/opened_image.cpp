@@ -89,9 +89,15 @@ void visitPhase(OpenedImage& image, int phase, Progress& progress,
   const auto layers = static_cast<std::uint64_t>(raw.layers), first = static_cast<std::uint64_t>(phase);
   const std::uint64_t voxels = raw.valueCount() / layers;
   const bool mixed = raw.layersFirst && layers > 1;
+  // A file that is cut off still has its first phases.
+  const bool fromBegin =
+      !mixed && !image.header.stored.atEnd && image.header.stored.parts.empty() && raw.overTime;
+  const int all = raw.layers;
   const ValueRange range = mixed ? ValueRange{0, raw.valueCount()} : ValueRange{first * voxels, voxels};
   std::uint64_t next = first; // Of values that lie beside those of other phases.
   std::uint64_t seen = 0;
+  if (fromBegin)
+    raw.layers = phase + 1;
   visitValues(
       image.begin, image.header.stored, raw, range, progress,
       [&](std::uint64_t) { prepare(static_cast<std::size_t>(voxels)); },
@@ -107,6 +113,7 @@ void visitPhase(OpenedImage& image, int phase, Progress& progress,
         seen += count;
         take(reinterpret_cast<const char*>(own.data()), found, raw.scalar, raw.order);
       });
+  raw.layers = all;
 }
 
 Scan scanOf(OpenedImage&& opened, int phase, SampleCollector& collector) {

@@ -55,6 +55,7 @@ struct CinePane {
   scene::SlicePicture picture;
   std::size_t plane = 0; ///< Among those that organs are cut by.
   std::string problem;   ///< Why the picture is not there; empty: it is.
+  SliceGrips grips;
 };
 
 void addContour(const geometry::PlaneCut& cut, const medical_io::SliceFrame& frame, const Vec3& color,
@@ -82,6 +83,7 @@ struct CinePresenter::Parts {
   std::shared_ptr<const document::StudyItem> proposedBy; ///< Whose proposal `proposed` is.
   medical_io::ValueWindow proposed;
   std::optional<BentContour> bent;
+  document::MeasuringMemory regions;
 
   const CinePane& pane(int direction) const { return panes[std::size_t(direction)]; }
   void sample(CinePane& pane, const SliceScene& scene);
@@ -238,7 +240,20 @@ void CinePresenter::update(const SliceScene& scene, const std::vector<SlicePane>
     CinePane& pane = p.panes[std::size_t(wanted.direction)];
     p.outline(pane, scene, slices);
     p.label(pane, scene);
+    const MarkedPlane marked{pane.frame.plane().normal, -1, study.slices[pane.slice].geometry.thickness};
+    pane.grips = addMarks(scene, marked, pane.frame, p.regions, p.language, pane.picture);
   }
+}
+
+int CinePresenter::handleAt(int direction, const Eigen::Vector2d& pixel, double reach) const {
+  const auto* grip = nearestGrip(parts_->pane(direction).grips.handles, pixel, reach);
+  return grip ? static_cast<int>(grip->item) : -1;
+}
+
+std::optional<scene::MeasurementGlyphs::Mark>
+CinePresenter::measuredAt(int direction, const Eigen::Vector2d& pixel, double reach) const {
+  const auto* grip = nearestGrip(parts_->pane(direction).grips.measured, pixel, reach);
+  return grip ? std::optional(scene::MeasurementGlyphs::Mark{grip->item, grip->point}) : std::nullopt;
 }
 
 const scene::SlicePicture& CinePresenter::picture(int direction) const {

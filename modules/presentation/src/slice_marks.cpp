@@ -26,11 +26,11 @@ const Vec3 kDark(0.08, 0.08, 0.08);
 struct Sheet {
   const SliceScene& scene;
   const medical_io::SliceFrame& frame;
-  int axis;
+  const MarkedPlane& plane;
   scene::SlicePicture& picture;
   SliceGrips& grips;
 
-  double height(const Vec3& place) const { return place[axis] - frame.corner[axis]; }
+  double height(const Vec3& place) const { return plane.normal.dot(place - frame.corner); }
   double slab() const { return scene.view.scan.slabMm; }
 };
 
@@ -98,7 +98,7 @@ Outline outlineOf(const Sheet& sheet, const document::Measurement& measurement,
     return outline;
   outline.line = places;
   if (measurement.kind == document::MeasurementKind::rectangle) {
-    if (measurement.axis != sheet.axis)
+    if (measurement.axis != sheet.plane.axis)
       return {};
     if (places.size() == 2) {
       const int along = (measurement.axis + 1) % 3;
@@ -169,7 +169,7 @@ void addMeasured(Sheet& sheet, document::MeasuringMemory& memory, const SliceLan
   };
   const document::TissueMotion tissue =
       scene.warping && scene.view.scan.warped ? scene.warping->posed : document::TissueMotion();
-  const double reach = std::max({kMeasureReach, sheet.slab() / 2, stepAlong(scene.state, sheet.axis) / 2});
+  const double reach = std::max({kMeasureReach, sheet.slab() / 2, sheet.plane.stepMm / 2});
   const auto show = [&](const document::Measurement& measurement, bool highlighted,
                         std::optional<std::size_t> item) {
     const bool whole = measurement.points.size() == document::pointCount(measurement.kind);
@@ -197,11 +197,11 @@ void addMeasured(Sheet& sheet, document::MeasuringMemory& memory, const SliceLan
 
 } // namespace
 
-SliceGrips addMarks(const SliceScene& scene, const medical_io::SliceDirection& direction,
-                    const medical_io::SliceFrame& frame, document::MeasuringMemory& memory,
-                    const SliceLanguage& language, scene::SlicePicture& picture) {
+SliceGrips addMarks(const SliceScene& scene, const MarkedPlane& plane, const medical_io::SliceFrame& frame,
+                    document::MeasuringMemory& memory, const SliceLanguage& language,
+                    scene::SlicePicture& picture) {
   SliceGrips grips;
-  Sheet sheet{scene, frame, direction.axis, picture, grips};
+  Sheet sheet{scene, frame, plane, picture, grips};
   picture.marks.clear();
   picture.texts.clear();
   addHandles(sheet);

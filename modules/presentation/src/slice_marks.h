@@ -29,11 +29,18 @@ struct SliceLanguage {
   char decimalMark = '.';
 };
 
+/// The plane of a slice.
+struct MarkedPlane {
+  Vec3 normal = Vec3::UnitZ(); ///< Unit vector.
+  int axis = -1;               ///< Of the patient (x, y, z as 0, 1, 2) along the normal; -1: none is.
+  double stepMm = 1;           ///< To the next slice.
+};
+
 /// Adds to a slice's picture the marks over grey levels and contours: the handles near its plane, if the
 /// scene shows them, and the measurements in it. Computes the values of regions that `memory` does not hold.
-SliceGrips addMarks(const SliceScene& scene, const medical_io::SliceDirection& direction,
-                    const medical_io::SliceFrame& frame, document::MeasuringMemory& memory,
-                    const SliceLanguage& language, scene::SlicePicture& picture);
+SliceGrips addMarks(const SliceScene& scene, const MarkedPlane& plane, const medical_io::SliceFrame& frame,
+                    document::MeasuringMemory& memory, const SliceLanguage& language,
+                    scene::SlicePicture& picture);
 
 /// The grip nearest to a pixel within `reach` pixels, or null.
 const SliceGrips::Grip* nearestGrip(const std::vector<SliceGrips::Grip>& grips, const Eigen::Vector2d& pixel,

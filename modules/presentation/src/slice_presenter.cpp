@@ -37,7 +37,7 @@ bool equal(const medical_io::SliceFrame& a, const medical_io::SliceFrame& b) {
 
 /// The inputs with which a slice was sampled.
 struct SampledWith {
-  std::shared_ptr<const document::ScanItem> scan;
+  std::shared_ptr<const medical_io::Scan> scan; ///< Of the phase that is shown; null: there is none.
   medical_io::SliceFrame frame;
   double slabMm = 0;
   bool maximum = false;
@@ -100,6 +100,7 @@ struct SlicePresenter::Parts {
   std::shared_ptr<const document::ScanItem> proposedBy; ///< Whose proposal `proposed` is.
   medical_io::ValueWindow proposed;
   document::MeasuringMemory regions;
+  std::shared_ptr<const medical_io::Scan> shown; ///< The volume of the present phase.
 
   medical_io::ValueWindow windowFor(const SliceScene& scene);
   void sample(Slice& slice, const SliceScene& scene);
@@ -107,7 +108,26 @@ struct SlicePresenter::Parts {
   void outline(Slice& slice);
   void label(Slice& slice, const medical_io::SliceDirection& direction, const SliceScene& scene,
              const Vec3& focus) const;
+  std::string phaseTitle(const medical_io::ScanOverTime& time, double fraction) const;
 };
+
+/// "phase 7 of 20", counted with those that are damaged; empty for these.
+std::string SlicePresenter::Parts::phaseTitle(const medical_io::ScanOverTime& time, double fraction) const {
+  const std::optional<std::size_t> phase = time.shownAt(fraction);
+  if (!phase)
+    return {};
+  const double here = time.fractions[*phase];
+  const auto before = std::count_if(time.missing.begin(), time.missing.end(),
+                                    [here](double missing) { return missing < here; });
+  std::string title = language.translate("phase %1 of %2");
+  const auto put = [&title](const char* place, std::size_t number) {
+    if (const std::size_t at = title.find(place); at != std::string::npos)
+      title.replace(at, 2, std::to_string(number));
+  };
+  put("%1", *phase + 1 + static_cast<std::size_t>(before));
+  put("%2", time.phasesInCycle());
+  return title;
+}
 
 /// The proposal of a scan is cached, because it may need all of its voxels.
 medical_io::ValueWindow SlicePresenter::Parts::windowFor(const SliceScene& scene) {
@@ -123,27 +143,27 @@ medical_io::ValueWindow SlicePresenter::Parts::windowFor(const SliceScene& scene
 void SlicePresenter::Parts::sample(Slice& slice, const SliceScene& scene) {
   const ScanLook& look = scene.view.scan;
   const bool warped = look.warped && scene.warping;
-  SampledWith with{scene.state.scan, slice.frame, look.slabMm, look.maximum, look.smooth, {}};
+  SampledWith with{shown, slice.frame, look.slabMm, look.maximum, look.smooth, {}};
   if (warped)
     with.warped = scene.warping->revision;
   if (with == slice.with)
     return;
   slice.with = with;
   slice.window.width = 0; // Other values have other grey levels.
-  if (!scene.state.scan)
+  if (!shown)
     return slice.values.clear();
   medical_io::SampleOptions options;
   options.nearest = !look.smooth;
   options.slabMm = look.slabMm;
   options.maximum = look.maximum;
   options.threads = threads;
-  slice.values.take(*scene.state.scan->scan, slice.frame, options, warped ? scene.warping : nullptr);
+  slice.values.take(*shown, slice.frame, options, warped ? scene.warping : nullptr);
 }
 
 void SlicePresenter::Parts::shade(Slice& slice, const SliceScene& scene) {
   slice.picture.width = slice.frame.width;
   slice.picture.height = slice.frame.height;
-  if (!scene.state.scan) {
+  if (!shown) {
     slice.picture.grey.clear();
     return;
   }
@@ -179,6 +199,14 @@ void SlicePresenter::Parts::label(Slice& slice, const medical_io::SliceDirection
   picture.note.clear();
   if (!scene.state.scan)
     return;
+  if (scene.state.scan->time)
+    picture.title += "  " + phaseTitle(*scene.state.scan->time, look.cine.fraction);
+  if (!shown) {
+    const bool damaged = !scene.state.scan->time->shownAt(look.cine.fraction);
+    picture.note = language.translate(damaged ? "The picture of this phase is missing"
+                                              : "The picture of this phase cannot be read");
+    return;
+  }
   picture.note = formatted("L %.0f  W %.0f", slice.window.level, slice.window.width);
   if (look.slabMm > 0) {
     std::string over =
@@ -206,6 +234,7 @@ void SlicePresenter::update(const SliceScene& scene, const std::vector<SlicePane
   Parts& p = *parts_;
   const Bounds box = boxOfSlices(scene.state);
   const Vec3 focus = focusOf(scene.state, scene.view.scan);
+  p.shown = scene.state.scan ? document::scanAt(*scene.state.scan, scene.view.scan.cine.fraction) : nullptr;
   std::vector<geometry::Plane> planes;
   for (const SlicePane& pane : panes) {
     Slice& slice = p.slices[std::size_t(pane.direction)];
@@ -226,7 +255,9 @@ void SlicePresenter::update(const SliceScene& scene, const std::vector<SlicePane
       slice.picture.lines.clear();
     const medical_io::SliceDirection direction = medical_io::sliceDirections()[std::size_t(pane.direction)];
     p.label(slice, direction, scene, focus);
-    slice.grips = addMarks(scene, direction, slice.frame, p.regions, p.language, slice.picture);
+    slice.grips = addMarks(
+        scene, {Vec3(Vec3::Unit(direction.axis)), direction.axis, stepAlong(scene.state, direction.axis)},
+        slice.frame, p.regions, p.language, slice.picture);
   }
 }
 

@@ -74,6 +74,10 @@ void StandingPicture::update(const Scene& scene) {
   Made made{scene.state.scan, scene.state.study, look, {}};
   made.look.framings = {};
   made.look.layout.clear();
+  if (scene.state.scan && scene.state.scan->time) {
+    const auto phase = scene.state.scan->time->shownAt(look.cine.fraction);
+    made.look.cine.fraction = phase ? static_cast<double>(*phase) : -1; // Other slices in another phase only.
+  }
   if (scene.state.scan && look.warped && scene.warping)
     made.warped = scene.warping->revision;
   if (made == made_)
@@ -98,12 +102,19 @@ std::vector<scene::StandingSlices::Slice> StandingPicture::studySlices(const Sce
   return shown;
 }
 
-std::vector<scene::StandingSlices::Slice> StandingPicture::scanSlices(const Scene& scene) const {
+std::vector<scene::StandingSlices::Slice> StandingPicture::scanSlices(const Scene& scene) {
   const ScanLook& look = scene.view.scan;
   const bool warped = look.warped && scene.warping;
-  const medical_io::Scan& scan = *scene.state.scan->scan;
+  const auto phase = document::scanAt(*scene.state.scan, look.cine.fraction);
+  if (!phase)
+    return {};
+  const medical_io::Scan& scan = *phase;
   const Vec3 focus = focusOf(scene.state, look);
-  const medical_io::ValueWindow window = windowOf(scan, look);
+  if (look.width <= 0 && scanProposedBy_ != scene.state.scan) {
+    scanProposedBy_ = scene.state.scan;
+    scanProposed_ = scene.state.scan->scan->firstWindow();
+  }
+  const medical_io::ValueWindow window = windowOf(look, scanProposed_);
   medical_io::SampleOptions options;
   options.nearest = !look.smooth;
   options.slabMm = look.slabMm;

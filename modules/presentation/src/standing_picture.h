@@ -28,7 +28,7 @@ private:
     bool operator==(const Made&) const = default;
   };
 
-  std::vector<scene::StandingSlices::Slice> scanSlices(const Scene& scene) const;
+  std::vector<scene::StandingSlices::Slice> scanSlices(const Scene& scene);
   std::vector<scene::StandingSlices::Slice> studySlices(const Scene& scene);
 
   scene::StandingSlices slices_;
@@ -36,6 +36,8 @@ private:
   std::optional<Made> made_;                              ///< None: no slice is shown.
   std::shared_ptr<const document::StudyItem> proposedBy_; ///< Whose proposal `proposed_` is.
   medical_io::ValueWindow proposed_;
+  std::shared_ptr<const document::ScanItem> scanProposedBy_; ///< The same of a scan, for all of its phases.
+  medical_io::ValueWindow scanProposed_;
 };
 
 } // namespace viscera::presentation

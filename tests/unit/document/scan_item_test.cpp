@@ -97,6 +97,53 @@ TEST(ScanItem, OverTimeChoosesThePhaseOfItsLabels) {
   EXPECT_FALSE(phaseOfLabels(labels, nullptr, progress));
 }
 
+TEST(ScanItem, OverTimeHasAllPhasesAndComesBackWithThem) {
+  TemporaryFolder folder;
+  const auto ct = folder.put("ct.nii", overTime(0));
+  Progress progress;
+  const OpenedFiles dropped = openPatient({ct}, progress);
+  ASSERT_TRUE(dropped.scan && dropped.scan->time) << "also dropped on the window";
+  EXPECT_EQ(dropped.scan->name, "ct.nii");
+  const ScanItem item = openScanFile(ct, {"", 1}, progress);
+  ASSERT_TRUE(item.time);
+  EXPECT_EQ(item.phase, 1);
+  EXPECT_NEAR(fractionOf(item), 1.0 / 3, 1e-9);
+  EXPECT_EQ(scanAt(item, 0.34), item.scan);
+  EXPECT_EQ(scanAt(item, 0.7)->phase, 2);
+  EXPECT_EQ(scanAt(item, 0.95)->phase, 0) << "around the end of the cycle";
+  Document document;
+  UndoStack undo(document);
+  undo.perform(openScan(item));
+  EXPECT_TRUE(hasImagesOverTime(document.state()));
+  SessionContents contents;
+  contents.state = document.state();
+  undo.undo();
+  EXPECT_FALSE(hasImagesOverTime(document.state()));
+  tests::write(folder / "s.viscera", contents);
+  const OpenedSession back = tests::readBack(folder / "s.viscera");
+  EXPECT_TRUE(back.warnings.empty());
+  EXPECT_TRUE(identical(back.contents.state.scan, contents.state.scan));
+  ASSERT_TRUE(back.contents.state.scan->time);
+  EXPECT_EQ(back.contents.state.scan->scan->phase, 1);
+  EXPECT_EQ(scanAt(*back.contents.state.scan, 0.7)->phase, 2);
+}
+
+TEST(ScanItem, OverTimeSaysWhenItsPhasesHaveChanged) {
+  TemporaryFolder folder;
+  const auto ct = folder.put("ct.nii", overTime(0));
+  Progress progress;
+  SessionContents contents;
+  contents.state.scan = std::make_shared<const ScanItem>(openScanFile(ct, {}, progress));
+  tests::write(folder / "s.viscera", contents);
+  std::filesystem::resize_file(ct, std::filesystem::file_size(ct) - 8);
+  const OpenedSession back = tests::readBack(folder / "s.viscera");
+  ASSERT_TRUE(back.contents.state.scan && back.contents.state.scan->time);
+  EXPECT_EQ(back.contents.state.scan->time->missing.size(), 1U);
+  ASSERT_EQ(back.warnings.size(), 1U);
+  EXPECT_THAT(back.warnings[0].english(), HasSubstr("has changed since the session was saved"));
+  EXPECT_FALSE(scanAt(*back.contents.state.scan, 0.7)) << "nothing is made up for a damaged phase";
+}
+
 /// The bytes that this process has read from files so far; empty where the system does not count them.
 std::optional<std::uintmax_t> bytesRead() {
   std::ifstream counts("/proc/self/io");

@@ -16,6 +16,7 @@
 #include "drawn_study.h"
 #include "session_fixture.h"
 #include "viscera/core/error.h"
+#include "viscera/document/measurement_commands.h"
 #include "viscera/document/study_item.h"
 #include "viscera/presentation/cine_view.h"
 #include "viscera/presentation/presenter.h"
@@ -160,6 +161,27 @@ TEST(CinePresenter, ShowsThePhaseOfTheInstantAndSaysWhatIsMissing) {
   ball.update();
   EXPECT_FALSE(ball.cine.picture(1).grey.empty());
   EXPECT_NE(ball.cine.picture(1).note, "The picture of this phase is missing");
+}
+
+TEST(CinePresenter, HasTheHandlesAndDistancesOfItsOwnPlanes) {
+  StudiedBall ball;
+  EXPECT_TRUE(ball.cine.picture(1).marks.empty()) << "they are not shown";
+  ball.view.shown.handles = ball.view.shown.movable = true;
+  ball.update();
+  const Eigen::Vector2d top = ball.cine.frame(1).pixelOf(Vec3(0, 0, 40)); // Of the plane with four chambers.
+  EXPECT_EQ(ball.cine.handleAt(1, top + Eigen::Vector2d(2, 1), 8), 8);
+  EXPECT_EQ(ball.cine.handleAt(1, top + Eigen::Vector2d(30, 0), 8), -1);
+  document::MeasuredPoint from, to;
+  from.rest = Vec3(-10, 0, 5);
+  to.rest = Vec3(10, 0, 5);
+  ball.undo.perform(document::addMeasurement({from, to}));
+  ball.update();
+  ASSERT_EQ(ball.cine.picture(1).texts.size(), 1u);
+  EXPECT_EQ(ball.cine.picture(1).texts[0].words, "Distance 1: 20.0 mm");
+  const auto mark = ball.cine.measuredAt(1, ball.cine.frame(1).pixelOf(to.rest), 3);
+  ASSERT_TRUE(mark);
+  EXPECT_EQ(*mark, (scene::MeasurementGlyphs::Mark{0, 1}));
+  EXPECT_TRUE(ball.cine.picture(0).texts.empty()) << "5 mm beside the middle of the short axis";
 }
 
 TEST(CinePresenter, FollowsTheOrgansWhileTheyAreDragged) {

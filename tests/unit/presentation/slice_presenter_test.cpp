@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -211,6 +214,38 @@ TEST(SlicePresenter, HatchesNoLineOfSinglePixels) {
   EXPECT_EQ(ball.slices.picture(0).grey, plain);
   EXPECT_EQ(ball.slices.picture(0).note.find("folded"), std::string::npos);
   EXPECT_TRUE(ball.slices.read(0, Eigen::Vector2d(60, 80)).folded) << "what is read there is an estimate";
+}
+
+TEST(SlicePresenter, ShowsThePhaseOfTheInstantAndSaysWhatIsMissing) {
+  ScannedBall ball;
+  const auto phase = [](double radius, int number) {
+    medical_io::Scan scan = tests::phantomScan({60, 60, 60}, Vec3(2, 2, 2), Vec3(-59, -59, -59),
+                                               tests::ballValue(Vec3::Zero(), radius));
+    scan.phase = number;
+    return std::make_shared<const medical_io::Scan>(std::move(scan));
+  };
+  const std::vector<std::shared_ptr<const medical_io::Scan>> phases = {phase(30, 0), phase(15, 1)};
+  medical_io::ScanOverTime time;
+  time.fractions = {0, 1.0 / 3};
+  time.missing = {2.0 / 3};
+  time.numbers = {0, 1};
+  time.volume = [phases](std::size_t number) { return phases[number]; };
+  document::ScanItem item{"beat", phases[0], {}, {}, 0};
+  item.time = std::make_shared<const medical_io::ScanOverTime>(std::move(time));
+  ball.undo.perform(document::openScan(item));
+  const auto show = [&](double fraction) {
+    ball.view.scan.cine.fraction = fraction;
+    ball.update();
+    return ball.slices.read(0, ball.slices.frame(0).pixelOf(Vec3(20, 0, 5))).value;
+  };
+  const auto large = show(0.95), small = show(0.3);
+  ASSERT_TRUE(large && small);
+  EXPECT_GT(*large, *small + 20) << "within the larger ball, beside the smaller one";
+  EXPECT_TRUE(ball.slices.picture(0).title.ends_with("phase 2 of 3")) << ball.slices.picture(0).title;
+  EXPECT_FALSE(show(0.7));
+  EXPECT_TRUE(ball.slices.picture(0).grey.empty());
+  EXPECT_EQ(ball.slices.picture(0).note, "The picture of this phase is missing");
+  EXPECT_EQ(show(0), large);
 }
 
 TEST(SlicePresenter, DrawsHandlesNearTheSliceAndFindsThemThere) {

@@ -8,6 +8,7 @@
 #include "dicom/dicom_folder.h"
 #include "dicom/dicom_header.h"
 #include "dicom/for_all.h"
+#include "dicom/gated_series.h"
 #include "dicom/mixed_slices.h"
 #include "dicom/pixel_conversion.h"
 #include "dicom/slice_stack.h"
@@ -26,6 +27,7 @@ constexpr double kHeaders = 0.2;
 struct Folder {
   FrameList list;
   std::vector<SliceGroup> groups; ///< The largest first.
+  std::vector<GatedSeries> gated; ///< Those that are the phases of one scan.
   std::vector<ScanFinding> damaged;
 };
 
@@ -38,6 +40,9 @@ std::string seriesId(const Folder& folder, const SliceGroup& group) {
 std::string partId(const SliceStack& stack, std::size_t number) {
   return stack.part.resampled ? "@all" : number == 0 ? "" : "@" + std::to_string(number + 1);
 }
+
+/// Behind the id of the first of several series that are the phases of one scan.
+constexpr const char* kGatedPart = "@gated";
 
 /// "1.2.3@all": the series, which may be empty, and the part of it.
 struct SeriesAndPart {
@@ -118,6 +123,7 @@ Folder openFolder(const std::filesystem::path& place, Progress& progress, double
   folder.groups = groupFrames(folder.list);
   std::stable_sort(folder.groups.begin(), folder.groups.end(),
                    [&](const auto& a, const auto& b) { return voxelsOf(folder, a) > voxelsOf(folder, b); });
+  folder.gated = gatedSeriesOf(folder.list, folder.groups);
   return folder;
 }
 
@@ -145,6 +151,21 @@ const SliceGroup& chosenGroup(const Folder& folder, const std::filesystem::path&
     if (header.file.filename() == place.filename() && !header.notAScan.empty())
       why = phrase("It is not a slice of a scan: it %1", header.notAScan);
   throw DataError(why, place.string(), "name the folder, or another file in it");
+}
+
+/// The series over time that is asked for, or that a folder's largest one is a phase of; null: it is none.
+const GatedSeries* chosenGated(const Folder& folder, const std::filesystem::path& place,
+                               const std::string& series) {
+  const SeriesAndPart chosen = divided(series);
+  std::error_code error;
+  const bool whole =
+      chosen.part.empty() && chosen.series.empty() && std::filesystem::is_directory(place, error);
+  for (const GatedSeries& gated : folder.gated)
+    if (whole
+            ? std::count(gated.groups.begin(), gated.groups.end(), std::size_t{0}) > 0
+            : chosen.part == kGatedPart && seriesId(folder, folder.groups[gated.groups[0]]) == chosen.series)
+      return &gated;
+  return nullptr;
 }
 
 SampleForm formOf(const FrameList& list, const SliceStack& stack) {
@@ -246,32 +267,133 @@ void sayPartFirst(std::vector<ScanFinding>& findings) {
 
 } // namespace
 
+namespace {
+
+/// Appends what can be chosen of a group: its parts.
+void listGroup(const Folder& folder, const SliceGroup& group, std::vector<ScanSeries>& list) {
+  std::vector<ScanFinding> findings;
+  const std::vector<SlicePhase> phases = phasesOf(folder.list, group, findings);
+  const DicomHeader& first = folder.list.files[folder.list.frames[group.frames[0]].file];
+  std::set<std::filesystem::path> files;
+  for (const std::size_t f : group.frames)
+    files.insert(folder.list.files[folder.list.frames[f].file].file);
+  const std::vector<SliceStack> stacks = stackSlices(folder.list, phases[0]);
+  for (std::size_t number = 0; number < stacks.size(); ++number) {
+    const SliceStack& stack = stacks[number];
+    ScanSeries& series = list.emplace_back();
+    series.id = seriesId(folder, group) + partId(stack, number);
+    series.description = first.description;
+    series.modality = first.modality;
+    series.size = {first.columns, first.rows, static_cast<int>(stack.depth())};
+    series.spacing = stack.indexToLps.linear().colwise().norm();
+    series.indexToLps = stack.indexToLps;
+    series.phases = static_cast<int>(phases.size());
+    series.slices = {static_cast<int>(stack.part.first) + 1, static_cast<int>(stack.part.last) + 1,
+                     static_cast<int>(stack.slices), stack.part.resampled};
+    series.frameOfReference = first.frameOfReference;
+    series.files.assign(files.begin(), files.end());
+  }
+}
+
+/// Series that are phases of one scan are listed once, with the files of all.
+void listGated(const Folder& folder, const GatedSeries& gated, std::vector<ScanSeries>& list) {
+  std::vector<ScanSeries> all;
+  for (const std::size_t group : gated.groups)
+    listGroup(folder, folder.groups[group], all);
+  ScanSeries& series = list.emplace_back(all.front());
+  series.id = seriesId(folder, folder.groups[gated.groups[0]]) + kGatedPart;
+  series.phases = static_cast<int>(gated.groups.size());
+  std::set<std::filesystem::path> files;
+  for (const ScanSeries& one : all)
+    files.insert(one.files.begin(), one.files.end());
+  series.files.assign(files.begin(), files.end());
+}
+
+/// What is read of a folder: the phases of a group, or groups that are phases.
+struct ChosenScan {
+  const SliceGroup* group = nullptr; ///< Of the first phase.
+  std::vector<SlicePhase> phases;
+  std::vector<ScanFinding> findings;
+  std::string part;
+};
+
+ChosenScan chosenScan(const Folder& folder, const std::filesystem::path& place, const std::string& series) {
+  ChosenScan chosen;
+  if (const GatedSeries* gated = chosenGated(folder, place, series)) {
+    chosen.group = &folder.groups[gated->groups[0]];
+    chosen.phases = gated->phases;
+    return chosen;
+  }
+  const SeriesAndPart named = divided(series);
+  chosen.part = named.part;
+  chosen.group = &chosenGroup(folder, place, named.series);
+  append(chosen.findings, chosen.group->findings);
+  chosen.phases = phasesOf(folder.list, *chosen.group, chosen.findings);
+  return chosen;
+}
+
+/// Takes the samples of the slices in their order, mixed where the grid is made from them.
+void takeSamples(Scan& scan, const FrameList& list, const SliceStack& stack,
+                 const std::filesystem::path& place, Progress& progress) {
+  const SampleForm form = formOf(list, stack);
+  if (form.uniform) {
+    scan.slope = form.slope;
+    scan.intercept = form.intercept;
+    if (form.format.padding)
+      scan.padding = double((*form.format.padding)[0]);
+  }
+  try {
+    scan.samples = samplesOf(list, stack, form, progress);
+    if (!stack.mixes.empty())
+      scan.samples = mixedSlices(scan.samples, std::size_t(scan.size[0]) * std::size_t(scan.size[1]),
+                                 stack.mixes, scan.padding);
+  } catch (const std::bad_alloc&) {
+    throw DataError("it does not fit into memory", place.string(), "crop the image to the organs");
+  }
+}
+
+/// The volume of one phase.
+Scan readVolume(const Folder& folder, const ChosenScan& chosen, std::size_t phase,
+                const std::filesystem::path& place, Progress& progress) {
+  Scan scan;
+  scan.findings = chosen.findings;
+  const SliceStack stack = chosenStack(folder.list, chosen.phases[phase], chosen.part, place);
+  append(scan.findings, stack.findings);
+  sayPartFirst(scan.findings);
+  append(scan.findings, folder.damaged);
+  describe(scan, folder, *chosen.group);
+  const DicomHeader& first = folder.list.files[folder.list.frames[stack.frames[0]].file];
+  scan.size = {first.columns, first.rows, axisSize(FileBytes{place, {}}, std::int64_t(stack.depth()), "k")};
+  scan.indexToLps = stack.indexToLps;
+  RawImage grid;
+  grid.size = scan.size;
+  grid.indexToLps = scan.indexToLps;
+  requireUsableGrid(grid, FileBytes{place, {}});
+  for (const SlicePhase& one : chosen.phases)
+    if (chosen.phases.size() > 1)
+      scan.phaseTimesMs.push_back(one.timeMs);
+  takeSamples(scan, folder.list, stack, place, progress);
+  return scan;
+}
+
+} // namespace
+
 std::vector<ScanSeries> listDicomScans(const std::filesystem::path& fileOrFolder, Progress& progress) {
   const Folder folder = openFolder(fileOrFolder, progress, 1);
   std::vector<ScanSeries> list;
-  for (const SliceGroup& group : folder.groups) {
-    std::vector<ScanFinding> findings;
-    const std::vector<SlicePhase> phases = phasesOf(folder.list, group, findings);
-    const DicomHeader& first = folder.list.files[folder.list.frames[group.frames[0]].file];
-    std::set<std::filesystem::path> files;
-    for (const std::size_t f : group.frames)
-      files.insert(folder.list.files[folder.list.frames[f].file].file);
-    const std::vector<SliceStack> stacks = stackSlices(folder.list, phases[0]);
-    for (std::size_t number = 0; number < stacks.size(); ++number) {
-      const SliceStack& stack = stacks[number];
-      ScanSeries& series = list.emplace_back();
-      series.id = seriesId(folder, group) + partId(stack, number);
-      series.description = first.description;
-      series.modality = first.modality;
-      series.size = {first.columns, first.rows, static_cast<int>(stack.depth())};
-      series.spacing = stack.indexToLps.linear().colwise().norm();
-      series.indexToLps = stack.indexToLps;
-      series.phases = static_cast<int>(phases.size());
-      series.slices = {static_cast<int>(stack.part.first) + 1, static_cast<int>(stack.part.last) + 1,
-                       static_cast<int>(stack.slices), stack.part.resampled};
-      series.frameOfReference = first.frameOfReference;
-      series.files.assign(files.begin(), files.end());
+  std::set<std::size_t> listed;
+  for (std::size_t group = 0; group < folder.groups.size(); ++group) {
+    if (listed.contains(group))
+      continue;
+    const auto gated = std::find_if(folder.gated.begin(), folder.gated.end(), [&](const GatedSeries& one) {
+      return std::count(one.groups.begin(), one.groups.end(), group) > 0;
+    });
+    if (gated == folder.gated.end()) {
+      listGroup(folder, folder.groups[group], list);
+      continue;
     }
+    listed.insert(gated->groups.begin(), gated->groups.end());
+    listGated(folder, *gated, list);
   }
   progress.report(1);
   return list;
@@ -280,48 +402,44 @@ std::vector<ScanSeries> listDicomScans(const std::filesystem::path& fileOrFolder
 Scan readDicomScan(const std::filesystem::path& fileOrFolder, const ScanOptions& options,
                    Progress& progress) {
   const Folder folder = openFolder(fileOrFolder, progress, kHeaders);
-  const SeriesAndPart chosen = divided(options.series);
-  const SliceGroup& group = chosenGroup(folder, fileOrFolder, chosen.series);
-  Scan scan;
-  append(scan.findings, group.findings);
-  const std::vector<SlicePhase> phases = phasesOf(folder.list, group, scan.findings);
-  if (options.phase < 0 || static_cast<std::size_t>(options.phase) >= phases.size())
-    throw UsageError(phrase("It has no phase %1; it has %2", options.phase, phases.size()),
+  const ChosenScan chosen = chosenScan(folder, fileOrFolder, options.series);
+  if (options.phase < 0 || static_cast<std::size_t>(options.phase) >= chosen.phases.size())
+    throw UsageError(phrase("It has no phase %1; it has %2", options.phase, chosen.phases.size()),
                      fileOrFolder.string(), "the first one is 0");
-  const SliceStack stack =
-      chosenStack(folder.list, phases[static_cast<std::size_t>(options.phase)], chosen.part, fileOrFolder);
-  append(scan.findings, stack.findings);
-  sayPartFirst(scan.findings);
-  append(scan.findings, folder.damaged);
-  describe(scan, folder, group);
-  const DicomHeader& first = folder.list.files[folder.list.frames[stack.frames[0]].file];
-  scan.size = {first.columns, first.rows,
-               axisSize(FileBytes{fileOrFolder, {}}, std::int64_t(stack.depth()), "k")};
-  scan.indexToLps = stack.indexToLps;
-  RawImage grid;
-  grid.size = scan.size;
-  grid.indexToLps = scan.indexToLps;
-  requireUsableGrid(grid, FileBytes{fileOrFolder, {}});
+  Scan scan = readVolume(folder, chosen, static_cast<std::size_t>(options.phase), fileOrFolder, progress);
   scan.phase = options.phase;
-  for (const SlicePhase& phase : phases)
-    if (phases.size() > 1)
-      scan.phaseTimesMs.push_back(phase.timeMs);
-  const SampleForm form = formOf(folder.list, stack);
-  if (form.uniform) {
-    scan.slope = form.slope;
-    scan.intercept = form.intercept;
-    if (form.format.padding)
-      scan.padding = double((*form.format.padding)[0]);
-  }
-  try {
-    scan.samples = samplesOf(folder.list, stack, form, progress);
-    if (!stack.mixes.empty())
-      scan.samples = mixedSlices(scan.samples, std::size_t(first.columns) * std::size_t(first.rows),
-                                 stack.mixes, scan.padding);
-  } catch (const std::bad_alloc&) {
-    throw DataError("it does not fit into memory", fileOrFolder.string(), "crop the image to the organs");
-  }
   return scan;
+}
+
+std::optional<TimedVolumes> dicomVolumes(const std::filesystem::path& fileOrFolder, const std::string& series,
+                                         Progress& progress) {
+  const auto folder = std::make_shared<const Folder>(openFolder(fileOrFolder, progress, kHeaders));
+  ChosenScan chosen = chosenScan(*folder, fileOrFolder, series);
+  if (chosen.phases.size() < 2)
+    return std::nullopt;
+  TimedVolumes volumes;
+  const GatedSeries* gated = chosenGated(*folder, fileOrFolder, series);
+  const SliceStack stack = chosenStack(folder->list, chosen.phases[0], chosen.part, fileOrFolder);
+  const DicomHeader& first = folder->list.files[folder->list.frames[stack.frames[0]].file];
+  volumes.series = gated != nullptr ? seriesId(*folder, *chosen.group) + kGatedPart : series;
+  volumes.description = first.description;
+  volumes.modality = first.modality;
+  volumes.size = {first.columns, first.rows, static_cast<int>(stack.depth())};
+  volumes.sampleBytes = formOf(folder->list, stack).uniform ? std::size_t(first.format.allocated) / 8 : 4;
+  auto inTime = chosen.phases;
+  setPhaseTimes(folder->list, inTime, volumes);
+  if (volumes.count() < 2)
+    return std::nullopt;
+  for (const ScanFinding& finding : folder->damaged)
+    volumes.findings.push_back(finding.sentence);
+  volumes.read = [folder, fileOrFolder, chosen = std::move(chosen),
+                  numbers = volumes.numbers](std::size_t phase, Progress& reading) {
+    const auto number = static_cast<std::size_t>(numbers.at(phase));
+    Scan scan = readVolume(*folder, chosen, number, fileOrFolder, reading);
+    scan.phase = numbers[phase];
+    return scan;
+  };
+  return volumes;
 }
 
 } // namespace viscera::medical_io

@@ -179,6 +179,29 @@ std::vector<SlicePhase> phasesByPosition(const FrameList& list, const std::vecto
   return phases;
 }
 
+/// Slices that state one of a few times, of which each is stated at half of the places at least: phases some
+/// of which lack slices.
+std::vector<SlicePhase> phasesByValue(const FrameList& list,
+                                      const std::vector<std::vector<std::size_t>>& places, TimeOf time) {
+  std::map<double, SlicePhase> byTime;
+  for (const auto& place : places) {
+    std::set<double> here;
+    for (const std::size_t f : place) {
+      const auto at = list.frames[f].*time;
+      if (!at || !here.insert(*at).second)
+        return {};
+      byTime[*at].frames.push_back(f);
+    }
+  }
+  std::vector<SlicePhase> phases;
+  for (auto& [at, phase] : byTime) {
+    if (2 * phase.frames.size() < places.size())
+      return {};
+    phases.push_back(std::move(phase));
+  }
+  return phases;
+}
+
 std::vector<std::size_t> withoutCopies(const FrameList& list, const std::vector<std::size_t>& frames,
                                        std::vector<ScanFinding>& findings) {
   std::set<std::string> seen;
@@ -445,6 +468,9 @@ std::vector<SlicePhase> phasesOf(const FrameList& list, const SliceGroup& group,
     if (phases.empty() && even && tellsApart(list, places, time))
       phases = phasesBy(
           places, [&](std::size_t a, std::size_t b) { return list.frames[a].*time < list.frames[b].*time; });
+  for (const TimeOf time : {&DicomFrame::percent, &DicomFrame::triggerMs})
+    if (phases.empty() && !even)
+      phases = phasesByValue(list, places, time);
   if (phases.empty())
     return {{frames, 0}};
   setTimes(list, phases, findings);

@@ -10,6 +10,7 @@
 #include "viscera/document/command.h"
 #include "viscera/medical_io/label_map.h"
 #include "viscera/medical_io/scan.h"
+#include "viscera/medical_io/scan_over_time.h"
 
 namespace viscera::document {
 
@@ -22,7 +23,19 @@ struct ScanItem {
   std::string series;         ///< Which of several there, as `medical_io::ScanOptions`.
   int phase = 0;              ///< Which of several in time.
   std::string hash = {};      ///< `scanHash` of what was read; empty: not known.
+  /// All phases of the scan, of which `scan` is one; null for a scan of one instant.
+  std::shared_ptr<const medical_io::ScanOverTime> time = {};
 };
+
+/// The volume of a scan that belongs to a fraction of its cycle: `scan` where it has one instant. Null where
+/// the phase is damaged, or its file has changed. Decodes it where it is not kept. For any thread.
+std::shared_ptr<const medical_io::Scan> scanAt(const ScanItem& item, double fraction);
+
+/// Whether the document's images are over time: a cine study, or a scan of several phases.
+bool hasImagesOverTime(const DocumentState& state);
+
+/// The fraction of the cycle at which `scan` was taken; 0 for a scan of one instant.
+double fractionOf(const ScanItem& item);
 
 /// A hash of the grid, the samples and what values they stand for: 16 hexadecimal digits. O(voxels), on all
 /// threads.
@@ -37,18 +50,18 @@ bool identical(const std::shared_ptr<const ScanItem>& a, const std::shared_ptr<c
 ScanItem scanItem(medical_io::Scan scan, const std::filesystem::path& file,
                   const medical_io::ScanOptions& options = {});
 
-/// Reads a scan for a document, with its hash, without accessing a document. Throws what
-/// `medical_io::readScan` throws.
+/// Reads a scan for a document, with its hash and, of one over time, all of its phases, without accessing a
+/// document. A damaged phase gives way to the next one. Throws what `medical_io::readScan` throws.
 ScanItem openScanFile(const std::filesystem::path& file, const medical_io::ScanOptions& options,
                       Progress& progress);
 
 /// A scan with its hash, or a label map.
 using ScanItemOrLabels = std::variant<ScanItem, medical_io::LabelMap>;
 
-/// Reads a file or folder that may be a scan; none when it is something else. Image formats hold scans and
-/// label maps alike: what looks like labels comes back as a label map, from the same reading. None also for a
-/// file that cannot be read as a scan but may be a label map: who reads it as such says what is wrong. Throws
-/// `NoInputError`, `DataError` for a scan that is damaged, `Cancelled`.
+/// Reads a file or folder that may be a scan, with all of its phases; none when it is something else. Image
+/// formats hold scans and label maps alike: what looks like labels comes back as a label map, from the same
+/// reading. None also for a file that cannot be read as a scan but may be a label map: who reads it as such
+/// says what is wrong. Throws `NoInputError`, `DataError` for a scan that is damaged, `Cancelled`.
 std::optional<ScanItemOrLabels> openImage(const std::filesystem::path& file, Progress& progress);
 
 /// The phase of the label maps over time in `file` that belongs to the scan, which is itself one of as many

@@ -103,9 +103,10 @@ struct CineOptions {
   std::size_t keptBytes = std::size_t{256} << 20U;
 };
 
-/// Reads the cine images in a DICOM folder (four folders deep), or of a file with volumes over time (4D NIfTI
-/// or MetaImage, .seq.nrrd), whose layers become the slices of one stack. Reads headers; pictures are decoded
-/// when they are asked for, but packed ones once here as well, so that damaged ones are found.
+/// Reads the cine images in a DICOM folder (four folders deep), or of volumes over time (4D NIfTI or
+/// MetaImage, .seq.nrrd, DICOM series that are the phases of one scan; scan_over_time.h), whose layers become
+/// the slices of one stack. Reads headers; pictures are decoded when they are asked for, but packed ones and
+/// volumes once here as well, so that damaged ones are found.
 ///
 /// A series belongs to the study when its images at one place show a heart's whole cycle, by trigger times,
 /// by parts of the cycle, or by their numbers in it. Left out, and said in `findings`: files that are

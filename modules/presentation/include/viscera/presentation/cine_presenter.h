@@ -27,9 +27,9 @@ struct BentContour {
 
 /// Draws slices of a document's cine study in their own planes: grey levels of the phase that belongs to the
 /// view's fraction of the cycle, contours of the organs as they are posed and at rest, and where the planes
-/// of the other panes cut. As `SlicePresenter`, it updates only what differs. The `direction` of a pane is
-/// its place, 0 to 2. Nothing is drawn where nothing was measured: beside a picture, and in a phase whose
-/// picture is missing. For one thread.
+/// of the other panes cut, handles near each plane and distances and angles in it. As `SlicePresenter`, it
+/// updates only what differs. The `direction` of a pane is its place, 0 to 2. Nothing is drawn where nothing
+/// was measured: beside a picture, and in a phase whose picture is missing. For one thread.
 class CinePresenter {
 public:
   explicit CinePresenter(Threads threads = {}, SlicePresenter::Translate translate = {});
@@ -58,6 +58,11 @@ public:
   /// Sets the contour that is being bent, which is drawn from the next update on over the organ's own, thin
   /// one; none: no contour.
   void setBent(std::optional<BentContour> bent);
+  /// As of `SlicePresenter`: the row of the nearest handle within `reach` pixels, or -1; and the nearest
+  /// point of a measurement that lies on no organ.
+  int handleAt(int direction, const Eigen::Vector2d& pixel, double reach) const;
+  std::optional<scene::MeasurementGlyphs::Mark> measuredAt(int direction, const Eigen::Vector2d& pixel,
+                                                           double reach) const;
   /// The contours of the organs that the slice meets.
   std::vector<ContourFigure> contours(int direction) const;
 

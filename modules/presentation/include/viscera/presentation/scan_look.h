@@ -17,7 +17,7 @@ struct SliceFraming {
   bool operator==(const SliceFraming&) const = default;
 };
 
-/// What is shown of a cine study.
+/// What is shown of a cine study; of a scan of several phases only the fraction.
 struct CineLook {
   /// The study's slice in each of the three panes beside the 3D view; -1: the one that `cineSlices` proposes.
   std::array<int, 3> slices{-1, -1, -1};
@@ -42,7 +42,7 @@ struct ScanLook {
   bool standing = false;     ///< The slices also stand in the 3D view.
   bool warped = false;       ///< The scan is deformed by the pose.
   std::array<SliceFraming, 3> framings; ///< Of the directions in their order.
-  CineLook cine;                        ///< While the document has a study in place of a scan.
+  CineLook cine;                        ///< While the document has images over time.
 
   bool operator==(const ScanLook&) const = default;
 };
