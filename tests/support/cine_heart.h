@@ -21,7 +21,7 @@ namespace viscera::tests {
 
 /// What is wrong with images and labels.
 struct CineHeartFaults {
-  double noise = 10;     ///< Deviation of grey values; blood has 300, muscle 100.
+  double noise = 10;     ///< Deviation of Rician noise; blood has 300, muscle 100.
   double breathMm = 3;   ///< How far each plane's content lies aside, in its plane.
   double labelMm = 0;    ///< Root mean square of a smooth error of the labels.
   int missingSlice = -1; ///< A short-axis slice that is not there.
@@ -166,7 +166,9 @@ private:
                               : inside[0].inside[at]                       ? 100
                                                                            : 180;
           const Vec3 rest = restOf(grid.indexToLps * Vec3(column, row, 0), phase);
-          image(row, column) = static_cast<float>(grey + 15 * texture(rest) + noise(random));
+          // Rice's distribution: the length of a complex number with noise in both parts.
+          const double real = grey + 15 * texture(rest) + noise(random);
+          image(row, column) = static_cast<float>(std::hypot(real, noise(random)));
         }
     }
     study.sources.push_back(
