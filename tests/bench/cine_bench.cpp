@@ -136,7 +136,7 @@ public:
     request.labels = {{0, {labelsOf(0)}}, {systole, {labelsOf(systole)}}};
     return live::readLabelledStudy(request, progress_);
   }
-  /// In the order of a study's surfaces.
+  /// The true surfaces, ordered as a study's.
   tests::CineTruth truth(const std::vector<std::string>& names) {
     return {kPhases,
             [this, names](std::size_t surface, std::size_t phase) {

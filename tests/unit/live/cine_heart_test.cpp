@@ -15,7 +15,7 @@ namespace {
 TEST(CineHeart, HasThreeSurfacesThatNeverFold) {
   const tests::MeasuredBeat beat(8, sample_organs::Resolution::low);
   const tests::CineHeart heart(beat);
-  const LabelledStudy study = heart.study({.pixelMm = 2.4});
+  const LabelledStudy study = heart.study({.pixelMm = 3});
   Progress progress;
   const CineMotion found = trackCine(study, {}, progress);
   EXPECT_EQ(found.endDiastole, heart.diastole());
