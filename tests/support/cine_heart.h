@@ -21,7 +21,7 @@ namespace viscera::tests {
 
 /// What is wrong with images and labels.
 struct CineHeartFaults {
-  double noise = 10;     ///< Deviation of grey values; blood has 300, muscle 100.
+  double noise = 10;     ///< Deviation of Rician noise; blood has 300, muscle 100.
   double breathMm = 3;   ///< How far each plane's content lies aside, in its plane.
   double labelMm = 0;    ///< Root mean square of a smooth error of the labels.
   int missingSlice = -1; ///< A short-axis slice that is not there.
@@ -29,6 +29,7 @@ struct CineHeartFaults {
   bool longAxis = true;  ///< Whether there are long-axis planes.
   int systoleOff = 0;    ///< How many phases beside the end of systole is labelled as such.
   bool systole = true;   ///< Whether it is labelled at all.
+  double pixelMm = 1.6;
 };
 
 /// A smooth displacement of points, `rms` mm: waves of 25 mm and more.
@@ -63,8 +64,9 @@ public:
     }
   }
 
-  /// The phase with the emptiest left ventricle.
+  /// The phases with the emptiest and the fullest left ventricle.
   std::size_t systole() const { return systole_; }
+  std::size_t diastole() const { return diastole_; }
 
   live::LabelledStudy study(const CineHeartFaults& faults = {}) const {
     live::LabelledStudy study;
@@ -94,8 +96,8 @@ public:
   }
 
 private:
-  static constexpr int kSlices = 6, kPixels = 96, kMarkers = 500;
-  static constexpr double kApartMm = 16, kPixelMm = 1.6, kReachMm = 8;
+  static constexpr int kSlices = 6, kMarkers = 500;
+  static constexpr double kApartMm = 16, kSideMm = 153.6, kReachMm = 8;
 
   void addLabels(std::size_t phase, const CineHeartFaults& faults, live::MotionSeries& labels) const {
     auto& meshes = labels.meshes.emplace_back();
@@ -131,22 +133,26 @@ private:
            std::sin(0.5 * rest[2] + 0.25 * rest[0] + 2);
   }
 
+  static int pixelsOf(double pixelMm) { return static_cast<int>(std::lround(kSideMm / pixelMm)); }
+
   /// A grid of one layer in the plane.
   static tracking::Mask gridOf(const tracking::CinePlane& plane, const Vec3& aside) {
     tracking::Mask grid;
-    grid.size = {kPixels, kPixels, 1};
+    const int pixels = pixelsOf(plane.spacing[0]);
+    grid.size = {pixels, pixels, 1};
     Eigen::Matrix3d axes;
     axes << plane.alongRow, plane.alongColumn, plane.normal();
-    grid.indexToLps = Eigen::Translation3d(plane.origin - aside) * Eigen::Affine3d(axes * kPixelMm);
-    grid.inside.assign(std::size_t{kPixels} * kPixels, 0);
+    grid.indexToLps = Eigen::Translation3d(plane.origin - aside) * Eigen::Affine3d(axes * plane.spacing[0]);
+    grid.inside.assign(static_cast<std::size_t>(pixels) * static_cast<std::size_t>(pixels), 0);
     return grid;
   }
 
   void addPlane(const std::string& name, const Vec3& middle, const Vec3& alongRow, const Vec3& alongColumn,
                 const CineHeartFaults& faults, double furtherMm, std::mt19937& random,
                 live::LabelledStudy& study) const {
-    tracking::CinePlane plane{name, middle, alongRow, alongColumn, {kPixelMm, kPixelMm}, {}, {}};
-    plane.origin -= 0.5 * (kPixels - 1) * kPixelMm * (alongRow + alongColumn);
+    const int pixels = pixelsOf(faults.pixelMm);
+    tracking::CinePlane plane{name, middle, alongRow, alongColumn, {faults.pixelMm, faults.pixelMm}, {}, {}};
+    plane.origin -= 0.5 * (pixels - 1) * faults.pixelMm * (alongRow + alongColumn);
     std::uniform_real_distribution<double> any(0, 2 * std::numbers::pi);
     std::normal_distribution<double> noise(0, faults.noise);
     const double way = any(random);
@@ -157,16 +163,18 @@ private:
       std::array<tracking::Mask, 3> inside = {grid, grid, grid};
       for (std::size_t i = 0; i < 3; ++i)
         inside[i] = tracking::voxelised(beat_.truth[i].at(phase), grid);
-      tracking::CineImage& image = plane.images.emplace_back(kPixels, kPixels);
+      tracking::CineImage& image = plane.images.emplace_back(pixels, pixels);
       plane.fractions.push_back(beat_.times.seconds[phase] / beat_.times.periodSeconds);
-      for (int row = 0; row < kPixels; ++row)
-        for (int column = 0; column < kPixels; ++column) {
+      for (int row = 0; row < pixels; ++row)
+        for (int column = 0; column < pixels; ++column) {
           const std::size_t at = grid.indexOf(column, row, 0);
           const double grey = inside[1].inside[at] || inside[2].inside[at] ? 300
                               : inside[0].inside[at]                       ? 100
                                                                            : 180;
           const Vec3 rest = restOf(grid.indexToLps * Vec3(column, row, 0), phase);
-          image(row, column) = static_cast<float>(grey + 15 * texture(rest) + noise(random));
+          // Rice's distribution: the length of a complex number with noise in both parts.
+          const double real = grey + 15 * texture(rest) + noise(random);
+          image(row, column) = static_cast<float>(std::hypot(real, noise(random)));
         }
     }
     study.sources.push_back(

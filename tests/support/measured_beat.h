@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cmath>
+#include <numbers>
 #include <random>
 #include <string>
 #include <vector>
@@ -24,7 +25,9 @@ struct Spoilt {
 /// The truth: "outer", "lv" and "rv" in `phases` phases over a beat of 0.8 s.
 class MeasuredBeat {
 public:
-  MeasuredBeat(std::size_t phases, sample_organs::Resolution resolution)
+  /// `unlike`: how much faster than the textbook's the beat runs at its ends, and slower in its middle, as a
+  /// part of its speed.
+  MeasuredBeat(std::size_t phases, sample_organs::Resolution resolution, double unlike = 0)
       : scene_([&](Progress& progress) {
           return live::setUpSequence(cachedLibrary(), "heartbeat", resolution, progress);
         }) {
@@ -32,7 +35,8 @@ public:
     for (const std::string name : {"outer", "lv", "rv"}) {
       tracking::SurfaceSeries series{name, {}, {}};
       for (const double seconds : times.seconds) {
-        scene_.show(seconds, 60 / kPeriod);
+        const double turn = 2 * std::numbers::pi;
+        scene_.show(seconds + unlike * kPeriod / turn * std::sin(turn * seconds / kPeriod), 60 / kPeriod);
         geometry::TriangleMesh mesh = scene_.posed(name);
         series.triangles = mesh.triangles;
         series.phases.push_back(std::move(mesh.points));

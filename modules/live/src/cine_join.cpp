@@ -203,9 +203,10 @@ PictureWindow windowAround(const CineGeometry& place, const std::vector<Vec3>& p
   return {from[0], from[1], to[0] - from[0] + 1, to[1] - from[1] + 1};
 }
 
-/// A slice as a plane; pixels that were not measured have the least value of their picture.
+/// A slice as a plane; pixels that were not measured have the least value of their picture. Pictures whose
+/// pixels are all alike show nothing: their phases are `empty`.
 tracking::CinePlane planeOf(const CineSlice& slice, const std::string& name, const std::vector<Vec3>& points,
-                            Progress& progress) {
+                            std::vector<Text>& empty, Progress& progress) {
   const CineGeometry& place = slice.geometry;
   const PictureWindow window = windowAround(place, points);
   tracking::CinePlane plane{name,
@@ -213,17 +214,23 @@ tracking::CinePlane planeOf(const CineSlice& slice, const std::string& name, con
                             place.row,
                             place.column,
                             {place.betweenColumns, place.betweenRows},
-                            slice.fractions,
+                            {},
                             {}};
   for (std::size_t phase = 0; phase < slice.fractions.size(); ++phase) {
     progress.throwIfCancelled();
     const auto picture = slice.image(phase);
-    tracking::CineImage& image = plane.images.emplace_back(
-        picture->block(window.row, window.column, window.rows, window.columns).array());
-    if (image.allFinite())
+    tracking::CineImage image =
+        picture->block(window.row, window.column, window.rows, window.columns).array();
+    if (!image.allFinite()) {
+      const float least = image.isFinite().select(image, std::numeric_limits<float>::max()).minCoeff();
+      image = image.isFinite().select(image, least < std::numeric_limits<float>::max() ? least : 0.0F);
+    }
+    if (image.minCoeff() == image.maxCoeff()) {
+      empty.push_back(std::to_string(phase));
       continue;
-    const float least = image.isFinite().select(image, std::numeric_limits<float>::max()).minCoeff();
-    image = image.isFinite().select(image, least < std::numeric_limits<float>::max() ? least : 0.0F);
+    }
+    plane.fractions.push_back(slice.fractions[phase]);
+    plane.images.push_back(std::move(image));
   }
   return plane;
 }
@@ -300,7 +307,16 @@ void addPlanes(const CineStudy& study, const CineRequest& request, LabelledStudy
       joined.warnings.push_back(phrase("%1 % of what is labelled in the plane of %2 lies outside its "
                                        "images",
                                        std::lround(100 * crossing.outside), name));
-    joined.planes.push_back(planeOf(slice, name.english(), points, progress));
+    std::vector<Text> empty;
+    tracking::CinePlane plane = planeOf(slice, name.english(), points, empty, progress);
+    if (!empty.empty()) {
+      const std::size_t count = empty.size();
+      joined.warnings.push_back(phrase("%n {picture|pictures} of %2 {is|are} empty and left out: %3", count,
+                                       name, listOf(std::move(empty))));
+    }
+    if (plane.images.empty())
+      continue;
+    joined.planes.push_back(std::move(plane));
     joined.sources.push_back({i, slice.number, name, slice.plane});
   }
   if (joined.planes.empty())

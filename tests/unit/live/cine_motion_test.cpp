@@ -262,6 +262,28 @@ TEST(CineTracker, MeetsCorrectionsOneAfterTheOtherAndGivesTheEarlierMotionBack) 
             before.motion.indices.at("LV").ejectionFraction);
 }
 
+TEST_F(CineJoin, LeavesOutEmptyPicturesAndNamesThem) {
+  const auto whole = study_.slices[1].image;
+  study_.slices[1].image = [whole](std::size_t phase) {
+    const auto picture = whole(phase);
+    return phase != 2 ? picture
+                      : std::make_shared<const medical_io::CineImage>(
+                            medical_io::CineImage::Zero(picture->rows(), picture->cols()));
+  };
+  CineRequest request;
+  request.labels = {labels(0), labels(4)};
+  const LabelledStudy study = joined(request);
+  ASSERT_EQ(study.planes.size(), 7U);
+  EXPECT_EQ(study.planes[0].images.size(), CinePhantom::kPhases);
+  EXPECT_EQ(study.planes[1].images.size(), CinePhantom::kPhases - 1);
+  EXPECT_NEAR(study.planes[1].fractions[2], 0.3, 1e-9);
+  std::string said;
+  for (const Text& warning : study.warnings)
+    said += warning.english() + '\n';
+  EXPECT_NE(said.find("1 picture of series 2"), std::string::npos) << said;
+  EXPECT_NE(said.find("is empty and left out: 2"), std::string::npos) << said;
+}
+
 TEST_F(CineJoin, RejectsWhatCannotBeJoined) {
   const auto refused = [this](const CineRequest& request, const std::string& words) {
     try {

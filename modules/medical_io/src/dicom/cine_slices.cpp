@@ -100,8 +100,9 @@ bool samePlace(const DicomFrame& a, const DicomFrame& b) {
          (a.column - b.column).norm() <= kSameDirections;
 }
 
-/// Frames of one geometry by their positions.
-std::vector<std::vector<std::size_t>> placesOf(const FrameList& list, const SliceGroup& group) {
+/// Frames of one geometry by their positions. `copies` counts those that are left out.
+std::vector<std::vector<std::size_t>> placesOf(const FrameList& list, const SliceGroup& group,
+                                               std::size_t& copies) {
   const Vec3 normal = list.frames[group.frames[0]].normal();
   const auto height = [&](std::size_t f) { return normal.dot(list.frames[f].position); };
   std::vector<std::size_t> frames = group.frames;
@@ -110,8 +111,10 @@ std::vector<std::vector<std::size_t>> placesOf(const FrameList& list, const Slic
   std::vector<std::vector<std::size_t>> places;
   std::set<std::string> seen;
   for (const std::size_t f : frames) {
-    if (!list.frames[f].uid.empty() && !seen.insert(list.frames[f].uid).second)
-      continue; // A copy.
+    if (!list.frames[f].uid.empty() && !seen.insert(list.frames[f].uid).second) {
+      ++copies;
+      continue;
+    }
     auto place = places.rbegin();
     while (place != places.rend() && height(f) - height(place->front()) <= kSamePositionMm &&
            !samePlace(list.frames[place->front()], list.frames[f]))
@@ -130,6 +133,10 @@ public:
     for (std::size_t i = 0; i < folder.files.size(); ++i)
       if (folder.errors[i])
         leaveOut(folder.files[i], folder.errors[i]->problem());
+      else if (!std::all_of(folder.headers[i].frames.begin(), folder.headers[i].frames.end(), isUsable))
+        leaveOut(folder.files[i], diagnostic("its header is damaged: one of its numbers is none"));
+      else if (!folder.headers[i].notAScan.empty())
+        placeless_.push_back(std::move(folder.headers[i]));
       else
         list_.files.push_back(std::move(folder.headers[i]));
     listAllFrames();
@@ -143,6 +150,7 @@ public:
     chooseStudy();
     if (slices_.empty())
       return std::nullopt;
+    leaveOutPlaceless();
     CineStudy study = described();
     addSlices(study, options);
     reportDamaged(study);
@@ -161,8 +169,7 @@ private:
     for (std::size_t file = 0; file < list_.files.size(); ++file)
       for (DicomFrame& frame : list_.files[file].frames) {
         frame.file = file;
-        if (isUsable(frame))
-          list_.frames.push_back(frame);
+        list_.frames.push_back(frame);
       }
   }
 
@@ -193,8 +200,9 @@ private:
   void findSlices() {
     slices_.clear();
     uncounted_.clear();
+    copies_ = 0;
     for (const SliceGroup& group : groupFrames(list_))
-      for (const auto& place : placesOf(list_, group))
+      for (const auto& place : placesOf(list_, group, copies_))
         addPlace(place);
   }
 
@@ -269,6 +277,18 @@ private:
       return;
     otherStudies_ = keepMost(&DicomHeader::studyUid);
     otherFrames_ = keepMost(&DicomHeader::frameOfReference);
+  }
+
+  /// Files without a place or pixels: they are damaged where others of their series are slices.
+  void leaveOutPlaceless() {
+    std::erase_if(placeless_, [&](const DicomHeader& header) {
+      const bool ofSlice = std::any_of(slices_.begin(), slices_.end(), [&](const FoundSlice& slice) {
+        return slice.file->seriesUid == header.seriesUid;
+      });
+      if (ofSlice)
+        damaged_.push_back({header.file, header.notAScan, {}});
+      return ofSlice;
+    });
   }
 
   CineStudy described() const {
@@ -347,6 +367,11 @@ private:
       study.findings.push_back(phrase("%n {picture|pictures} of series %2 {has|have} the time of another one "
                                       "and {is|are} left out",
                                       found.times.doubled, seriesLabel(slice)));
+    if (found.times.stated > 0 && std::size_t(found.times.stated) != slice.phasesInCycle())
+      study.findings.push_back(phrase("Series %1 states %2 phases and has %3", seriesLabel(slice),
+                                      found.times.stated, slice.phasesInCycle()));
+    if (!found.file->assumed.empty())
+      study.findings.push_back(phrase("Series %1: %2", seriesLabel(slice), found.file->assumed));
     if (found.times.wrongIntervalMs)
       study.findings.push_back(
           phrase("Series %1 states a cycle of %2 ms, which is shorter than its phases; %3 "
@@ -396,13 +421,17 @@ private:
       study.findings.push_back(
           phrase("%n {slice|slices} of the study in another frame of reference left out (series %2)",
                  otherFrames_.size(), seriesOf(otherFrames_)));
+    if (copies_ > 0)
+      study.findings.push_back(
+          phrase("%n {file is a copy|files are copies} of another one and left out", copies_));
+    std::set<std::string> told;
+    for (const DicomHeader& file : placeless_)
+      if (file.studyUid == study.studyUid && told.insert(file.seriesUid).second)
+        study.findings.push_back(
+            phrase("Series %1 is left out: \"%2\" %3", labelOf(file), nameOfFile(file.file), file.notAScan));
     std::map<std::string, Text> still;
-    for (const DicomHeader* file : uncounted_) {
-      CineSlice slice;
-      slice.number = file->seriesNumber;
-      slice.description = file->description;
-      still.emplace(file->seriesUid, seriesLabel(slice));
-    }
+    for (const DicomHeader* file : uncounted_)
+      still.emplace(file->seriesUid, labelOf(*file));
     for (const CineSlice& slice : study.slices)
       still.erase(slice.series);
     std::vector<Text> labels;
@@ -411,6 +440,13 @@ private:
     if (!labels.empty())
       study.findings.push_back(phrase("%n {series|series} without the phases of a heart's cycle left out: %2",
                                       labels.size(), listOf(labels)));
+  }
+
+  static Text labelOf(const DicomHeader& file) {
+    CineSlice slice;
+    slice.number = file.seriesNumber;
+    slice.description = file.description;
+    return seriesLabel(slice);
   }
 
   static Text seriesOf(const std::vector<FoundSlice>& slices) {
@@ -425,6 +461,8 @@ private:
   std::filesystem::path root_;
   FrameList list_;
   std::vector<DamagedFile> damaged_;
+  std::vector<DicomHeader> placeless_; ///< Files that are no slices.
+  std::size_t copies_ = 0;
   std::vector<FoundSlice> slices_, otherStudies_, otherFrames_;
   std::set<const DicomHeader*> uncounted_; ///< Of places without phases; a file of each.
 };

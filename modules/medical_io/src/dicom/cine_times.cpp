@@ -154,6 +154,7 @@ private:
     findMissing(placed);
     placed.intervalMs = clock == Clock::trigger ? length_ : stated_;
     placed.wrongIntervalMs = wrongInterval_;
+    placed.stated = expected_ > 1 ? expected_ : 0;
     return placed;
   }
 

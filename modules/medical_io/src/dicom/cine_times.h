@@ -15,6 +15,7 @@ struct CineTimes {
   std::vector<double> missing;           ///< The same of phases that have no picture, ascending.
   std::vector<double> ofDamaged;         ///< One for each damaged frame; below 0: not told.
   double intervalMs = 0;                 ///< 0: not stated, and not to be told.
+  int stated = 0;                        ///< How many phases the files say a cycle has; 0: not stated.
   std::size_t doubled = 0;               ///< Pictures of a phase that has another one already.
   std::optional<double> wrongIntervalMs; ///< Stated, but shorter than the times of the phases.
 };
