@@ -66,9 +66,6 @@ struct RelaxedPose {
 /// handles, which a rigid motion does not stretch, let them follow. They have a thousandth of the tissue's
 /// stiffness.
 ///
-///     const LeastEnergy tissue({{gradients, witnessVolumes(mesh)}}, rest);
-///     const RelaxedPose relaxed = tissue.relax(dragged, {1, 2, 5});
-///
 /// Immutable, thread-safe. Results are bitwise independent of the number of threads.
 class LeastEnergy {
 public:
