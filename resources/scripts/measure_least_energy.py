@@ -3,7 +3,7 @@
 
     resources/scripts/measure_least_energy.py build/release/bin/viscera [--organs NAME...] [--drags N]
 
-Each of N handles of a sample organ is dragged by 5 % of the diagonal of the handles near it, away from the organ's middle, while the 10
+Each of N handles of an organ (a sample's name, or a surface file) is dragged by 5 % of the diagonal of the handles near it, away from the organ's middle, while the 10
 farthest handles hold it; all others are free, in the elastic organ too. Patches move as their handles, or as the posed surface does there. Prints
 a Markdown table.
 """
@@ -14,7 +14,7 @@ import pathlib
 import subprocess
 import tempfile
 
-ORGANS = ["liver", "stomach", "kidney_left", "kidney_right", "heart"]
+ORGANS = ["liver", "stomach", "kidney_left", "kidney_right"]
 ENCLOSING = 8  # The first handles are the corners of a box around the organ.
 DRAG = 0.05
 HELD = 10
@@ -23,6 +23,10 @@ HELD = 10
 def read(viscera, *arguments):
     done = subprocess.run([viscera, *arguments, "--json"], capture_output=True, text=True)
     return json.loads(done.stdout) if done.returncode == 0 else None
+
+
+def source(organ):
+    return organ if pathlib.Path(organ).suffix else f"sample:{organ}"
 
 
 def control_points(markup):
@@ -36,8 +40,8 @@ def drags(points, count):
 
 
 def measure(viscera, organ, count, folder):
-    rest = folder / f"{organ}.mrk.json"
-    subprocess.run([viscera, "handles", f"sample:{organ}", "-o", str(rest), "--force"], check=True, capture_output=True)
+    rest = folder / "rest.mrk.json"
+    subprocess.run([viscera, "handles", source(organ), "-o", str(rest), "--force"], check=True, capture_output=True)
     markup = json.loads(rest.read_text())
     points = control_points(markup)
     places = [p["position"] for p in points]
@@ -55,7 +59,7 @@ def measure(viscera, organ, count, folder):
         farthest = sorted(range(len(points)), key=lambda other: -math.dist(places[other], places[handle]))
         options = [option for other in farthest[:HELD] for option in ("--hold", points[other]["label"])]
         for grips in ("handle", "surface"):
-            found = read(viscera, "elasticity", f"sample:{organ}", "--handles", str(rest), "--pose", str(pose),
+            found = read(viscera, "elasticity", source(organ), "--handles", str(rest), "--pose", str(pose),
                          "--free-handles-follow", "--grips", grips, *options)
             rows.append((organ, points[handle]["label"], grips, found))
     return rows

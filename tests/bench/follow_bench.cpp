@@ -11,7 +11,7 @@
 namespace viscera {
 namespace {
 
-/// Thirty handles around an organ, of which one is dragged, seven hold it and the others follow. Arguments:
+/// Thirty handles around an organ, of which one is dragged, eight hold it and the others follow. Arguments:
 /// threads, and whether its volume is locked.
 void followingStep(benchmark::State& state) {
   const Threads threads{static_cast<int>(state.range(0))};
