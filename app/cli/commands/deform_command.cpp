@@ -18,9 +18,11 @@
 #include "viscera/deformation/inverse_displacements.h"
 #include "viscera/deformation/least_stress.h"
 #include "viscera/deformation/restoration_model.h"
+#include "viscera/deformation/tetrahedralise.h"
 #include "viscera/deformation/volume_lock.h"
 #include "viscera/document/organ.h"
 #include "viscera/live/movable_binding.h"
+#include "viscera/live/tissue_energy.h"
 #include "viscera/medical_io/displacement_file.h"
 #include "viscera/medical_io/surface_file.h"
 
@@ -124,6 +126,12 @@ public:
         ->check(CLI::IsMember({kLeastDisplacement, kLeastStress}))
         ->type_name("HOW")
         ->capture_default_str();
+    CLI::Option* follow = options.add_flag(
+        "--free-handles-follow", follow_,
+        "Move the handles that the pose leaves at rest to where the elastic energy of the tissue is least");
+    options.add_option("--hold", hold_, "Leave these handles at rest while the others follow")
+        ->type_name("LABEL")
+        ->needs(follow);
     options.add_option("--witnesses", witnesses_, "Witness points for least-stress, 200 to 200000")
         ->type_name("N")
         ->capture_default_str();
@@ -163,7 +171,8 @@ public:
                                    live::bindMovable(organ, *system, handles, options, context.progress),
                                    handles.positions, context.threads);
     deformer.setPose(pose);
-    keepVolume(deformer, input, outcome.warnings, context.progress);
+    const std::vector<int> following = follow(deformer, input, context.progress);
+    keepVolume(deformer, input, following, outcome.warnings, context.progress);
 
     const double restMl = deformer.restVolumeMm3() / kMm3PerMl;
     const double nowMl = deformer.volumeMm3() / kMm3PerMl;
@@ -192,6 +201,10 @@ public:
       listing.add("volume", "none: the surface is open");
     listing.add("moved handles", std::to_string(moved))
         .add("largest displacement", fixed(deformer.maxDisplacementMm(), 2) + " mm of the surface");
+    if (follow_) {
+      outcome.json["followingHandles"] = following.size();
+      listing.add("following handles", std::to_string(following.size()));
+    }
     if (lockVolume_ || targetMl_)
       tellMoves(moves, listing, outcome.warnings);
     writeOutputs(input, deformer, context.progress, outcome, listing);
@@ -213,9 +226,32 @@ private:
                          " is a bone, which moves as a rigid body; --mobility bends lets it bend");
   }
 
+  /// Lets the handles follow that the pose leaves at rest and that are not held; returns which.
+  std::vector<int> follow(deformation::Deformer& deformer, const BoundInput& input,
+                          Progress& progress) const {
+    if (!follow_)
+      return {};
+    if (input.organ.mobility != document::Mobility::bends)
+      throw UsageError("The organ does not bend, so that its handles have nothing to follow",
+                       "--free-handles-follow");
+    std::vector<int> following = deformation::restingHandles(input.handles.positions, deformer.pose());
+    for (const std::string& label : hold_)
+      std::erase(following, rowOfHandle(input.rig, label));
+    const auto tissue = live::tissueEnergy({input.organ.mesh}, *input.system, input.handles,
+                                           deformation::withTetgen(input.options), progress);
+    std::optional<deformation::VolumeLock> lock;
+    if (lockVolume_ || targetMl_)
+      if (input.organ.closed())
+        lock.emplace(std::vector<deformation::LockedSurface>{{input.organ.name, deformer.sharedRest(),
+                                                              deformer.sharedBinding(),
+                                                              targetMl(deformer) * kMm3PerMl}});
+    deformer.setPose(tissue->relax(deformer.pose(), following, lock ? &*lock : nullptr).pose);
+    return following;
+  }
+
   /// Moves compensating handles so that the organ has the volume given by an option, if any.
-  void keepVolume(deformation::Deformer& deformer, const BoundInput& input, std::vector<Text>& warnings,
-                  Progress& progress) const {
+  void keepVolume(deformation::Deformer& deformer, const BoundInput& input, const std::vector<int>& following,
+                  std::vector<Text>& warnings, Progress& progress) const {
     if (!lockVolume_ && !targetMl_) {
       if (!compensate_.empty())
         throw UsageError("It goes with --lock-volume or --target-ml", "--compensate");
@@ -232,7 +268,8 @@ private:
     std::vector<int> compensating;
     for (const std::string& label : compensate_)
       compensating.push_back(rowOfHandle(input.rig, label));
-    const std::vector<int> resting = deformation::restingHandles(input.handles.positions, deformer.pose());
+    const std::vector<int> resting =
+        follow_ ? following : deformation::restingHandles(input.handles.positions, deformer.pose());
     for (const int handle : compensating)
       if (exact_ && std::find(resting.begin(), resting.end(), handle) == resting.end())
         throw UsageError("The pose moves this handle, so that it cannot compensate exactly",
@@ -309,6 +346,8 @@ private:
   std::string restore_ = "least-displacement";
   std::string mobility_;
   bool exact_ = false;
+  bool follow_ = false;
+  std::vector<std::string> hold_;
   int witnesses_ = 2000;
 };
 

@@ -18,12 +18,15 @@
 #include "viscera/deformation/tetrahedralise.h"
 #include "viscera/elasticity/elastic_organ.h"
 #include "viscera/elasticity/tissues.h"
+#include "viscera/live/tissue_energy.h"
 #include "viscera/medical_io/surface_file.h"
 
 namespace viscera::app::cli {
 namespace {
 
 constexpr const char* kHeld = "held";
+constexpr const char* kHandle = "handle";
+constexpr const char* kSurface = "surface";
 
 /// The value below which a part of the sorted numbers lies.
 double quantile(const std::vector<double>& sorted, double part) {
@@ -40,6 +43,20 @@ Difference differenceOf(const Points& elastic, const Points& posed) {
   std::vector<double> sorted(distances.begin(), distances.end());
   std::sort(sorted.begin(), sorted.end());
   return {quantile(sorted, 0.5), quantile(sorted, 0.95), sorted.back()};
+}
+
+/// Lets the patches move as the posed surface does at their nodes, in place of as the handles do.
+void gripSurface(const elasticity::ElasticOrgan& organ, const Points& rest, const Points& posed,
+                 elasticity::Grips& grips) {
+  const Points& nodes = organ.body().mesh().nodes;
+  std::int32_t last = -1;
+  Eigen::Index vertex = 0;
+  for (elasticity::Prescribed& one : grips.prescribed) {
+    if (one.node != last)
+      (rest.rowwise() - nodes.row(one.node)).rowwise().squaredNorm().minCoeff(&vertex);
+    last = one.node;
+    one.displacementMm = posed(vertex, one.axis) - rest(vertex, one.axis);
+  }
 }
 
 /// The von Mises stress of the tissue over its volume at rest, kPa.
@@ -97,6 +114,20 @@ public:
         ->check(CLI::IsMember({kHeld, "free"}))
         ->type_name("HOW")
         ->capture_default_str();
+    options
+        .add_option("--grips", grips_,
+                    "How a patch moves: as its handle, or as the surface does there in the handles' pose, "
+                    "which compares what is between the patches alone: handle or surface")
+        ->check(CLI::IsMember({kHandle, kSurface}))
+        ->type_name("HOW")
+        ->capture_default_str();
+    options
+        .add_option("--hold", hold_,
+                    "Hold the organ's surface at these handles only, of those that the pose leaves at rest")
+        ->type_name("LABEL");
+    options.add_flag("--free-handles-follow", follow_,
+                     "Compare also the pose in which the handles without a grip go to where the elastic "
+                     "energy is least");
     options.add_option("--tetrahedra", organOptions_.tetrahedra, "About how many tetrahedra the organ has")
         ->type_name("N")
         ->check(wholeBetween(50, 20'000))
@@ -109,22 +140,23 @@ public:
     const auto begin = std::chrono::steady_clock::now();
     Outcome outcome;
     const BoundInput input = input_.read(context, outcome.warnings);
+    const auto binding = deformation::bindOrgan(*input.system, input.handles, input.organ.mesh->points,
+                                                deformation::withTetgen(input.options), context.progress);
     Points posed;
-    deformation::bindOrgan(*input.system, input.handles, input.organ.mesh->points,
-                           deformation::withTetgen(input.options), context.progress)
-        ->deform(input.pose, posed, context.threads);
+    binding->deform(input.pose, posed, context.threads);
     const elasticity::ElasticOrgan organ(*input.organ.mesh, organOptions_, material(), context.progress);
     elasticity::GripOptions gripOptions;
     if (others_ != kHeld)
       gripOptions.others = elasticity::GripOptions::Others::free;
+    for (const std::string& label : hold_)
+      gripOptions.holding.push_back(rowOfHandle(input.rig, label));
     const elasticity::Grips grips =
         elasticity::gripsOf(organ, input.handles.positions, input.pose, gripOptions);
-    elasticity::SolveOptions solve;
-    solve.threads = context.threads;
-    const elasticity::StaticSolution solution =
-        elasticity::solveStatic(organ.body(), {grips.prescribed, {}}, solve, context.progress);
+    const elasticity::StaticSolution solution = solved(input, organ, grips, posed, context);
     const Points elastic = input.organ.mesh->points + organ.atSurface(solution.displacements);
     tell(input, organ, grips, solution, differenceOf(elastic, posed), outcome);
+    if (follow_)
+      tellFollowed(input, organ, grips, *binding, elastic, outcome, context);
     if (!output_.empty()) {
       medical_io::writeSurface(output_, {elastic, input.organ.mesh->triangles, input.organ.mesh->colors},
                                {.name = input.organ.name});
@@ -154,6 +186,7 @@ private:
                     {"system", input.system->id()},
                     {"tetrahedra", organ.body().mesh().tetrahedra.rows()},
                     {"others", others_},
+                    {"grips", grips_},
                     {"patches", {{"moved", grips.moved}, {"held", grips.held}}},
                     {"poisson", poisson_},
                     {"dragMm", grips.dragMm},
@@ -207,11 +240,67 @@ private:
                                      fixed(stress.p95, 3) + ", at most " + fixed(stress.max, 3));
   }
 
+  /// The elastic organ beside a pose of its surface.
+  elasticity::StaticSolution solved(const BoundInput& input, const elasticity::ElasticOrgan& organ,
+                                    elasticity::Grips grips, const Points& posed,
+                                    CommandContext& context) const {
+    if (grips_ == kSurface)
+      gripSurface(organ, input.organ.mesh->points, posed, grips);
+    elasticity::SolveOptions solve;
+    solve.threads = context.threads;
+    return elasticity::solveStatic(organ.body(), {grips.prescribed, {}}, solve, context.progress);
+  }
+
+  /// The pose in which the handles without a grip follow, beside elasticity.
+  void tellFollowed(const BoundInput& input, const elasticity::ElasticOrgan& organ,
+                    const elasticity::Grips& grips, const coordinates::Binding& binding,
+                    const Points& elasticBefore, Outcome& outcome, CommandContext& context) const {
+    const auto tissue = live::tissueEnergy({input.organ.mesh}, *input.system, input.handles,
+                                           deformation::withTetgen(input.options), context.progress);
+    const auto begin = std::chrono::steady_clock::now();
+    const elasticity::RelaxedPose relaxed = tissue->relax(input.pose, grips.loose);
+    const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
+    Points posed;
+    binding.deform(relaxed.pose, posed, context.threads);
+    Points elastic = elasticBefore;
+    if (grips_ == kSurface) // Its patches are elsewhere.
+      elastic = input.organ.mesh->points +
+                organ.atSurface(solved(input, organ, grips, posed, context).displacements);
+    const Difference difference = differenceOf(elastic, posed);
+    const double perCent = 100 / grips.dragMm;
+    outcome.json["leastEnergy"] = {
+        {"followingHandles", grips.loose.size()},
+        {"witnesses", tissue->witnesses()},
+        {"energyRatio", relaxed.energy / tissue->energy(input.pose)},
+        {"differenceMm",
+         {{"median", difference.medianMm}, {"p95", difference.p95Mm}, {"max", difference.maxMm}}},
+        {"differencePercentOfDrag",
+         {{"median", perCent * difference.medianMm},
+          {"p95", perCent * difference.p95Mm},
+          {"max", perCent * difference.maxMm}}},
+        {"seconds", taken.count()}};
+    Listing listing;
+    listing
+        .add("free handles follow", std::to_string(grips.loose.size()) + " of " +
+                                        std::to_string(input.rig.handles.size()) + ", in " +
+                                        fixed(taken.count(), 3) + " s")
+        .add("difference then", fixed(difference.medianMm, 2) + " mm (median), 95 % below " +
+                                    fixed(difference.p95Mm, 2) + " mm, at most " +
+                                    fixed(difference.maxMm, 2) + " mm")
+        .add("of the drag", fixed(perCent * difference.medianMm, 1) + " % (median), 95 % below " +
+                                fixed(perCent * difference.p95Mm, 1) + " %, at most " +
+                                fixed(perCent * difference.maxMm, 1) + " %");
+    outcome.text += listing.text();
+  }
+
   BoundInputOptions input_;
   std::optional<double> youngKpa_;
   std::string material_;
   double poisson_ = 0.49;
   std::string others_ = kHeld;
+  std::string grips_ = kHandle;
+  std::vector<std::string> hold_;
+  bool follow_ = false;
   elasticity::OrganOptions organOptions_;
   std::string output_;
 };

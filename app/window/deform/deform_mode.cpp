@@ -81,6 +81,16 @@ void DeformMode::makeCompensate(Actions& actions) {
                     actions.sync();
                   });
   compensate->setCheckable(true);
+  parts_.view.addToggle(actions, "handles.follow",
+                        {tr("&Free handles follow"),
+                         nullptr,
+                         {},
+                         tr("Handles that you do not drag go to where the elastic energy of the organs' "
+                            "tissue is least; locked "
+                            "handles hold it, else it moves as a whole. Locked volumes stay exact. The first "
+                            "drag takes about a "
+                            "second, the next ones a tenth of a second a step")},
+                        &presentation::ViewState::freeHandlesFollow);
   parts_.view.addToggle(
       actions, "handles.exactly",
       {tr("Move e&xactly, others compensate"),

@@ -14,7 +14,7 @@ public:
   DeformMode(const ModeParts& parts, Actions& actions);
 
   std::vector<const char*> actions() const override {
-    return {"handles.gizmo", "handles.exactly", "handles.compensate"};
+    return {"handles.gizmo", "handles.follow", "handles.exactly", "handles.compensate"};
   }
   QWidget* makePage(const Actions& actions) override;
   presentation::Shown shown() const override {

@@ -121,6 +121,7 @@ DeformPage::DeformPage(const ModeParts& parts, const Actions& actions, QWidget* 
   add(new PositionBox(workspace_, PositionBox::Of::pose, this, &poses_));
   add(new DisplacementBox(workspace_, poses_, this));
   addCheck(actions["handles.gizmo"]);
+  addCheck(actions["handles.follow"]);
   addCheck(actions["handles.exactly"]);
   addCheck(actions["handles.compensate"]);
   compensating_ = addFact(tr("Compensating"));

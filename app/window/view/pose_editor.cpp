@@ -19,6 +19,7 @@ constexpr double kAsAsked = 0.05;
 PoseEditor::PoseEditor(Workspace& workspace, const ViewModel& model, QObject* parent)
     : QObject(parent), workspace_(workspace), model_(model),
       keeper_(workspace.state(), workspace.live(), {}, &workspace.jobs()) {
+  keeper_.setSystems(workspace.registry());
   prepareSoon_.setSingleShot(true);
   prepareSoon_.setInterval(kPrepareMilliseconds);
   connect(&prepareSoon_, &QTimer::timeout, this,
@@ -81,6 +82,8 @@ void PoseEditor::end(void (document::UndoStack::Step::*close)()) {
 }
 
 live::Others PoseEditor::others() const {
+  if (model_.state().freeHandlesFollow)
+    return live::Others::follow;
   return model_.state().exactly ? live::Others::compensate : live::Others::asMarked;
 }
 

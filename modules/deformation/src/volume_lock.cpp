@@ -215,6 +215,22 @@ Points VolumeLock::gradient(std::size_t surface, const Points& pose, PosedSurfac
   return ofHandles;
 }
 
+std::vector<double> VolumeLock::expectedVolumes(const Points& pose) const {
+  PosedSurfaces posed(surfaces_.size());
+  std::vector<double> found;
+  for (std::size_t k = 0; k < surfaces_.size(); ++k)
+    found.push_back(volume(k, pose, posed));
+  return found;
+}
+
+std::vector<Points> VolumeLock::gradients(const Points& pose) const {
+  PosedSurfaces posed(surfaces_.size());
+  std::vector<Points> found;
+  for (std::size_t k = 0; k < surfaces_.size(); ++k)
+    found.push_back(gradient(k, pose, posed));
+  return found;
+}
+
 Points VolumeLock::translationGradient(const Points& pose, const std::vector<int>& selection) const {
   Points rows = Points::Zero(static_cast<Eigen::Index>(surfaces_.size()), 3);
   for (std::size_t k = 0; k < surfaces_.size(); ++k) {

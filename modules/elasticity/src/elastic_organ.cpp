@@ -98,13 +98,19 @@ Points feetOf(const ElasticOrgan& organ, const Points& handles) {
 /// Moved handles, then those at rest that grip: no patch is held within `clear` of a moved one, where the
 /// tissue would tear.
 std::vector<Eigen::Index> grippingHandles(const Points& rest, const Points& pose, const Points& feet,
-                                          GripOptions::Others others, double clear) {
+                                          const GripOptions& options, double clear) {
   std::vector<Eigen::Index> gripping;
   for (Eigen::Index h = 0; h < rest.rows(); ++h)
     if (pose.row(h) != rest.row(h))
       gripping.push_back(h);
   const std::vector<Eigen::Index> moved = gripping;
-  for (Eigen::Index h = 0; h < rest.rows() && others == GripOptions::Others::held; ++h)
+  if (!options.holding.empty()) {
+    for (const int h : options.holding)
+      if (pose.row(h) == rest.row(h))
+        gripping.push_back(h);
+    return gripping;
+  }
+  for (Eigen::Index h = 0; h < rest.rows() && options.others == GripOptions::Others::held; ++h)
     if (pose.row(h) == rest.row(h) && std::all_of(moved.begin(), moved.end(), [&](Eigen::Index m) {
           return (feet.row(h) - feet.row(m)).norm() >= clear;
         }))
@@ -162,7 +168,11 @@ Grips gripsOf(const ElasticOrgan& organ, const Points& rest, const Points& pose,
   const Points feet = feetOf(organ, rest);
   Grips grips;
   std::map<std::int32_t, std::pair<double, Eigen::Index>> owners; // Of each node: distance and handle.
-  for (const Eigen::Index h : grippingHandles(rest, pose, feet, options.others, 2 * radius)) {
+  const std::vector<Eigen::Index> gripping = grippingHandles(rest, pose, feet, options, 2 * radius);
+  for (Eigen::Index h = 0; h < rest.rows(); ++h)
+    if (std::find(gripping.begin(), gripping.end(), h) == gripping.end())
+      grips.loose.push_back(static_cast<int>(h));
+  for (const Eigen::Index h : gripping) {
     std::vector<std::pair<double, std::int32_t>> near;
     for (const std::int32_t node : organ.skin())
       near.push_back({(nodes.row(node) - feet.row(h)).norm(), node});

@@ -30,9 +30,12 @@ LockedMotion::LockedMotion(Setup setup)
     for (const int partner : setup_.mirror->partners)
       if (partner >= 0 && !contains(setup_.selection, partner) && !contains(partners_, partner))
         partners_.push_back(partner);
-  std::erase_if(setup_.compensating,
-                [&](int row) { return contains(setup_.selection, row) || contains(partners_, row); });
-  if (setup_.lock)
+  for (std::vector<int>* others : {&setup_.compensating, &setup_.following})
+    std::erase_if(*others,
+                  [&](int row) { return contains(setup_.selection, row) || contains(partners_, row); });
+  if (setup_.tissue)
+    translations_ = Way::compensated;
+  else if (setup_.lock)
     chooseWay();
 }
 
@@ -133,9 +136,25 @@ bool LockedMotion::bend(const Vec3& wanted) {
   return true;
 }
 
+/// The wanted pose with the following handles where the energy is least, from where they are now.
+Points LockedMotion::followed(const Points& wanted) const {
+  if (!setup_.tissue || wanted == setup_.start)
+    return wanted;
+  Points start = wanted;
+  for (const int row : setup_.following)
+    start.row(row) = pose_->row(row);
+  return setup_.tissue->relax(start, setup_.following, setup_.lock.get()).pose;
+}
+
 bool LockedMotion::compensate(const Points& wanted) {
+  Points target = followed(wanted);
+  if (!setup_.lock) {
+    take(std::move(target));
+    wanted_ = wanted;
+    return true;
+  }
   deformation::RestoredPose restored =
-      setup_.lock->restore(wanted, setup_.compensating, deformation::LeastDisplacement(), setup_.limitMm);
+      setup_.lock->restore(target, setup_.compensating, deformation::LeastDisplacement(), setup_.limitMm);
   if (!restored.restored) {
     if (obstacle_.empty())
       obstacle_ = restored.reason;
@@ -187,7 +206,7 @@ const Points& LockedMotion::reach(const Points& wanted) {
 /// Goes to `wanted`, or as far on the way there as the others can compensate.
 const Points& LockedMotion::compensateUpTo(const Points& wanted) {
   obstacle_ = {};
-  if (!setup_.lock) {
+  if (!setup_.lock && !setup_.tissue) {
     take(wanted);
     return *pose_;
   }

@@ -3,13 +3,24 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bound_organ.h"
 #include "lock_preparation.h"
 #include "viscera/core/error.h"
 #include "viscera/core/phrase.h"
 #include "viscera/deformation/deformer.h"
+#include "viscera/deformation/tetrahedralise.h"
 #include "viscera/document/edit.h"
+#include "viscera/live/tissue_energy.h"
 
 namespace viscera::live {
+
+/// The energy of the tissue in surfaces that hang on handles.
+struct KnownTissue {
+  std::vector<std::shared_ptr<const geometry::TriangleMesh>> surfaces;
+  BindingTarget target;
+  std::shared_ptr<const elasticity::LeastEnergy> energy;
+};
+
 namespace {
 
 using deformation::LockedSurface;
@@ -107,14 +118,21 @@ bool VolumeKeeper::anyMarked(const std::vector<int>& rows) const {
   });
 }
 
-/// The handles that the user marked and that are free, else all that are free.
-std::vector<int> VolumeKeeper::compensating(const std::vector<int>& moving) const {
+/// The handles that are not locked and do not move.
+std::vector<int> VolumeKeeper::freeBut(const std::vector<int>& moving) const {
   std::vector<int> free;
   const auto& handles = state_.rig->handles;
   for (int row = 0; row < static_cast<int>(handles.size()); ++row)
     if (!handles[static_cast<std::size_t>(row)].locked &&
         std::find(moving.begin(), moving.end(), row) == moving.end())
       free.push_back(row);
+  return free;
+}
+
+/// The handles that the user marked and that are free, else all that are free.
+std::vector<int> VolumeKeeper::compensating(const std::vector<int>& moving) const {
+  std::vector<int> free = freeBut(moving);
+  const auto& handles = state_.rig->handles;
   if (anyMarked(free))
     std::erase_if(free, [&handles](int row) { return !handles[static_cast<std::size_t>(row)].compensates; });
   return free;
@@ -131,6 +149,27 @@ std::vector<int> VolumeKeeper::partners(const std::vector<document::HandleId>& h
   return found;
 }
 
+/// The energy of the organs that bend, made again when they or their handles are others.
+std::shared_ptr<const elasticity::LeastEnergy> VolumeKeeper::tissue() {
+  if (!systems_)
+    throw UsageError(misuse("handles cannot follow without the coordinate systems"));
+  std::vector<std::shared_ptr<const geometry::TriangleMesh>> surfaces;
+  for (const auto& organ : *state_.organs)
+    if (organ->mobility == document::Mobility::bends && organs_.bound(organ->id))
+      surfaces.push_back(organ->mesh);
+  BindingTarget target = makeTarget(state_, *systems_);
+  if (tissue_ && tissue_->surfaces == surfaces && sameBinding(tissue_->target, target))
+    return tissue_->energy;
+  if (!target.system)
+    throw DataError(target.problem);
+  Progress progress;
+  auto energy = tissueEnergy(surfaces, *target.system, target.handles,
+                             deformation::withTetgen({target.parameters, threads_}), progress);
+  tissue_ = std::make_shared<const KnownTissue>(
+      KnownTissue{std::move(surfaces), std::move(target), std::move(energy)});
+  return tissue_->energy;
+}
+
 LockedMotion VolumeKeeper::begin(const std::vector<document::HandleId>& handles,
                                  const std::optional<deformation::MirrorPlane>& mirror,
                                  const std::optional<Vec3>& plane, Others others) {
@@ -139,11 +178,15 @@ LockedMotion VolumeKeeper::begin(const std::vector<document::HandleId>& handles,
   setup.plane = plane;
   if (mirror)
     setup.mirror = {*mirror, partners(handles, *mirror)};
+  std::vector<int> moving = setup.selection;
+  if (setup.mirror)
+    moving.insert(moving.end(), setup.mirror->partners.begin(), setup.mirror->partners.end());
+  if (others == Others::follow) {
+    setup.following = freeBut(moving);
+    setup.tissue = tissue();
+  }
   if (setup.lock) {
     takeTargets(*lock_, organs);
-    std::vector<int> moving = setup.selection;
-    if (setup.mirror)
-      moving.insert(moving.end(), setup.mirror->partners.begin(), setup.mirror->partners.end());
     setup.compensating = compensating(moving);
     setup.alwaysCompensate = others == Others::compensate || anyMarked(setup.compensating);
     setup.limitMm = limitMm();

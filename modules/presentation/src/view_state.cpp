@@ -398,6 +398,7 @@ void visitFields(Visit& visit, ViewState& view) {
   visit("beatSigns", view.beatSigns, "play.beatSigns");
   visit("valves", view.valves, "play.valves");
   visit("conduction", view.conduction, "view.conduction");
+  visit.where(view.freeHandlesFollow, "freeHandlesFollow", view.freeHandlesFollow);
   visit("mirror", view.mirror);
   visit("heartSigns", view.heartSigns);
   visit("stress", view.stress);

@@ -39,7 +39,9 @@ Workbench::Impl::Impl(Setup with, Progress* told)
       organs(document, setup.systems, jobs, {kAtOnce, setup.threads}),
       stress(document, setup.systems, organs, jobs, stressOptions(setup.threads)),
       warp(document, organs, setup.systems, jobs, {kAtOnce, setup.threads}),
-      keeper(document.state(), organs, setup.threads), motion(document.state(), organs, setup.threads) {}
+      keeper(document.state(), organs, setup.threads), motion(document.state(), organs, setup.threads) {
+  keeper.setSystems(setup.systems);
+}
 
 void Workbench::Impl::settle() {
   const Subscription told = jobs.onChange([this] {
@@ -165,7 +167,7 @@ Vec3 Workbench::drag(const std::string& handle, const Vec3& by, live::Others oth
   motion.translate(by);
   if (motion.selection().empty()) // The handle itself is locked.
     return Vec3::Zero();
-  if (others == live::Others::compensate)
+  if (others != live::Others::asMarked)
     live::requireExact(motion, by);
   document::Command command = document::setPose(motion.sharedPose());
   command.name = document::moveHandles({moved}, Points::Zero(1, 3)).name;
@@ -173,9 +175,20 @@ Vec3 Workbench::drag(const std::string& handle, const Vec3& by, live::Others oth
   return motion.given();
 }
 
-void Workbench::pose(const Points& places) {
-  if (places.rows() != state().pose->rows())
+void Workbench::pose(const Points& places, live::Others others) {
+  if (places.rows() != state().pose->rows() || !places.allFinite())
     return perform(document::setPose(places)); // Refuses it.
+  if (others == live::Others::follow) {
+    std::vector<document::HandleId> sent;
+    for (Eigen::Index row = 0; row < places.rows(); ++row)
+      if (places.row(row) != state().pose->row(row))
+        sent.push_back(state().rig->handles[static_cast<std::size_t>(row)].id);
+    live::LockedMotion motion = impl_->keeper.begin(sent, std::nullopt, std::nullopt, others);
+    motion.reach(places);
+    if (!motion.obstacle().empty())
+      throw DataError(motion.obstacle(), {}, "unlock it, or move the handles less far");
+    return perform(document::setPose(motion.sharedPose()));
+  }
   deformation::RestoredPose kept = impl_->keeper.keep(places);
   if (!kept.restored)
     throw DataError(kept.reason, {}, "unlock it, or let more handles compensate");

@@ -42,6 +42,17 @@ TEST_F(CliElasticity, ComparesThePoseWithAnElasticOrgan) {
   EXPECT_EQ(result["file"], out);
 }
 
+TEST_F(CliElasticity, ComparesThePoseThatFreeHandlesFollow) {
+  const json result =
+      runJson(elasticity({"--free-handles-follow", "--hold", "H-6", "--hold", "H-7", "--hold", "H-8"}));
+  EXPECT_EQ(result["patches"]["held"], 3);
+  const auto& followed = result["leastEnergy"];
+  EXPECT_EQ(followed["followingHandles"], 4);
+  EXPECT_LT(followed["energyRatio"].get<double>(), 1);
+  EXPECT_LE(followed["differenceMm"]["median"], followed["differenceMm"]["p95"]);
+  EXPECT_LT(followed["differenceMm"]["p95"], result["differenceMm"]["p95"]) << "it comes nearer";
+}
+
 TEST_F(CliElasticity, HasPascalsOfAStatedMaterialOnly) {
   const json liver = runJson(elasticity({"--material", "liver"}));
   EXPECT_EQ(liver["material"]["doi"], "10.1002/jmri.24084");

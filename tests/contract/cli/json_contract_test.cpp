@@ -201,6 +201,27 @@ TEST_F(CliJson, DeformKeepsOrReachesAVolume) {
                 "volume");
 }
 
+TEST_F(CliJson, FreeHandlesFollowAPoseAndKeepItsVolume) {
+  const std::string organ = put("cube.off", cubeOff(5));
+  const std::string rest = put("rest.mrk.json", markups(corners(10)));
+  auto positions = corners(10);
+  positions[7] = {14, 15, 13};
+  const std::string pose = put("pose.mrk.json", markups(positions));
+  const auto deform = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), {"deform", organ, "--handles", rest, "--pose", pose, "--hold", "H-1", "--hold",
+                               "H-2", "--hold", "H-3"});
+    return more;
+  };
+  const json followed = runJson(deform({"--free-handles-follow", "--lock-volume"}));
+  EXPECT_EQ(followed["followingHandles"], 4);
+  EXPECT_EQ(followed["movedHandles"], 5);
+  EXPECT_NEAR(followed["volumeMl"].get<double>(), 1.0, 1e-12);
+  EXPECT_NEAR(followed["handles"].back()["offMm"].get<double>(), 0, 1e-12)
+      << "the moved one is where it is sent";
+  EXPECT_GT(runJson(deform({"--free-handles-follow"}))["maxDisplacementMm"].get<double>(), 0.1);
+  expectFailure(deform({}), kUsage, "--free-handles-follow");
+}
+
 TEST_F(CliJson, ALockedDeformationSaysWhatWasAskedAndGiven) {
   const std::string organ = put("cube.off", cubeOff(5));
   const std::string rest = put("rest.mrk.json", markups(corners(10)));

@@ -143,6 +143,37 @@ TEST(VolumeKeeper, AHandleThatIsMovedExactlyGoesAllTheWayAndFreeOnesCompensate) 
   EXPECT_FALSE(motion.asked()) << "a turn is no vector";
 }
 
+TEST(VolumeKeeper, FreeHandlesFollowADragAndLockedOnesHoldTheOrgan) {
+  Keeping s;
+  s.keeper.setSystems(s.registry);
+  s.undo.perform(document::setVolumeLocked(s.organ(), true));
+  document::HandleEdit hold;
+  hold.locked = true;
+  s.undo.perform(document::editHandles({s.handle(0), s.handle(1), s.handle(2)}, hold));
+  const Points rest = s.document.pose();
+  const Vec3 by(9, 8, -6);
+  LockedMotion motion = s.keeper.begin({s.handle(9)}, std::nullopt, std::nullopt, Others::follow);
+  motion.translate(by);
+  EXPECT_TRUE(motion.obstacle().empty()) << motion.obstacle().english();
+  const Points moved = motion.pose() - rest;
+  EXPECT_LE((moved.row(9).transpose() - by).norm(), 1e-12) << "it goes all the way";
+  EXPECT_EQ(moved.topRows(3), Points::Zero(3, 3));
+  EXPECT_GT(moved.row(8).norm(), 0.05);
+  s.take(motion);
+  EXPECT_LE(std::abs(s.relativeChange()), kAllowedVolumeError);
+  motion.translate(Vec3::Zero());
+  EXPECT_EQ(motion.pose(), motion.start()) << "a drag that returns to its start";
+}
+
+TEST(VolumeKeeper, HandlesOfAnOrganThatDoesNotBendHaveNothingToFollow) {
+  Keeping s;
+  EXPECT_THROW(s.keeper.begin({s.handle(9)}, std::nullopt, std::nullopt, Others::follow), UsageError)
+      << "without systems";
+  s.keeper.setSystems(s.registry);
+  s.undo.perform(document::setMobility({s.organ()}, document::Mobility::fixed));
+  EXPECT_THROW(s.keeper.begin({s.handle(9)}, std::nullopt, std::nullopt, Others::follow), DataError);
+}
+
 TEST(VolumeKeeper, AMoveThatNoOtherHandleCanCompensateSaysSo) {
   Keeping s;
   s.undo.perform(document::setVolumeLocked(s.organ(), true));

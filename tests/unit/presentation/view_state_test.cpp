@@ -95,6 +95,13 @@ TEST(ViewStateJson, OfFormat3IsWrittenAgainByteForByte) {
   EXPECT_EQ(toJson(viewFromJson(saved)).dump(), saved.dump());
 }
 
+TEST(ViewStateJson, FreeHandlesThatFollowComeBackAndAreLeftOutWhileTheyStay) {
+  ViewState view;
+  EXPECT_FALSE(toJson(view).contains("freeHandlesFollow")) << "older programs write the same";
+  view.freeHandlesFollow = true;
+  EXPECT_TRUE(viewFromJson(toJson(view)).freeHandlesFollow);
+}
+
 TEST(ViewStateJson, MotionsComeBackByTheirRecipes) {
   live::Landmarks landmarks;
   landmarks.points = {{"apex", Vec3(1, 2.5, -3)}, {"base", Vec3(0.1, 0, 7)}};

@@ -87,6 +87,32 @@ TEST(Workbench, DragsUnderALockAsTheWindowDoes) {
   EXPECT_EQ(*bench.state().pose, *state.pose);
 }
 
+TEST(Workbench, FreeHandlesFollowADragAndAPoseAsInTheWindowAndUndoTakesBoth) {
+  const document::DocumentState state = savedState();
+  Workbench bench;
+  bench.restore(kSession);
+  const Points before = *bench.state().pose;
+  const double rest = bench.volume("ball").restMl;
+  WindowParts window(state);
+  window.keeper.setSystems(window.registry);
+  live::LockedMotion motion =
+      window.keeper.begin({state.rig->handles.at(8).id}, std::nullopt, std::nullopt, live::Others::follow);
+  motion.translate(kBy);
+  const Vec3 given = bench.drag(firstLabel(bench), kBy, live::Others::follow);
+  EXPECT_LE((given - kBy).norm(), 1e-12);
+  EXPECT_EQ(*bench.state().pose, motion.pose());
+  EXPECT_NEAR(bench.volume("ball").nowMl, rest, 1e-6);
+  EXPECT_GT(((*bench.state().pose - before).rowwise().norm().array() > 1e-3).count(), 5);
+  EXPECT_TRUE(bench.undo());
+  EXPECT_EQ(*bench.state().pose, before);
+  Points places = before;
+  places.row(8) += kBy.transpose();
+  bench.pose(places, live::Others::follow);
+  EXPECT_LE((*bench.state().pose - motion.pose()).cwiseAbs().maxCoeff(), 1e-9);
+  EXPECT_TRUE(bench.undo());
+  EXPECT_EQ(*bench.state().pose, before);
+}
+
 TEST(Workbench, RefusesAnExactDragThatTheLockForbids) {
   Workbench bench;
   bench.restore(kSession);

@@ -92,11 +92,13 @@ py::array points(OpenBench& open, const std::string& organ) {
   return handOver(Points(open.bench->organs().points(open.bench->organ(organ))));
 }
 
-Vec3 drag(OpenBench& open, const std::string& handle, const py::object& by, bool exactly) {
+Vec3 drag(OpenBench& open, const std::string& handle, const py::object& by, bool exactly,
+          bool freeHandlesFollow) {
   const Vec3 vector = vectorFrom(by, "by");
-  return unlocked([&] {
-    return open.bench->drag(handle, vector, exactly ? live::Others::compensate : live::Others::asMarked);
-  });
+  const live::Others others = freeHandlesFollow ? live::Others::follow
+                              : exactly         ? live::Others::compensate
+                                                : live::Others::asMarked;
+  return unlocked([&] { return open.bench->drag(handle, vector, others); });
 }
 
 /// Seconds, and the volumes of each organ, ml.
@@ -161,14 +163,21 @@ void addWorkbench(py::module_& module) {
           [](OpenBench& open, const std::string& organ, bool locked) { open.bench->lock(organ, locked); },
           py::arg("organ"), py::arg("locked") = true, "Locks an organ's volume.")
       .def("drag", &drag, py::arg("handle"), py::arg("by"), py::arg("exactly") = false,
-           "Moves a handle by a vector, mm, and returns how far it went.")
+           py::arg("free_handles_follow") = false,
+           "Moves a handle by a vector, mm, and returns how far it went. With `free_handles_follow` those "
+           "that "
+           "are not locked go where the tissue's elastic energy is least.")
       .def(
           "set_pose",
-          [](OpenBench& open, const py::object& places) {
+          [](OpenBench& open, const py::object& places, bool freeHandlesFollow) {
             const auto given = pointsFrom(places, "places");
-            unlocked([&] { open.bench->pose(*given); });
+            unlocked([&] {
+              open.bench->pose(*given, freeHandlesFollow ? live::Others::follow : live::Others::asMarked);
+            });
           },
-          py::arg("places"), "Gives all handles their places, h x 3 mm.")
+          py::arg("places"), py::arg("free_handles_follow") = false,
+          "Gives all handles their places, h x 3 mm; with `free_handles_follow` only those that are sent "
+          "elsewhere, and the others that are not locked go where the tissue's elastic energy is least.")
       .def(
           "rest", [](OpenBench& open) { open.bench->rest(); }, "All handles at rest.")
       .def("play", &play, py::arg("frames_per_second") = 25.0, py::arg("cycles") = 1.0,

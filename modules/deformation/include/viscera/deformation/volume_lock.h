@@ -75,6 +75,12 @@ public:
   /// Present volumes at `pose`, mm^3, one for each surface.
   std::vector<double> volumes(const Points& pose) const;
 
+  /// The same by the volume forms, where there are some: within rounding, and quicker.
+  std::vector<double> expectedVolumes(const Points& pose) const;
+  /// The derivative of each surface's volume with respect to the handles, `n x 3`, mm^2; by the forms, where
+  /// there are some.
+  std::vector<Points> gradients(const Points& pose) const;
+
   /// The change of the volumes when the handles `selection` move together: `surfaces x 3`, mm^2. For one
   /// surface the row is the normal of the plane in which the selection may move.
   Points translationGradient(const Points& pose, const std::vector<int>& selection) const;

@@ -48,6 +48,8 @@ public:
   Eigen::Index witnesses() const { return witnesses_; }
   Eigen::Index handles() const { return handles_; }
   bool closedForm() const { return closedForm_; }
+  /// Whether the deformation gradients are linear in the pose, with `gradient` for their derivatives.
+  bool linear() const { return !lift_; }
   const std::vector<int>& failures() const { return failures_; }
 
   /// The deformation gradient of one witness at `pose` (`handles x 3`, mm). O(handles).

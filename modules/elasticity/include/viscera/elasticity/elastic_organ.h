@@ -50,15 +50,18 @@ struct GripOptions {
   /// What becomes of the patches of handles that the pose leaves at rest.
   enum class Others { held, free };
   Others others = Others::held;
+  /// Rows of handles; if there are any, the patches of these are held, however near, and no others.
+  std::vector<int> holding = {};
   double radius = 0.08; ///< Of a patch, by the diagonal of the organ's box.
 };
 
 /// The patches by which handles grip an organ.
 struct Grips {
   std::vector<Prescribed> prescribed;
-  int moved = 0;     ///< Patches of moved handles.
-  int held = 0;      ///< Patches that are held at rest.
-  double dragMm = 0; ///< The largest displacement of a handle.
+  int moved = 0;               ///< Patches of moved handles.
+  int held = 0;                ///< Patches that are held at rest.
+  double dragMm = 0;           ///< The largest displacement of a handle.
+  std::vector<int> loose = {}; ///< The handles without a patch, ascending.
 };
 
 /// The nodes of the skin near each handle, prescribed to move as the handle does. A patch is what of the skin

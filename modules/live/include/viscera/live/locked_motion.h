@@ -10,6 +10,7 @@
 #include "viscera/core/phrase.h"
 #include "viscera/deformation/selection_motion.h"
 #include "viscera/deformation/volume_lock.h"
+#include "viscera/elasticity/least_energy.h"
 
 namespace viscera::live {
 
@@ -25,6 +26,9 @@ namespace viscera::live {
 ///   go to their targets, and the others compensate for the volume by the least displacement.
 /// * Translations that are held to a plane (`Setup::plane`) are corrected along it only: a selection alone
 ///   then goes along the line in which it meets the plane of the lock.
+/// * With a `Setup::tissue` the moved handles go to their targets, and the handles `following` to where its
+///   elastic energy is least under the locks; locks are then met as exactly as without. A pose depends on the
+///   way there by no more than the tolerance of `elasticity::LeastEnergy::relax`.
 /// * Where that would take more than `limitMm`, the handles stop on their way, and `obstacle` gives the
 ///   reason.
 ///
@@ -50,6 +54,9 @@ public:
     /// The unit normal of a plane in which translations of the selection stay, such as that of the slice in
     /// which the mouse drags.
     std::optional<Vec3> plane = std::nullopt;
+    /// The tissue that decides where the handles `following` (ascending) go; null: they stay.
+    std::shared_ptr<const elasticity::LeastEnergy> tissue = {};
+    std::vector<int> following = {};
   };
 
   explicit LockedMotion(Setup setup);
@@ -93,6 +100,7 @@ private:
   Vec3 correction(const Vec3& gradient) const;
   void take(Points pose) { pose_ = std::make_shared<const Points>(std::move(pose)); }
   bool bend(const Vec3& wanted);
+  Points followed(const Points& wanted) const;
   bool compensate(const Points& wanted);
   const Points& compensateUpTo(const Points& wanted);
   double relativeError(const std::vector<double>& volumes) const;

@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "viscera/coordinates/registry.h"
 #include "viscera/core/job_queue.h"
 #include "viscera/core/parallel.h"
 #include "viscera/deformation/selection_motion.h"
@@ -29,13 +30,17 @@ struct AskedVolume {
   double mm3 = 0;
 };
 
-/// The handles that make up for a locked volume while others are moved.
+/// What the other handles do while some are moved.
 enum class Others {
-  asMarked,   ///< Those that the user marked; without any, the moved handles stay where the volume lets them.
+  asMarked,   ///< Those that the user marked make up for a locked volume; without any, the moved handles stay
+              ///< where the volume lets them.
   compensate, ///< The marked ones, else all free ones: the moved handles go exactly where they are sent.
+  follow,     ///< All that are not locked go to where the elastic energy of the organs' tissue is least, and
+              ///< keep the locked volumes: the moved handles go exactly where they are sent.
 };
 
 class LockPreparation;
+struct KnownTissue;
 
 /// Creates the `LockedMotion` of a drag or a typed number, which keeps the document's locked volumes. The
 /// volume that a lock keeps is the one that the organ has when the motion begins. Organs that do not follow
@@ -49,6 +54,10 @@ public:
   VolumeKeeper(const document::DocumentState& state, PosedOrgans& organs, Threads threads = {},
                JobQueue* jobs = nullptr);
 
+  /// The systems of which handles that follow (`Others::follow`) take the coordinates in the tissue; they
+  /// must live longer.
+  void setSystems(const coordinates::Registry& systems) { systems_ = &systems; }
+
   /// Prepares the locks of the document for the next motion on the job queue, if there is one. Call it when
   /// other organs are locked or have been bound. Locks that are ready or under way for the same bindings are
   /// kept.
@@ -59,7 +68,9 @@ public:
 
   /// A motion of these handles from the document's pose; locked handles among them are left out. With the
   /// unit normal of a `plane` its translations stay in that plane (`LockedMotion::Setup`). Throws `DataError`
-  /// when an organ with a locked volume is still being bound: its volume is not known yet.
+  /// when an organ with a locked volume is still being bound: its volume is not known yet. The first motion
+  /// with `Others::follow` after other handles, organs or coordinates takes about a second; it throws as
+  /// `tissueEnergy`, also where every organ is rigid or fixed, and `UsageError` without `setSystems`.
   LockedMotion begin(const std::vector<document::HandleId>& handles,
                      const std::optional<deformation::MirrorPlane>& mirror = std::nullopt,
                      const std::optional<Vec3>& plane = std::nullopt, Others others = Others::asMarked);
@@ -92,6 +103,8 @@ private:
   std::vector<deformation::LockedSurface> preparable();
   std::shared_ptr<const document::Organ> requireVolume(document::OrganId id) const;
   std::vector<int> compensating(const std::vector<int>& moving) const;
+  std::vector<int> freeBut(const std::vector<int>& moving) const;
+  std::shared_ptr<const elasticity::LeastEnergy> tissue();
   bool anyMarked(const std::vector<int>& rows) const;
   double limitMm() const;
 
@@ -101,6 +114,8 @@ private:
   std::shared_ptr<deformation::VolumeLock> lock_; ///< The lock of the last motion, since the next one is
                                                   ///< likely to need it.
   std::shared_ptr<LockPreparation> preparation_;  ///< Null without a job queue.
+  const coordinates::Registry* systems_ = nullptr;
+  std::shared_ptr<const KnownTissue> tissue_; ///< Of the last motion that handles followed; null without.
 };
 
 } // namespace viscera::live

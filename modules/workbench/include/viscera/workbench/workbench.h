@@ -116,12 +116,14 @@ public:
   /// Locks an organ's volume, or unlocks it. Throws `DataError` for an open surface.
   void lock(const std::string& organ, bool locked = true);
   /// Moves a handle in the pose by a vector, mm, and returns how far it went: with `asMarked` as far as the
-  /// locked volumes let it, with `compensate` all the way, while other handles make up for the volumes. That
-  /// throws `DataError` where they cannot.
+  /// locked volumes let it, with `compensate` all the way, while other handles make up for the volumes, and
+  /// with `follow` all the way, while the free handles follow by the least elastic energy. Those two throw
+  /// `DataError` where they cannot.
   Vec3 drag(const std::string& handle, const Vec3& by, live::Others others = live::Others::asMarked);
   /// Gives all handles their places, `n x 3` mm in the document's order; where volumes are locked, all free
-  /// handles make up for them, and it throws `DataError` where they cannot.
-  void pose(const Points& places);
+  /// handles make up for them, and it throws `DataError` where they cannot. With `follow` only the handles
+  /// that are sent elsewhere go to their places, and the free ones follow.
+  void pose(const Points& places, live::Others others = live::Others::asMarked);
   /// All handles at rest.
   void rest();
   /// Shows a pose without changing the document, `n x 3` mm, the handles at rest, or the document's pose
