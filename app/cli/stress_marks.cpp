@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <utility>
 
 #include <CLI/CLI.hpp>
 
@@ -22,23 +23,37 @@ constexpr const char* kProfile = "--profile";
 constexpr double kOnSkin = 1e-9;
 
 /// The values at a point; null if it lies in no tissue.
-ordered_json jsonOf(const live::StressReading& reading) {
+ordered_json jsonOf(const live::StressReading& reading, const elasticity::StatedMaterial& material) {
   const auto known = [&](const ordered_json& value) {
     return reading.inTissue ? value : ordered_json(nullptr);
   };
-  return {{"restMm", numbersJson(reading.rest)},           {"inTissue", reading.inTissue},
-          {"positionMm", known(numbersJson(reading.now))}, {"stressDegrees", known(reading.stressDegrees)},
-          {"volumeRatio", known(reading.volumeRatio)},     {"stretchMax", known(reading.stretchMax)},
-          {"stretchMin", known(reading.stretchMin)},       {"folded", known(reading.folded)}};
+  ordered_json json = {
+      {"restMm", numbersJson(reading.rest)},           {"inTissue", reading.inTissue},
+      {"positionMm", known(numbersJson(reading.now))}, {"stressDegrees", known(reading.stressDegrees)},
+      {"volumeRatio", known(reading.volumeRatio)},     {"stretchMax", known(reading.stretchMax)},
+      {"stretchMin", known(reading.stretchMin)},       {"folded", known(reading.folded)}};
+  if (material.stated())
+    for (const auto& [key, quantity] : {std::pair("vonMisesKpa", live::StressQuantity::vonMises),
+                                        std::pair("strainEnergyKpa", live::StressQuantity::energy)}) {
+      const double value = live::valueOf(reading, {quantity, material});
+      json[key] = std::isfinite(value) ? ordered_json(value) : ordered_json(nullptr);
+    }
+  return json;
 }
 
-std::string inWords(const live::StressReading& reading) {
+std::string inWords(const live::StressReading& reading, const elasticity::StatedMaterial& material) {
   if (!reading.inTissue)
     return "outside the tissue";
   if (reading.folded)
     return "folded";
+  std::string pascals;
+  if (material.stated()) {
+    const live::StressMeasure vonMises(live::StressQuantity::vonMises, material);
+    pascals =
+        ", von Mises stress " + fixed(live::valueOf(reading, vonMises), 3) + ' ' + vonMises.unit().english();
+  }
   return fixed(reading.stressDegrees, 2) + " deg, volume ratio " + fixed(reading.volumeRatio, 3) +
-         ", stretch " + fixed(reading.stretchMin, 3) + " to " + fixed(reading.stretchMax, 3);
+         ", stretch " + fixed(reading.stretchMin, 3) + " to " + fixed(reading.stretchMax, 3) + pascals;
 }
 
 } // namespace
@@ -105,7 +120,7 @@ std::vector<Vec3> StressMarkOptions::probePlaces() const {
 
 void StressMarkOptions::readProbes(const std::shared_ptr<const deformation::WitnessMesh>& mesh,
                                    const Points& posed, const deformation::StressMap& map,
-                                   Outcome& outcome) const {
+                                   const elasticity::StatedMaterial& material, Outcome& outcome) const {
   const live::TissuePoints points(mesh, pointsOf(probePlaces()), live::probeReach(*mesh));
   const std::vector<live::StressReading> readings = points.read(posed, map);
   std::vector<live::NamedReading> rows;
@@ -114,9 +129,9 @@ void StressMarkOptions::readProbes(const std::shared_ptr<const deformation::Witn
   for (std::size_t i = 0; i < readings.size(); ++i) {
     const std::string name = std::to_string(i + 1);
     ordered_json item = {{"number", i + 1}};
-    item.update(jsonOf(readings[i]));
+    item.update(jsonOf(readings[i], material));
     list.push_back(std::move(item));
-    listing.add("probe " + name, inWords(readings[i]));
+    listing.add("probe " + name, inWords(readings[i], material));
     if (!readings[i].inTissue)
       outcome.warnings.push_back(phrase("Probe %1 lies %2 mm outside the tissue", name,
                                         fixed(points.distance(static_cast<Eigen::Index>(i)), 1)));
@@ -126,13 +141,13 @@ void StressMarkOptions::readProbes(const std::shared_ptr<const deformation::Witn
   outcome.text += listing.text();
   if (probesFile_.empty())
     return;
-  live::writeStressProbes(probesFile_, rows);
+  live::writeStressProbes(probesFile_, rows, material);
   outcome.json["probesCsv"] = probesFile_;
 }
 
 void StressMarkOptions::readProfiles(const std::shared_ptr<const deformation::WitnessMesh>& mesh,
                                      const Points& posed, const deformation::StressMap& map,
-                                     Outcome& outcome) const {
+                                     const elasticity::StatedMaterial& material, Outcome& outcome) const {
   std::vector<live::NamedProfile> rows;
   Listing listing;
   ordered_json list = ordered_json::array();
@@ -148,7 +163,7 @@ void StressMarkOptions::readProfiles(const std::shared_ptr<const deformation::Wi
     int inside = 0;
     for (std::size_t i = 0; i < profile.mm.size(); ++i) {
       ordered_json item = {{"distanceMm", profile.mm[i]}};
-      item.update(jsonOf(profile.readings[i]));
+      item.update(jsonOf(profile.readings[i], material));
       places.push_back(std::move(item));
       inside += profile.readings[i].inTissue;
       if (const double value = live::valueOf(profile.readings[i], live::StressQuantity::rotationalStress);
@@ -164,16 +179,17 @@ void StressMarkOptions::readProfiles(const std::shared_ptr<const deformation::Wi
   outcome.text += listing.text();
   if (profilesFile_.empty())
     return;
-  live::writeStressProfiles(profilesFile_, rows);
+  live::writeStressProfiles(profilesFile_, rows, material);
   outcome.json["profileCsv"] = profilesFile_;
 }
 
 void StressMarkOptions::read(const std::shared_ptr<const deformation::WitnessMesh>& mesh, const Points& posed,
-                             const deformation::StressMap& map, Outcome& outcome) const {
+                             const deformation::StressMap& map, const elasticity::StatedMaterial& material,
+                             Outcome& outcome) const {
   if (!probes_.empty())
-    readProbes(mesh, posed, map, outcome);
+    readProbes(mesh, posed, map, material, outcome);
   if (!profiles_.empty())
-    readProfiles(mesh, posed, map, outcome);
+    readProfiles(mesh, posed, map, material, outcome);
 }
 
 } // namespace viscera::app::cli

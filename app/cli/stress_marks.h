@@ -25,7 +25,8 @@ public:
   /// Interpolates the values in a map at the points of `mesh` and writes the tables; adds to the outcome's
   /// JSON, text and warnings.
   void read(const std::shared_ptr<const deformation::WitnessMesh>& mesh, const Points& posed,
-            const deformation::StressMap& map, Outcome& outcome) const;
+            const deformation::StressMap& map, const elasticity::StatedMaterial& material,
+            Outcome& outcome) const;
 
 private:
   struct Line {
@@ -34,9 +35,11 @@ private:
   };
   static Line lineOf(const std::string& text);
   void readProbes(const std::shared_ptr<const deformation::WitnessMesh>& mesh, const Points& posed,
-                  const deformation::StressMap& map, Outcome& outcome) const;
+                  const deformation::StressMap& map, const elasticity::StatedMaterial& material,
+                  Outcome& outcome) const;
   void readProfiles(const std::shared_ptr<const deformation::WitnessMesh>& mesh, const Points& posed,
-                    const deformation::StressMap& map, Outcome& outcome) const;
+                    const deformation::StressMap& map, const elasticity::StatedMaterial& material,
+                    Outcome& outcome) const;
 
   std::vector<std::string> probes_;
   std::vector<std::string> profiles_;

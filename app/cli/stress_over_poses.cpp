@@ -4,6 +4,7 @@
 #include <memory>
 #include <numbers>
 #include <optional>
+#include <span>
 #include <utility>
 
 #include <CLI/CLI.hpp>
@@ -119,23 +120,37 @@ struct CurveRow {
 };
 
 /// Nothing where there is no tissue, or it is folded.
-std::string cellOf(const live::StressReading& reading, live::StressQuantity quantity) {
-  const double value = live::valueOf(reading, quantity);
+std::string cellOf(const live::StressReading& reading, const live::StressMeasure& measure) {
+  const double value = live::valueOf(reading, measure);
   return std::isfinite(value) ? significant(value, kCurveDigits) : std::string();
 }
 
+constexpr std::size_t kWithoutMaterial = 4;
 constexpr std::pair<const char*, live::StressQuantity> kCurveQuantities[] = {
     {"stress_degrees", live::StressQuantity::rotationalStress},
     {"volume_ratio", live::StressQuantity::volumeRatio},
     {"stretch_max", live::StressQuantity::stretchMax},
-    {"stretch_min", live::StressQuantity::stretchMin}};
+    {"stretch_min", live::StressQuantity::stretchMin},
+    {"von_mises_kpa", live::StressQuantity::vonMises},
+    {"strain_energy_kpa", live::StressQuantity::energy}};
 
-void writeCourse(const std::string& file, const std::vector<CurveRow>& rows) {
+/// The quantities of a curve: those of a material only of a stated one.
+std::span<const std::pair<const char*, live::StressQuantity>>
+curveQuantitiesOf(const elasticity::StatedMaterial& material) {
+  return std::span(kCurveQuantities)
+      .first(material.stated() ? std::size(kCurveQuantities) : kWithoutMaterial);
+}
+
+void writeCourse(const std::string& file, const std::vector<CurveRow>& rows,
+                 const elasticity::StatedMaterial& material) {
+  const std::string of = material.stated() ? ", " + live::nameOf(material).english() : std::string();
   writeAtomically(file, [&](std::ostream& stream) {
     stream << "time_s,stress_degrees_min,stress_degrees_mean,stress_degrees_p95,stress_degrees_max,folded";
     for (std::size_t probe = 1; probe <= rows.front().probes.size(); ++probe)
-      for (const auto& [name, quantity] : kCurveQuantities)
-        stream << ",probe" << probe << '_' << name;
+      for (const auto& [name, quantity] : curveQuantitiesOf(material))
+        stream << ','
+               << csvField("probe" + std::to_string(probe) + '_' + name +
+                           (live::describe(quantity).ofMaterial ? of : std::string()));
     stream << '\n';
     for (const CurveRow& row : rows) {
       stream << significant(row.seconds, kCurveDigits);
@@ -144,14 +159,14 @@ void writeCourse(const std::string& file, const std::vector<CurveRow>& rows) {
         stream << ',' << significant(kDegreesOfRadian * angle, kCurveDigits);
       stream << ',' << s.folded;
       for (const live::StressReading& probe : row.probes)
-        for (const auto& [name, quantity] : kCurveQuantities)
-          stream << ',' << cellOf(probe, quantity);
+        for (const auto& [name, quantity] : curveQuantitiesOf(material))
+          stream << ',' << cellOf(probe, {quantity, material});
       stream << '\n';
     }
   });
 }
 
-ordered_json courseJson(const std::vector<CurveRow>& rows) {
+ordered_json courseJson(const std::vector<CurveRow>& rows, const elasticity::StatedMaterial& material) {
   ordered_json json = {{"timeMs", ordered_json::array()}, {"stressDegrees", ordered_json::object()}};
   for (const CurveRow& row : rows) {
     json["timeMs"].push_back(kCourseMsPerSecond * row.seconds);
@@ -161,12 +176,13 @@ ordered_json courseJson(const std::vector<CurveRow>& rows) {
     json["folded"].push_back(row.statistics.folded);
   }
   json["probes"] = ordered_json::array();
-  const char* const keys[] = {"stressDegrees", "volumeRatio", "stretchMax", "stretchMin"};
+  const char* const keys[] = {"stressDegrees", "volumeRatio", "stretchMax",
+                              "stretchMin",    "vonMisesKpa", "strainEnergyKpa"};
   for (std::size_t probe = 0; probe < rows.front().probes.size(); ++probe) {
     ordered_json curve = {{"number", probe + 1}};
     for (const CurveRow& row : rows)
-      for (std::size_t q = 0; q < std::size(keys); ++q) {
-        const double value = live::valueOf(row.probes[probe], kCurveQuantities[q].second);
+      for (std::size_t q = 0; q < curveQuantitiesOf(material).size(); ++q) {
+        const double value = live::valueOf(row.probes[probe], {kCurveQuantities[q].second, material});
         curve[keys[q]].push_back(std::isfinite(value) ? ordered_json(value) : ordered_json(nullptr));
       }
     json["probes"].push_back(std::move(curve));
@@ -219,7 +235,7 @@ void StressOverPosesOptions::compare(const Mapped& mapped, CommandContext& conte
   const PosedTissue tissue(mapped, context.progress);
   const live::StressFrame now = tissue.at(mapped.input.pose);
   const live::StressFrame before = tissue.at(poseInput(before_, mapped.input.rig, outcome.warnings));
-  const auto difference = live::stressDifference(now, before);
+  const auto difference = live::stressDifference(now, before, mapped.material);
   if (!difference)
     throw DataError("the two poses are not of the same points", before_);
   if (!difference_.empty())
@@ -230,6 +246,10 @@ void StressOverPosesOptions::compare(const Mapped& mapped, CommandContext& conte
                                 {"volumeRatio", summaryJson(difference->volumeRatio, witnesses)},
                                 {"stretchMax", summaryJson(difference->stretchMax, witnesses)},
                                 {"stretchMin", summaryJson(difference->stretchMin, witnesses)}};
+  if (mapped.material.stated()) {
+    outcome.json["difference"]["vonMisesKpa"] = summaryJson(difference->vonMisesKpa, witnesses);
+    outcome.json["difference"]["strainEnergyKpa"] = summaryJson(difference->energyKpa, witnesses);
+  }
   if (!difference_.empty())
     outcome.json["difference"]["file"] = difference_;
   const live::QuantitySummary degrees = live::summaryOf(difference->stressDegrees, witnesses);
@@ -257,9 +277,9 @@ void StressOverPosesOptions::follow(const Mapped& mapped, const std::vector<Vec3
                     points ? points->read(*frame.points, *frame.map) : std::vector<live::StressReading>()});
   }
   if (!curve_.empty())
-    writeCourse(curve_, rows);
+    writeCourse(curve_, rows, mapped.material);
   ordered_json json = {{"sequence", sequence_}, {"periodMs", kCourseMsPerSecond * poses.periodSeconds()}};
-  json.update(courseJson(rows));
+  json.update(courseJson(rows, mapped.material));
   if (!curve_.empty())
     json["csv"] = curve_;
   outcome.json["overSequence"] = std::move(json);

@@ -27,6 +27,7 @@ public:
     const WitnessedOrgan& interior;
     const Points& posed;
     const deformation::StressMap& map;
+    const elasticity::StatedMaterial& material; ///< Of the pascals; unstated: there are none.
   };
 
   /// Computes what is asked for, writes it, and adds it to the outcome. `probes` are places at rest, mm, LPS.

@@ -198,6 +198,15 @@ TEST_F(StressModeTest, LimitAndGlyphsAreOnThePageAndByKeysAndNoHabitOfTheNextSta
 TEST_F(StressModeTest, EveryMapHasItsLegendAndNumbers) {
   enter();
   dragAHandle();
+  look([](app::StressLook& look) { look.quantity = live::StressQuantity::vonMises; });
+  EXPECT_FALSE(model().shown().ready()) << "no pascals without a material";
+  EXPECT_TRUE(find<QComboBox>("stressMaterial")->isVisible());
+  EXPECT_EQ(find<QComboBox>("stressMaterial")->currentIndex(), 0);
+  EXPECT_TRUE(label("stressSource").contains("Choose a material first"));
+  look([](app::StressLook& look) {
+    look.material = elasticity::materialOf("liver");
+    look.quantity = live::StressQuantity::rotationalStress;
+  });
   for (const live::StressQuantityDescription& quantity : live::stressQuantities()) {
     EXPECT_EQ(model().look().quantity, quantity.quantity);
     EXPECT_EQ(find<QComboBox>("stressQuantity")->currentText().toStdString(), quantity.name);

@@ -243,6 +243,32 @@ class Systems(unittest.TestCase):
         with self.assertRaises(viscera.DataError):
             viscera.bind(self.points, self.handles, "localised-s-celestial", groups={"left": [0, 1, 99, 3]})
 
+    def test_pascals_are_of_a_stated_material(self):
+        stretch = np.diag([1.1, 1.0, 1.0])
+        binding = viscera.bind(self.points, self.handles)
+        points, _, count = viscera.grid_witnesses(self.points, self.triangles, 200)
+        found = viscera.StressPoints(binding, points[:count]).evaluate(self.handles @ stretch)
+        with self.assertRaisesRegex(viscera.UsageError, "material"):
+            found.von_mises_kpa()
+        with self.assertRaises(viscera.UsageError):
+            found.von_mises_kpa("hair")
+        shear = 6.27 / 2.98
+        np.testing.assert_allclose(found.von_mises_kpa("liver"), shear * 0.21 / 1.1, rtol=1e-6)
+        np.testing.assert_allclose(
+            found.strain_energy_kpa(young=6.27), shear * (0.105 - np.log(1.1) + 0.5 * 49 * 0.01), rtol=1e-6
+        )
+        self.assertIn("liver", [tissue["name"] for tissue in viscera.tissues()])
+
+    def test_an_elastic_organ_goes_with_its_handles(self):
+        pose = self.handles.copy()
+        pose[8] += [0, 1, 0]
+        found = viscera.elasticity(self.points, self.triangles, self.handles, pose, tetrahedra=200)
+        self.assertEqual(found["points"].shape, self.points.shape)
+        self.assertAlmostEqual(found["drag_mm"], 1.0)
+        self.assertNotIn("energy_mj", found)
+        with self.assertRaises(viscera.UsageError):
+            viscera.elasticity(self.points, self.triangles, self.handles, pose, others="none")
+
     def test_tetrahedra_fill_the_surface(self):
         points, tetrahedra, inside = viscera.tetrahedralise(self.points, self.triangles, 500.0)
         np.testing.assert_array_equal(points[inside:], self.points)

@@ -5,7 +5,6 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include <CLI/CLI.hpp>
@@ -17,6 +16,7 @@
 #include "viscera/deformation/bind_organ.h"
 #include "viscera/deformation/tetrahedralise.h"
 #include "viscera/elasticity/elastic_organ.h"
+#include "viscera/elasticity/tissue_stress.h"
 #include "viscera/elasticity/tissues.h"
 #include "viscera/live/tissue_energy.h"
 #include "viscera/medical_io/surface_file.h"
@@ -59,28 +59,6 @@ void gripSurface(const elasticity::ElasticOrgan& organ, const Points& rest, cons
   }
 }
 
-/// The von Mises stress of the tissue over its volume at rest, kPa.
-struct TissueStress {
-  double mean = 0, p95 = 0, max = 0;
-};
-
-TissueStress stressOf(const elasticity::ElasticBody& body, const Values& state) {
-  std::vector<std::pair<double, double>> samples; // Stress and volume.
-  TissueStress stress;
-  for (Eigen::Index t = 0; t < body.mesh().tetrahedra.rows(); ++t)
-    for (const elasticity::LocalState& at : body.statesOf(t, state)) {
-      samples.emplace_back(elasticity::vonMisesKpa(body.material(), at.gradient), at.weightMm3);
-      stress.mean += samples.back().first * at.weightMm3 / body.volumeMm3();
-    }
-  std::sort(samples.begin(), samples.end());
-  stress.max = samples.back().first;
-  double volume = 0;
-  for (const auto& [value, part] : samples)
-    if ((volume += part) <= 0.95 * body.volumeMm3())
-      stress.p95 = value;
-  return stress;
-}
-
 /// `viscera elasticity`: the organ as an elastic body that the handles grip, beside the pose of the handles.
 class ElasticityCommand final : public Command {
 public:
@@ -99,8 +77,9 @@ public:
                              ->type_name("KPA")
                              ->check(above(0));
     options
-        .add_option("--material", material_,
-                    "A tissue whose stiffness is published: liver, kidney, spleen, pancreas, stomach")
+        .add_option(
+            "--material", material_,
+            "A tissue whose stiffness is published: liver, myocardium, kidney, spleen, pancreas, stomach")
         ->type_name("NAME")
         ->excludes(young);
     options.add_option("--poisson", poisson_, "Poisson's ratio; 0.5 would be incompressible")
@@ -230,7 +209,7 @@ private:
                   {"doi", std::string(tissue.doi)}};
       words = material_ + ", " + fixed(tissue.youngKpa, 2) + " kPa (doi:" + std::string(tissue.doi) + ")";
     }
-    const TissueStress stress = stressOf(organ.body(), solution.state);
+    const elasticity::TissueStress stress = elasticity::tissueStress(organ.body(), solution.state);
     outcome.json["material"] = material;
     outcome.json["energyMj"] = solution.energyMj;
     outcome.json["vonMisesKpa"] = {{"mean", stress.mean}, {"p95", stress.p95}, {"max", stress.max}};

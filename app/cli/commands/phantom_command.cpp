@@ -55,7 +55,11 @@ public:
     options
         .add_option("--fields", made_.fieldSpacingMm, "Spacing of the displacement fields, mm; 0: none [8]")
         ->check(between(0, 40));
-    options.add_option("--format", format_, "Of volumes: nrrd or nifti [nrrd]")
+    options.add_flag(
+        "--over-time", made_.overTime,
+        "One file over time for the CT and one for the labels (4D NIfTI, .seq.nrrd), not one for "
+        "each phase");
+    options.add_option("--format", format_, "Of volumes and fields: nrrd or nifti [nrrd]")
         ->check(CLI::IsMember({"nrrd", "nifti"}));
     options.add_option("--seed", made_.seed, "Of grain, noise and shifts [1]");
     options.add_option("-o,--output", folder_, "Folder to write into; made when it is not there")

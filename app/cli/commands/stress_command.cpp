@@ -1,5 +1,6 @@
 #include "cli/commands/all_commands.h"
 
+#include <cctype>
 #include <chrono>
 #include <cstdint>
 #include <memory>
@@ -11,9 +12,11 @@
 
 #include "cli/bound_input.h"
 #include "cli/listing.h"
+#include "cli/material_options.h"
 #include "cli/number_bounds.h"
 #include "cli/stress_marks.h"
 #include "cli/stress_over_poses.h"
+#include "viscera/core/error.h"
 #include "viscera/deformation/tetrahedralise.h"
 #include "viscera/live/stress_files.h"
 #include "viscera/live/stress_quantity.h"
@@ -139,7 +142,7 @@ public:
     options.add_option("--csv", csv_, "The values at the witness points as a table")->type_name("FILE");
     options
         .add_option("--histogram", histogram_,
-                    "How the rotational stress is spread over the points, as a table (.csv)")
+                    "How the quantity is spread over the points, as a table (.csv)")
         ->type_name("FILE");
     options
         .add_option(
@@ -148,6 +151,16 @@ public:
         ->type_name("ORGAN")
         ->expected(1)
         ->take_all();
+    std::vector<std::string> quantities;
+    for (const live::StressQuantityDescription& quantity : live::stressQuantities())
+      quantities.push_back(quantity.id);
+    options
+        .add_option("--quantity", quantity_,
+                    "What the summary and --histogram are of; von-mises and strain-energy need a material")
+        ->check(CLI::IsMember(quantities))
+        ->type_name("QUANTITY")
+        ->capture_default_str();
+    materialOptions_.addTo(options);
     marks_.addTo(options);
     poses_.addTo(options);
   }
@@ -156,6 +169,7 @@ public:
     const auto begin = std::chrono::steady_clock::now();
     marks_.check();
     poses_.check();
+    const live::StressMeasure asked = measureAsked();
     std::vector<Text> warnings;
     const BoundInput input = input_.read(context, warnings);
     live::WitnessOptions witnesses = witnesses_;
@@ -172,15 +186,17 @@ public:
         measure(interiorOf(input, witnesses, warnings, context.progress, hollow, ownCells(input)), input,
                 context.progress);
     context.progress.throwIfCancelled();
+    const elasticity::StatedMaterial& material = asked.material;
     if (!output_.empty())
-      live::writeStressSolid(output_, measured.mesh(), measured.posed, measured.map);
+      live::writeStressSolid(output_, measured.mesh(), measured.posed, measured.map, material);
     if (!csv_.empty())
-      live::writeStressTable(csv_, measured.mesh(), measured.posed, measured.map);
+      live::writeStressTable(csv_, measured.mesh(), measured.posed, measured.map, material);
     if (!histogram_.empty())
-      writeHistogram(measured);
+      writeHistogram(measured, asked);
     Outcome outcome =
         outcomeOf(measured, input.organ.name, input.system->id(),
                   std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
+    tellOf(measured, asked, outcome);
     outcome.json["mobility"] = document::nameOf(input.organ.mobility);
     if (!output_.empty())
       outcome.json["file"] = output_;
@@ -193,9 +209,9 @@ public:
     warnings.insert(warnings.end(), input.organ.warnings.begin(), input.organ.warnings.end());
     outcome.warnings = std::move(warnings);
     outcome.json["warnings"] = outcome.warnings;
-    marks_.read(measured.interior.sample.mesh, measured.posed, measured.map, outcome);
-    poses_.compute({input, measured.interior, measured.posed, measured.map}, marks_.probePlaces(), context,
-                   outcome);
+    marks_.read(measured.interior.sample.mesh, measured.posed, measured.map, material, outcome);
+    poses_.compute({input, measured.interior, measured.posed, measured.map, material}, marks_.probePlaces(),
+                   context, outcome);
     return outcome;
   }
 
@@ -208,12 +224,50 @@ private:
     return cells ? std::make_shared<const deformation::WitnessMesh>(std::move(*cells)) : nullptr;
   }
 
-  void writeHistogram(const Measured& measured) const {
-    const live::StressQuantityDescription& quantity = live::describe(live::StressQuantity::rotationalStress);
+  /// Throws `UsageError` for a quantity of a material without one.
+  live::StressMeasure measureAsked() const {
+    const live::StressMeasure asked(live::stressQuantityFromId(quantity_), materialOptions_.material());
+    if (!asked.known())
+      throw UsageError("There are no pascals without a stated material", "--quantity " + quantity_,
+                       "add --material NAME or --young KPA");
+    return asked;
+  }
+
+  void writeHistogram(const Measured& measured, const live::StressMeasure& asked) const {
     Values values;
-    live::quantityOf(measured.map, quantity.quantity, values);
+    live::quantityOf(measured.map, asked, values);
     live::writeStressHistogram(
-        histogram_, live::histogramOf(values, measured.mesh().witnesses, live::kHistogramBars), quantity);
+        histogram_, live::histogramOf(values, measured.mesh().witnesses, live::kHistogramBars), asked);
+  }
+
+  /// The quantity that was asked for, and what a stated material feels.
+  static void tellOf(const Measured& measured, const live::StressMeasure& asked, Outcome& outcome) {
+    Listing listing;
+    Values values;
+    const auto add = [&](const live::StressMeasure& measure, const char* key) {
+      const live::StressQuantityDescription& quantity = live::describe(measure.quantity);
+      live::quantityOf(measured.map, measure, values);
+      const live::QuantitySummary summary = live::summaryOf(values, measured.mesh().witnesses);
+      outcome.json[key] = {
+          {"min", summary.min}, {"mean", summary.mean}, {"p95", summary.percentile95}, {"max", summary.max}};
+      std::string name = quantity.name;
+      name.front() = static_cast<char>(std::tolower(static_cast<unsigned char>(name.front())));
+      const std::string unit = measure.unit().english();
+      listing.add(name, fixed(summary.mean, quantity.decimals) + " on average, 95 % below " +
+                            fixed(summary.percentile95, quantity.decimals) + ", at most " +
+                            fixed(summary.max, quantity.decimals) + (unit.empty() ? "" : ' ' + unit));
+    };
+    if (asked.material.stated()) {
+      outcome.json["material"] = materialJson(asked.material);
+      add({live::StressQuantity::vonMises, asked.material}, "vonMisesKpa");
+      add({live::StressQuantity::energy, asked.material}, "strainEnergyKpa");
+    }
+    if (asked.quantity != live::StressQuantity::rotationalStress) {
+      outcome.json["quantity"] = live::describe(asked.quantity).id;
+      if (!live::describe(asked.quantity).ofMaterial)
+        add(asked, "ofQuantity");
+    }
+    outcome.text += listing.text();
   }
 
   BoundInputOptions input_;
@@ -221,6 +275,8 @@ private:
   std::string output_;
   std::string csv_;
   std::string histogram_;
+  std::string quantity_ = live::describe(live::StressQuantity::rotationalStress).id;
+  MaterialOptions materialOptions_;
   std::vector<std::string> cavities_;
   StressMarkOptions marks_;
   StressOverPosesOptions poses_;

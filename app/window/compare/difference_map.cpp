@@ -66,8 +66,8 @@ void DifferenceMap::followSoon() {
 
 void DifferenceMap::follow() {
   const bool stress = view_.state().shown.stress;
-  const auto quantity = stress ? std::optional(view_.state().stress.quantity) : std::nullopt;
-  if (std::exchange(quantity_, quantity) != quantity)
+  const auto measure = stress ? std::optional(view_.state().stress.measure()) : std::nullopt;
+  if (std::exchange(measure_, measure) != measure)
     reach_ = 0;
   picture_.setMap(stress ? stressDifference() : distances());
 }
@@ -75,9 +75,9 @@ void DifferenceMap::follow() {
 /// None until both views have the stress of the same witness points.
 std::optional<presentation::SurfaceMap> DifferenceMap::stressDifference() {
   const live::StressFrame now = first_.stress().frame(), kept = second_.stress().frame();
-  const live::StressQuantityDescription& quantity = live::describe(*quantity_);
-  const auto difference = live::differenceOf(now, kept, *quantity_);
-  if (!difference || now.organ != kept.organ || !kept.onSurface)
+  const live::StressQuantityDescription& quantity = live::describe(measure_->quantity);
+  const auto difference = live::differenceOf(now, kept, *measure_);
+  if (!measure_->known() || !difference || now.organ != kept.organ || !kept.onSurface)
     return std::nullopt;
   auto onSurface = std::make_shared<Values>();
   (*kept.onSurface)(*difference, *onSurface);
@@ -88,7 +88,7 @@ std::optional<presentation::SurfaceMap> DifferenceMap::stressDifference() {
   presentation::SurfaceMap map;
   map.colors = presentation::stressColors("diverging");
   map.title = tr("%1: view 1 less view 2").arg(inWords(quantity.name)).toStdString();
-  map.unit = quantity.unit.empty() ? std::string() : inWords(quantity.unit).toStdString();
+  map.unit = inWords(measure_->unit()).toStdString();
   map.mark = inWords("folded").toStdString();
   map.values[kept.organ] = std::move(onSurface);
   reach_ = std::max(reach_, roundedUp(std::max(greatest_, kLeast)));

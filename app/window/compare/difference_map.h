@@ -43,8 +43,8 @@ private:
   bool on_ = false;
   bool waiting_ = false;
   double greatest_ = 0;
-  double reach_ = 0;                             ///< Upper end of the colour range.
-  std::optional<live::StressQuantity> quantity_; ///< Of the map that is shown; none: distances.
+  double reach_ = 0;                           ///< Upper end of the colour range.
+  std::optional<live::StressMeasure> measure_; ///< Of the map that is shown; none: distances.
   std::vector<Subscription> subscriptions_;
 };
 

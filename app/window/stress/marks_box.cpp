@@ -138,11 +138,12 @@ void MarksBox::fill(QTreeWidgetItem& item, const document::StressProbe& probe) c
     return item.setText(kMarkValue, QStringLiteral("-"));
   }
   const live::StressReading& reading = found->reading;
-  const double value = live::valueOf(reading, model_.look().quantity);
+  const double value = live::valueOf(reading, model_.look().measure());
   item.setText(kMarkPlace, ProbeCard::placeInWords(reading.inTissue ? reading.now : probe.rest));
-  item.setText(kMarkValue, !reading.inTissue       ? tr("no tissue")
-                           : !std::isfinite(value) ? tr("folded")
-                                                   : model_.format(value));
+  item.setText(kMarkValue, !reading.inTissue                  ? tr("no tissue")
+                           : !model_.look().measure().known() ? QStringLiteral("-")
+                           : !std::isfinite(value)            ? tr("folded")
+                                                              : model_.format(value));
 }
 
 void MarksBox::fill(QTreeWidgetItem& item, const document::StressLine& line) const {
@@ -156,7 +157,7 @@ void MarksBox::fill(QTreeWidgetItem& item, const document::StressLine& line) con
   for (const live::ReadProfile& read : model_.marks().profiles)
     if (read.line.id == line.id)
       for (const live::StressReading& reading : read.profile.readings)
-        if (const double value = live::valueOf(reading, model_.look().quantity); std::isfinite(value))
+        if (const double value = live::valueOf(reading, model_.look().measure()); std::isfinite(value))
           largest = std::max(largest, value);
   item.setText(kMarkValue, largest < 0 ? QStringLiteral("-") : model_.format(largest));
   for (const int column : {kMarkNumber, kMarkPlace, kMarkValue, kMarkOrgan})

@@ -69,14 +69,17 @@ void ProbeCard::sync() {
     const live::StressQuantityDescription& quantity = live::stressQuantities()[i];
     // Each value over a cycle is an extreme of its own instant, and says so.
     names_[i]->setText(inWords(model_.peakShown() ? quantity.peakName : quantity.name));
-    const double value = live::quantityAt(map, quantity.quantity, point);
+    const live::StressMeasure measure(quantity.quantity, model_.look().material);
+    names_[i]->setVisible(measure.known());
+    values_[i]->setVisible(measure.known());
+    const double value = live::quantityAt(map, measure, point);
     if (quantity.quantity == live::StressQuantity::folded)
       values_[i]->setText(value > 0 ? tr("yes") : tr("no"));
     else
       values_[i]->setText(
           quantity.unit.empty()
               ? formatNumber(value, quantity.decimals)
-              : tr("%1 %2").arg(formatNumber(value, quantity.decimals)).arg(inWords(quantity.unit)));
+              : tr("%1 %2").arg(formatNumber(value, quantity.decimals)).arg(inWords(measure.shortUnit())));
   }
   adjustSize();
 }

@@ -24,12 +24,12 @@ constexpr double kLeft = 52, kBottom = 40, kRight = 10, kTop = 10;
 const std::array<Vec3, 4> kColors = {Vec3(0.31, 0.70, 0.75), Vec3(0.90, 0.66, 0.25), Vec3(0.80, 0.47, 0.65),
                                      Vec3(0.45, 0.55, 0.90)};
 
-std::vector<scene::PanelCurve> curvesOf(const live::ReadProfile& read, live::StressQuantity quantity,
+std::vector<scene::PanelCurve> curvesOf(const live::ReadProfile& read, const live::StressMeasure& measure,
                                         const Vec3& color) {
   std::vector<scene::PanelCurve> curves;
   bool joined = false;
   for (std::size_t i = 0; i < read.profile.mm.size(); ++i) {
-    const double value = live::valueOf(read.profile.readings[i], quantity);
+    const double value = live::valueOf(read.profile.readings[i], measure);
     if (std::isfinite(value) && !joined)
       curves.push_back({curves.empty() ? read.name : std::string(), color, {}, {}});
     joined = std::isfinite(value);
@@ -85,7 +85,7 @@ void ProfileChart::refresh() {
   curves_.clear();
   std::size_t line = 0;
   for (const live::ReadProfile& read : model_.marks().profiles)
-    for (scene::PanelCurve& curve : curvesOf(read, model_.look().quantity, kColors[line++ % kColors.size()]))
+    for (scene::PanelCurve& curve : curvesOf(read, model_.look().measure(), kColors[line++ % kColors.size()]))
       curves_.push_back(std::move(curve));
   setVisible(!model_.marks().profiles.empty());
   draw();
@@ -98,7 +98,8 @@ void ProfileChart::draw() {
   scene::CurvePanel panel;
   panel.xTitle = tr("Distance at rest (mm)").toStdString();
   panel.yTitle =
-      (quantity.unit.empty() ? model_.title() : tr("%1 (%2)").arg(model_.title(), inWords(quantity.unit)))
+      (quantity.unit.empty() ? model_.title()
+                             : tr("%1 (%2)").arg(model_.title(), inWords(model_.look().measure().unit())))
           .toStdString();
   panel.curves = curves_;
   panel.left = kLeft / std::max(1, widget_->width());

@@ -24,8 +24,9 @@ StressCycle::StressCycle(Workspace& workspace, Playback& playback, QObject* pare
   }));
 }
 
-void StressCycle::setWanted(std::optional<live::CycleParts> wanted) {
-  if (std::exchange(wanted_, wanted) != wanted)
+void StressCycle::setWanted(std::optional<live::CycleParts> wanted, double poisson) {
+  const bool otherEnergy = std::exchange(poisson_, poisson) != poisson;
+  if (std::exchange(wanted_, wanted) != wanted || otherEnergy)
     soon_.start();
 }
 
@@ -36,7 +37,7 @@ std::optional<StressCycle::Cause> StressCycle::presentCause() const {
   if (stress.status().state != live::StressStatus::State::ready || !player.movable() ||
       workspace_.live().busy())
     return std::nullopt;
-  return Cause{live::causeOf(player.runner()), stress.gradients()};
+  return Cause{live::causeOf(player.runner()), stress.gradients(), poisson_};
 }
 
 void StressCycle::retry() {
@@ -68,8 +69,9 @@ void StressCycle::bringUpToDate() {
   cause_ = std::move(cause);
   parts_ = *wanted_;
   workspace_.guarded([&] {
-    workspace_.stress().findCycle(live::posedCycle(playback_.player().runner(), workspace_.live().copy()),
-                                  parts_);
+    live::PosedCycle cycle = live::posedCycle(playback_.player().runner(), workspace_.live().copy());
+    cycle.poisson = poisson_;
+    workspace_.stress().findCycle(std::move(cycle), parts_);
   });
 }
 

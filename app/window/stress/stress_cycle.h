@@ -22,8 +22,9 @@ public:
   /// Both have to live longer.
   StressCycle(Workspace& workspace, Playback& playback, QObject* parent = nullptr);
 
-  /// Sets what to compute; none: nothing. The maximum takes several times as long as the curves.
-  void setWanted(std::optional<live::CycleParts> wanted);
+  /// Sets what to compute; none: nothing. The maximum takes several times as long as the curves, and its
+  /// largest energy is that of Poisson's ratio.
+  void setWanted(std::optional<live::CycleParts> wanted, double poisson);
   /// Starts again after the computation was cancelled or has failed.
   void retry();
 
@@ -32,6 +33,7 @@ private:
   struct Cause {
     live::MotionCause motion;
     std::shared_ptr<const deformation::WitnessGradients> gradients; ///< For these witness points and handles.
+    double poisson = 0;
     bool operator==(const Cause&) const = default;
   };
 
@@ -42,6 +44,7 @@ private:
   Workspace& workspace_;
   Playback& playback_;
   std::optional<live::CycleParts> wanted_;
+  double poisson_ = elasticity::kUsualPoisson;
   std::optional<Cause> cause_;                       ///< The cause of the result or of the computation under
                                                      ///< way,
   live::CycleParts parts_ = live::CycleParts::curve; ///< and its parts.

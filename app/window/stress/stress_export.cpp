@@ -11,7 +11,7 @@
 namespace viscera::app {
 namespace {
 
-constexpr const char* kMapActions[] = {"stress.exportMap", "stress.exportPoints", "stress.exportHistogram"};
+constexpr const char* kMapActions[] = {"stress.exportMap", "stress.exportPoints"};
 
 } // namespace
 
@@ -49,11 +49,14 @@ void StressExport::addTo(Actions& actions) {
     return model_.active() && model_.live().status().state == live::StressStatus::State::ready;
   };
   actions.enableWhile({std::begin(kMapActions), std::end(kMapActions)}, ready);
+  actions.enableWhile({"stress.exportHistogram"},
+                      [this, ready] { return ready() && model_.look().measure().known(); });
   actions.enableWhile({"stress.exportCurve"}, [this, ready] { return ready() && model_.cycle(); });
   actions.enableWhile({"stress.exportProbes"}, [this, ready] { return ready() && model_.hasProbes(); });
   actions.enableWhile({"stress.exportProfiles"}, [this, ready] { return ready() && model_.hasProfiles(); });
   connect(&model_, &StressModel::statusChanged, &actions, &Actions::sync);
   connect(&model_, &StressModel::updated, &actions, &Actions::sync);
+  connect(&model_, &StressModel::lookChanged, &actions, &Actions::sync);
   connect(&model_, &StressModel::activeChanged, &actions, &Actions::sync);
   connect(&playback_, &Playback::stateChanged, &actions, &Actions::sync);
 }
@@ -82,22 +85,26 @@ void StressExport::write(const QString& what, const QString& file, std::function
 void StressExport::exportMap(const QString& file) {
   write(tr("the stress map"), file,
         [mesh = model_.live().mesh(), posed = model_.live().points(), map = model_.shownMap(),
-         path = file.toStdString()](Progress&) { live::writeStressSolid(path, *mesh, posed, map); });
+         material = model_.look().material, path = file.toStdString()](Progress&) {
+          live::writeStressSolid(path, *mesh, posed, map, material);
+        });
 }
 
 void StressExport::exportPoints(const QString& file) {
   write(tr("the stress"), file,
         [mesh = model_.live().mesh(), posed = model_.live().points(), map = model_.shownMap(),
-         path = file.toStdString()](Progress&) { live::writeStressTable(path, *mesh, posed, map); });
+         material = model_.look().material, path = file.toStdString()](Progress&) {
+          live::writeStressTable(path, *mesh, posed, map, material);
+        });
 }
 
 void StressExport::exportHistogram(const QString& file) {
   Values values;
-  live::quantityOf(model_.shownMap(), model_.look().quantity, values);
+  live::quantityOf(model_.shownMap(), model_.look().measure(), values);
   write(tr("the histogram"), file,
-        [values, count = model_.live().mesh()->witnesses, quantity = live::describe(model_.look().quantity),
+        [values, count = model_.live().mesh()->witnesses, measure = model_.look().measure(),
          path = file.toStdString()](Progress&) {
-          live::writeStressHistogram(path, live::histogramOf(values, count, live::kHistogramBars), quantity);
+          live::writeStressHistogram(path, live::histogramOf(values, count, live::kHistogramBars), measure);
         });
 }
 
@@ -112,7 +119,9 @@ void StressExport::exportProbes(const QString& file) {
   for (const live::ReadProbe& read : model_.marks().probes)
     rows.push_back({std::to_string(read.probe.number), read.reading});
   write(tr("the probes"), file,
-        [rows, path = file.toStdString()](Progress&) { live::writeStressProbes(path, rows); });
+        [rows, material = model_.look().material, path = file.toStdString()](Progress&) {
+          live::writeStressProbes(path, rows, material);
+        });
 }
 
 void StressExport::exportProfiles(const QString& file) {
@@ -120,7 +129,9 @@ void StressExport::exportProfiles(const QString& file) {
   for (const live::ReadProfile& read : model_.marks().profiles)
     rows.push_back({read.name, read.profile});
   write(tr("the profiles"), file,
-        [rows, path = file.toStdString()](Progress&) { live::writeStressProfiles(path, rows); });
+        [rows, material = model_.look().material, path = file.toStdString()](Progress&) {
+          live::writeStressProfiles(path, rows, material);
+        });
 }
 
 } // namespace viscera::app

@@ -54,7 +54,9 @@ void StressMode::makeActions() {
   actions_.add("stress.next", {tr("&Next map"), "stress", {Qt::Key_M}, tr("The next stress map")}, [this] {
     model_.change([](StressLook& look) {
       const auto& all = live::stressQuantities();
-      look.quantity = all[(static_cast<std::size_t>(look.quantity) + 1) % all.size()].quantity;
+      do // Past those that lack their material.
+        look.quantity = all[(static_cast<std::size_t>(look.quantity) + 1) % all.size()].quantity;
+      while (!look.measure().known());
     });
   });
   actions_.add("stress.maximum",

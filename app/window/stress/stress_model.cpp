@@ -16,14 +16,16 @@ constexpr const char* kSetting = "stress/look";
 /// The witness with the largest value of a quantity (the smallest, of the smallest stretch) among those with
 /// a value, as for the numbers of the page: folded tissue has no value except on the map of folded tissue.
 /// -1: all are folded.
-int extremeOf(const deformation::StressMap& map, live::StressQuantity quantity, Eigen::Index witnesses) {
-  const double sign = quantity == live::StressQuantity::stretchMin ? -1 : 1;
+int extremeOf(const deformation::StressMap& map, const live::StressMeasure& measure, Eigen::Index witnesses) {
+  const double sign = measure.quantity == live::StressQuantity::stretchMin ? -1 : 1;
   int most = -1;
   double value = 0;
   for (int point = 0; point < static_cast<int>(witnesses); ++point) {
-    if (map.volumeRatio[point] <= 0 && quantity != live::StressQuantity::folded)
+    if (map.volumeRatio[point] <= 0 && measure.quantity != live::StressQuantity::folded)
       continue;
-    const double here = sign * live::quantityAt(map, quantity, point);
+    const double here = sign * live::quantityAt(map, measure, point);
+    if (!std::isfinite(here))
+      continue;
     if (most < 0 || here > value) {
       most = point;
       value = here;
@@ -90,7 +92,8 @@ void StressModel::follow() {
 void StressModel::onView() {
   cycle_.setWanted(!active()     ? std::nullopt
                    : look().peak ? std::optional(live::CycleParts::curveAndPeak)
-                                 : live::CycleParts::curve);
+                                 : live::CycleParts::curve,
+                   look().material.poisson);
   if (const bool now = active(); std::exchange(knownActive_, now) != now) {
     follow();
     Q_EMIT activeChanged();
@@ -110,7 +113,8 @@ void StressModel::onView() {
 }
 
 void StressModel::setLook(StressLook wanted) {
-  if (wanted.quantity != look().quantity) {
+  const bool otherPascals = live::describe(wanted.quantity).ofMaterial && wanted.material != look().material;
+  if (wanted.quantity != look().quantity || otherPascals) {
     wanted.pinned = wanted.threshold = false; // They were meant for the other numbers.
     wanted.range = {0, 0};
   } else if (wanted.pinned && !look().pinned) {
@@ -147,7 +151,7 @@ QString StressModel::title() const {
 QString StressModel::format(double value) const {
   const live::StressQuantityDescription& quantity = live::describe(look().quantity);
   const QString number = formatNumber(value, quantity.decimals);
-  return quantity.unit.empty() ? number : tr("%1 %2").arg(number, inWords(quantity.unit));
+  return quantity.unit.empty() ? number : tr("%1 %2").arg(number, inWords(look().measure().shortUnit()));
 }
 
 std::optional<double> StressModel::shownFraction() const {
@@ -186,7 +190,7 @@ bool StressModel::hasMap() const {
 void StressModel::goToMaximum() {
   if (!hasMap())
     return;
-  const int most = extremeOf(shownMap(), look().quantity, live_.mesh()->witnesses);
+  const int most = extremeOf(shownMap(), look().measure(), live_.mesh()->witnesses);
   if (most < 0)
     return;
   const presentation::Presenter& drawn = picture_.presenter();

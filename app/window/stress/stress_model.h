@@ -37,7 +37,7 @@ public:
   live::LiveStress& live() { return live_; }
   const live::LiveStress& live() const { return live_; }
   const StressLook& look() const { return view_.state().stress; }
-  /// Changing the quantity resets its limit and range.
+  /// Changing the quantity, or the material of one in pascals, resets its limit and range.
   void setLook(StressLook look);
   /// Changes a part of the look.
   void change(const std::function<void(StressLook&)>& edit);
@@ -48,7 +48,7 @@ public:
   /// The numbers that are shown, with their colours and range.
   const presentation::StressValues& shown() const { return picture_.presenter().stressValues(); }
   QString title() const;
-  /// A number with its unit: "12.3 deg".
+  /// A number with its unit: "12.3 deg", "0.123 kPa, liver".
   QString format(double value) const;
 
   /// Shows the maximum over a cycle, once it is computed, instead of the map of this instant.

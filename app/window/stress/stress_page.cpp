@@ -18,6 +18,7 @@
 #include <cmath>
 #include <optional>
 
+#include "viscera/elasticity/tissues.h"
 #include "viscera/presentation/presenter.h"
 #include "window/stress/histogram.h"
 #include "window/stress/marks_box.h"
@@ -32,6 +33,8 @@ using Options = live::WitnessOptions;
 /// Steps of the slider between the fewest and the most witnesses: it goes by factors.
 constexpr int kCountSteps = 100;
 constexpr int kRound = 100;
+/// Young's modulus that a user's own material begins with.
+constexpr double kFirstYoungKpa = 5;
 
 int countAt(int step) {
   const double count =
@@ -134,6 +137,7 @@ void StressPage::makeMap(const Actions& actions) {
          "is turned when the tissue is stretched; it is not a pressure."));
   meaning_ = addRemark(QString());
   meaning_->setObjectName(QStringLiteral("stressMeaning"));
+  makeMaterial();
   QStringList maps;
   for (const scene::ColorMap& map : scene::colorMaps())
     maps.push_back(inWords(map.title));
@@ -152,6 +156,68 @@ void StressPage::makeMap(const Actions& actions) {
   addCheck(actions["stress.logarithmic"]);
   addCheck(actions["stress.sameRange"]);
   addButton(actions["play.comparePose"]);
+}
+
+/// Shown with a quantity in pascals, and as long as a material is stated.
+void StressPage::makeMaterial() {
+  QStringList names = {tr("Choose a material")};
+  for (const elasticity::Tissue& tissue : elasticity::tissues())
+    names.push_back(inWords(named(tissue.name)));
+  names.push_back(tr("Another material"));
+  material_ = addChoice("stressMaterial", tr("Material"), names, [](StressLook& look, int index) {
+    const auto tissues = elasticity::tissues();
+    const double poisson = look.material.poisson;
+    if (index == 0)
+      look.material = {};
+    else if (const auto tissue = static_cast<std::size_t>(index - 1); tissue < tissues.size())
+      look.material = elasticity::materialOf(tissues[tissue].name, poisson);
+    else
+      look.material =
+          elasticity::ownMaterial(look.material.stated() ? look.material.youngKpa : kFirstYoungKpa, poisson);
+  });
+  material_->setToolTip(
+      tr("The tissue whose stiffness makes pascals of the deformation; it does not change the pose"));
+  young_ = new ValueSlider(tr("Young's modulus"), {0.1, 100, 0.01, 2, tr(" kPa")}, this);
+  young_->setObjectName(QStringLiteral("stressYoung"));
+  connect(young_, &ValueSlider::valueChanged, this, [this](double value) {
+    model_.change(
+        [value](StressLook& look) { look.material = elasticity::ownMaterial(value, look.material.poisson); });
+  });
+  add(young_);
+  poisson_ = new ValueSlider(tr("Poisson's ratio"), {0.3, 0.499, 0.001, 3, {}}, this);
+  poisson_->setObjectName(QStringLiteral("stressPoisson"));
+  connect(poisson_, &ValueSlider::valueChanged, this, [this](double value) {
+    model_.change([value](StressLook& look) { look.material.poisson = value; });
+  });
+  add(poisson_);
+  source_ = addRemark(QString());
+  source_->setObjectName(QStringLiteral("stressSource"));
+}
+
+void StressPage::syncMaterial() {
+  const StressLook& look = model_.look();
+  const elasticity::StatedMaterial& material = look.material;
+  const auto tissues = elasticity::tissues();
+  const auto tissue = std::find_if(tissues.begin(), tissues.end(), [&](const elasticity::Tissue& one) {
+    return one.name == material.tissue;
+  });
+  const bool own = material.stated() && tissue == tissues.end();
+  material_->setCurrentIndex(!material.stated() ? 0 : static_cast<int>(tissue - tissues.begin()) + 1);
+  const bool wanted = live::describe(look.quantity).ofMaterial;
+  material_->setVisible(wanted || material.stated());
+  young_->setVisible(own);
+  young_->setValue(own ? material.youngKpa : kFirstYoungKpa);
+  poisson_->setVisible(material.stated());
+  poisson_->setValue(material.poisson);
+  QString source;
+  if (wanted && !material.stated())
+    source = tr("Pascals exist only of a stated material. Choose a material first.");
+  else if (material.stated() && !own)
+    source = tr("Young's modulus %1 kPa, doi:%2")
+                 .arg(formatNumber(material.youngKpa, 2),
+                      QString::fromUtf8(tissue->doi.data(), static_cast<int>(tissue->doi.size())));
+  source_->setText(source);
+  source_->setVisible(!source.isEmpty());
 }
 
 QWidget* StressPage::makePose() {
@@ -344,6 +410,7 @@ void StressPage::syncLook() {
   const StressLook& look = model_.look();
   quantity_->setCurrentIndex(static_cast<int>(look.quantity));
   meaning_->setText(inWords(live::describe(look.quantity).meaning));
+  syncMaterial();
   const auto& maps = scene::colorMaps();
   const auto chosen = std::find_if(maps.begin(), maps.end(), [&](const scene::ColorMap& map) {
     return map.name == look.*presentation::colorsOf(look.quantity);

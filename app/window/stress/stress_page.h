@@ -33,6 +33,7 @@ protected:
 
 private:
   void makeMap(const Actions& actions);
+  void makeMaterial();
   void makeNumbers(const Actions& actions);
   void makeWitnesses();
   void makeInside(const Actions& actions);
@@ -45,6 +46,7 @@ private:
   QWidget* makeDirections();
   QWidget* makeWitnessCount();
   void syncLook();
+  void syncMaterial();
   void syncStatus();
   void syncPose();
   void syncNumbers();
@@ -59,6 +61,10 @@ private:
   QPushButton* ownPose_ = nullptr;
   QPushButton* played_ = nullptr;
   QComboBox* quantity_ = nullptr;
+  QComboBox* material_ = nullptr;
+  ValueSlider* young_ = nullptr;   ///< Of a material of the user's own.
+  ValueSlider* poisson_ = nullptr; ///< Of any stated material.
+  QLabel* source_ = nullptr;       ///< Where the stiffness is from, or that a material has to be chosen.
   QComboBox* colors_ = nullptr;
   QLabel* state_ = nullptr;
   QLabel* hint_ = nullptr;

@@ -11,9 +11,14 @@
 namespace viscera::elasticity {
 namespace {
 
-constexpr std::array<Tissue, 5> kTissues = {{
+constexpr std::array<Tissue, 6> kTissues = {{
     {"liver", 6.27, "shear stiffness 2.09 +- 0.22 kPa, magnetic resonance elastography, 41 healthy adults",
      "10.1002/jmri.24084"},
+    {"myocardium", 7.77,
+     "shear stiffness at the end of diastole 2.59 +- 0.58 kPa, shear-wave ultrasound, 20 healthy adults of "
+     "20 to "
+     "39 years; 6.08 +- 1.06 kPa at 60 to 79",
+     "10.1016/j.jcmg.2018.02.002"},
     {"kidney", 5.0, "Young's modulus of the cortex 5.0 +- 2.9 kPa, shear-wave ultrasound, healthy adults",
      "10.2214/AJR.10.5449"},
     {"spleen", 2.9, "Young's modulus 2.9 +- 1.8 kPa, shear-wave ultrasound, healthy adults",

@@ -19,15 +19,21 @@ constexpr int kDifferenceDigits = 9;
 
 /// A quantity with its name in files.
 struct NamedDifference {
-  const char* name;
+  std::string name;
   const Values& values;
 };
 
 std::vector<NamedDifference> namedDifferences(const StressDifference& difference) {
-  return {{"stress_degrees_difference", difference.stressDegrees},
-          {"volume_ratio_difference", difference.volumeRatio},
-          {"stretch_max_difference", difference.stretchMax},
-          {"stretch_min_difference", difference.stretchMin}};
+  std::vector<NamedDifference> all = {{"stress_degrees_difference", difference.stressDegrees},
+                                      {"volume_ratio_difference", difference.volumeRatio},
+                                      {"stretch_max_difference", difference.stretchMax},
+                                      {"stretch_min_difference", difference.stretchMin}};
+  if (difference.material.stated()) {
+    const std::string material = ", " + nameOf(difference.material).english();
+    all.push_back({"von_mises_kpa_difference" + material, difference.vonMisesKpa});
+    all.push_back({"strain_energy_kpa_difference" + material, difference.energyKpa});
+  }
+  return all;
 }
 
 void writeDifferenceTable(const std::filesystem::path& file, const StressFrame& frame,
@@ -35,7 +41,7 @@ void writeDifferenceTable(const std::filesystem::path& file, const StressFrame& 
   writeAtomically(file, [&](std::ostream& stream) {
     stream << "rest_x_mm,rest_y_mm,rest_z_mm,x_mm,y_mm,z_mm";
     for (const NamedDifference& one : namedDifferences(difference))
-      stream << ',' << one.name;
+      stream << ',' << csvField(one.name);
     stream << '\n';
     for (Eigen::Index i = 0; i < frame.mesh->witnesses; ++i) {
       std::string row;
@@ -52,14 +58,21 @@ void writeDifferenceTable(const std::filesystem::path& file, const StressFrame& 
 
 } // namespace
 
-std::optional<StressDifference> stressDifference(const StressFrame& a, const StressFrame& b) {
+std::optional<StressDifference> stressDifference(const StressFrame& a, const StressFrame& b,
+                                                 const elasticity::StatedMaterial& material) {
   auto degrees = differenceOf(a, b, StressQuantity::rotationalStress);
   auto ratio = differenceOf(a, b, StressQuantity::volumeRatio);
   auto most = differenceOf(a, b, StressQuantity::stretchMax);
   auto least = differenceOf(a, b, StressQuantity::stretchMin);
   if (!degrees || !ratio || !most || !least)
     return std::nullopt;
-  return StressDifference{std::move(*degrees), std::move(*ratio), std::move(*most), std::move(*least)};
+  StressDifference difference{std::move(*degrees), std::move(*ratio), std::move(*most), std::move(*least)};
+  if (material.stated()) {
+    difference.vonMisesKpa = *differenceOf(a, b, {StressQuantity::vonMises, material});
+    difference.energyKpa = *differenceOf(a, b, {StressQuantity::energy, material});
+    difference.material = material;
+  }
+  return difference;
 }
 
 void writeStressDifference(const std::filesystem::path& file, const StressFrame& a,

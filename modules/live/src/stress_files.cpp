@@ -6,8 +6,10 @@
 #include <cstdio>
 #include <limits>
 #include <ostream>
+#include <utility>
 
 #include "degrees.h"
+#include "tissue_columns.h"
 #include "viscera/core/atomic_file.h"
 #include "viscera/core/text.h"
 #include "viscera/medical_io/solid_file.h"
@@ -27,24 +29,38 @@ std::vector<std::uint8_t> foldedFlags(const deformation::StressMap& map) {
 } // namespace
 
 void writeStressSolid(const std::filesystem::path& file, const deformation::WitnessMesh& mesh,
-                      const Points& posed, const deformation::StressMap& map) {
+                      const Points& posed, const deformation::StressMap& map,
+                      const elasticity::StatedMaterial& material) {
   std::vector<std::uint8_t> witness(static_cast<std::size_t>(mesh.points.rows()), 0);
   std::fill_n(witness.begin(), mesh.witnesses, std::uint8_t{1});
-  medical_io::writeSolid(file, posed, mesh.tetrahedra,
-                         {{"RotationalStress_deg", Values(kDegrees * map.rotationalStress)},
-                          {"VolumeRatio", map.volumeRatio},
-                          {"StretchMax", map.stretchMax},
-                          {"StretchMin", map.stretchMin},
-                          {"Folded", foldedFlags(map)},
-                          {"Witness", witness},
-                          {"Displacement_mm", Points(posed - mesh.points)}});
+  std::vector<medical_io::SolidArray> arrays = {
+      {"RotationalStress_deg", Values(kDegrees * map.rotationalStress)},
+      {"VolumeRatio", map.volumeRatio},
+      {"StretchMax", map.stretchMax},
+      {"StretchMin", map.stretchMin},
+      {"Folded", foldedFlags(map)},
+      {"Witness", witness},
+      {"Displacement_mm", Points(posed - mesh.points)}};
+  if (material.stated())
+    for (const auto& [name, quantity] : {std::pair("VonMises_kPa, ", StressQuantity::vonMises),
+                                         std::pair("StrainEnergy_kPa, ", StressQuantity::energy)}) {
+      Values values;
+      quantityOf(map, {quantity, material}, values);
+      arrays.push_back({name + nameOf(material).english(), values});
+    }
+  medical_io::writeSolid(file, posed, mesh.tetrahedra, arrays);
 }
 
 void writeStressTable(const std::filesystem::path& file, const deformation::WitnessMesh& mesh,
-                      const Points& posed, const deformation::StressMap& map) {
+                      const Points& posed, const deformation::StressMap& map,
+                      const elasticity::StatedMaterial& material) {
+  Values vonMises, energy;
+  quantityOf(map, {StressQuantity::vonMises, material}, vonMises);
+  quantityOf(map, {StressQuantity::energy, material}, energy);
   writeAtomically(file, [&](std::ostream& stream) {
     stream << "rest_x_mm,rest_y_mm,rest_z_mm,x_mm,y_mm,z_mm,RotationalStress_deg,VolumeRatio,StretchMax,"
-              "StretchMin,Folded,stress_degrees,volume_ratio,stretch_max,stretch_min\n";
+              "StretchMin,Folded,stress_degrees,volume_ratio,stretch_max,stretch_min"
+           << tissueHead(material) << '\n';
     for (Eigen::Index i = 0; i < mesh.witnesses; ++i) {
       const auto rest = mesh.points.row(i), now = posed.row(i);
       const double ratio = map.volumeRatio[i];
@@ -57,7 +73,7 @@ void writeStressTable(const std::filesystem::path& file, const deformation::Witn
       for (const double value :
            {kDegrees * map.rotationalStress[i], ratio, map.stretchMax[i], map.stretchMin[i]})
         stream << ',' << significant(value, kStressDigits);
-      stream << '\n';
+      stream << tissueCells(vonMises[i], energy[i], kStressDigits, material) << '\n';
     }
   });
 }
@@ -87,19 +103,23 @@ StressHistogram histogramOf(const Values& values, Eigen::Index count, int bars) 
 }
 
 void writeStressHistogram(const std::filesystem::path& file, const StressHistogram& histogram,
-                          const StressQuantityDescription& quantity) {
+                          const StressMeasure& measure) {
+  const StressQuantityDescription& quantity = describe(measure.quantity);
+  const std::string material =
+      quantity.ofMaterial ? ',' + csvField(nameOf(measure.material).english()) : std::string();
   const std::string unit = quantity.unit.empty() ? "" : '_' + quantity.unit;
   double all = 0;
   for (const int points : histogram.points)
     all += points;
   writeAtomically(file, [&](std::ostream& stream) {
-    stream << "from" << unit << ",to" << unit << ",points,percent\n";
+    stream << "from" << unit << ",to" << unit << ",points,percent" << (quantity.ofMaterial ? ",material" : "")
+           << '\n';
     for (std::size_t bar = 0; bar < histogram.points.size(); ++bar)
       stream << significant(histogram.edges[bar], kStressDigits) << ','
              << significant(histogram.edges[bar + 1], kStressDigits) << ',' << histogram.points[bar] << ','
-             << significant(100 * histogram.points[bar] / all, kStressDigits) << '\n';
+             << significant(100 * histogram.points[bar] / all, kStressDigits) << material << '\n';
     if (histogram.missing > 0)
-      stream << "folded,folded," << histogram.missing << ",\n";
+      stream << "folded,folded," << histogram.missing << ',' << material << '\n';
   });
 }
 

@@ -26,6 +26,16 @@ void takeWorse(deformation::StressMap& worst, const deformation::StressMap& map)
       worst.volumeRatio[i] = map.volumeRatio[i];
 }
 
+void takeWorse(deformation::TissueExtremes& worst, const deformation::StressMap& map) {
+  for (Eigen::Index i = 0; i < map.volumeRatio.size(); ++i) {
+    const elasticity::LocalStretch at{map.stretchMax[i], map.stretchMin[i], map.volumeRatio[i]};
+    // Folded tissue has neither, and takes no part: std::max keeps its first where the second is no number.
+    worst.vonMisesPerShear[i] = std::max(worst.vonMisesPerShear[i], elasticity::vonMisesPerShear(at));
+    worst.energyPerShear[i] =
+        std::max(worst.energyPerShear[i], elasticity::energyPerShear(at, worst.poisson));
+  }
+}
+
 } // namespace
 
 std::vector<StressSample> CycleStress::closed() const {
@@ -51,6 +61,9 @@ CycleStress stressOverCycle(const deformation::WitnessGradients& gradients, Eige
   const Eigen::Index points = withPeak ? gradients.witnesses() : witnesses;
   std::vector<Points> poses;
   std::vector<deformation::StressMap> maps(kPosesATime);
+  auto extremes = std::make_shared<deformation::TissueExtremes>();
+  if (withPeak)
+    *extremes = {Values::Zero(points), Values::Zero(points), cycle.poisson};
   for (int instant = 0; instant < instants; ++instant) {
     progress.throwIfCancelled();
     progress.report(static_cast<double>(instant) / instants, "stress over the sequence");
@@ -70,8 +83,11 @@ CycleStress stressOverCycle(const deformation::WitnessGradients& gradients, Eige
         result.peak = map;
       else
         takeWorse(*result.peak, map);
+      takeWorse(*extremes, map);
     }
   }
+  if (result.peak)
+    result.peak->extremes = std::move(extremes);
   if (result.peak)
     result.peak->folded = static_cast<int>((result.peak->volumeRatio.array() <= 0).count());
   progress.report(1);
@@ -79,7 +95,7 @@ CycleStress stressOverCycle(const deformation::WitnessGradients& gradients, Eige
 }
 
 std::vector<double> curveAt(const deformation::WitnessGradients& gradients, Eigen::Index point,
-                            const CycleStress& cycle, StressQuantity quantity) {
+                            const CycleStress& cycle, const StressMeasure& measure) {
   std::vector<double> curve;
   for (const Points& pose : cycle.poses) {
     deformation::LocalDistortion found;
@@ -89,21 +105,21 @@ std::vector<double> curveAt(const deformation::WitnessGradients& gradients, Eige
                                Values::Constant(1, found.volumeRatio), Values::Constant(1, found.stretchMax),
                                Values::Constant(1, found.stretchMin), found.folded() ? 1 : 0};
     Values value;
-    quantityOf(map, quantity, value);
+    quantityOf(map, measure, value);
     curve.push_back(value[0]);
   }
   return curve;
 }
 
-std::optional<Values> differenceOf(const StressFrame& a, const StressFrame& b, StressQuantity quantity) {
+std::optional<Values> differenceOf(const StressFrame& a, const StressFrame& b, const StressMeasure& measure) {
   const bool ready = a.mesh && b.mesh && a.map && b.map &&
                      a.map->volumeRatio.size() == a.mesh->points.rows() &&
                      b.map->volumeRatio.size() == b.mesh->points.rows();
   if (!ready || a.mesh->points.rows() != b.mesh->points.rows() || a.mesh->points != b.mesh->points)
     return std::nullopt;
   Values ofA, ofB;
-  quantityOf(*a.map, quantity, ofA);
-  quantityOf(*b.map, quantity, ofB);
+  quantityOf(*a.map, measure, ofA);
+  quantityOf(*b.map, measure, ofB);
   return ofA - ofB;
 }
 

@@ -2,6 +2,7 @@
 
 #include <ostream>
 
+#include "tissue_columns.h"
 #include "viscera/core/atomic_file.h"
 #include "viscera/core/text.h"
 
@@ -11,9 +12,10 @@ namespace {
 constexpr int kMarkDigits = 9;
 constexpr const char* kColumns = "rest_x_mm,rest_y_mm,rest_z_mm,x_mm,y_mm,z_mm,RotationalStress_deg,"
                                  "VolumeRatio,StretchMax,StretchMin,Folded,stress_degrees,volume_ratio,"
-                                 "stretch_max,stretch_min\n";
+                                 "stretch_max,stretch_min";
 
-void writeCells(std::ostream& stream, const StressReading& reading) {
+void writeCells(std::ostream& stream, const StressReading& reading,
+                const elasticity::StatedMaterial& material) {
   for (const double value : reading.rest)
     stream << significant(value, kMarkDigits) << ',';
   const double values[] = {reading.now.x(),     reading.now.y(),    reading.now.z(),   reading.stressDegrees,
@@ -26,28 +28,32 @@ void writeCells(std::ostream& stream, const StressReading& reading) {
   for (const double value :
        {reading.stressDegrees, reading.volumeRatio, reading.stretchMax, reading.stretchMin})
     stream << ',' << (reading.inTissue ? significant(value, kMarkDigits) : std::string());
-  stream << '\n';
+  stream << tissueCells(valueOf(reading, {StressQuantity::vonMises, material}),
+                        valueOf(reading, {StressQuantity::energy, material}), kMarkDigits, material)
+         << '\n';
 }
 
 } // namespace
 
-void writeStressProbes(const std::filesystem::path& file, const std::vector<NamedReading>& probes) {
+void writeStressProbes(const std::filesystem::path& file, const std::vector<NamedReading>& probes,
+                       const elasticity::StatedMaterial& material) {
   writeAtomically(file, [&](std::ostream& stream) {
-    stream << "probe," << kColumns;
+    stream << "probe," << kColumns << tissueHead(material) << '\n';
     for (const NamedReading& probe : probes) {
       stream << csvField(probe.name) << ',';
-      writeCells(stream, probe.reading);
+      writeCells(stream, probe.reading, material);
     }
   });
 }
 
-void writeStressProfiles(const std::filesystem::path& file, const std::vector<NamedProfile>& profiles) {
+void writeStressProfiles(const std::filesystem::path& file, const std::vector<NamedProfile>& profiles,
+                         const elasticity::StatedMaterial& material) {
   writeAtomically(file, [&](std::ostream& stream) {
-    stream << "profile,distance_mm," << kColumns;
+    stream << "profile,distance_mm," << kColumns << tissueHead(material) << '\n';
     for (const auto& [name, profile] : profiles)
       for (std::size_t i = 0; i < profile.mm.size(); ++i) {
         stream << csvField(name) << ',' << significant(profile.mm[i], kMarkDigits) << ',';
-        writeCells(stream, profile.readings[i]);
+        writeCells(stream, profile.readings[i], material);
       }
   });
 }

@@ -23,7 +23,17 @@ const std::vector<StressQuantityDescription>& stressQuantities() {
        "The length of tissue now, as a part of that at rest, in the direction that shrinks most.", "", true,
        3},
       {StressQuantity::folded, "folded", "Folded tissue", "Tissue folded at any instant",
-       "1 where the tissue is turned inside out.", "", false, 0}};
+       "1 where the tissue is turned inside out.", "", false, 0},
+      {StressQuantity::vonMises, "von-mises", "Von Mises stress", "Maximum von Mises stress",
+       "The stress that shears the tissue, if it is the stated material; the change of its volume has no "
+       "part "
+       "in it.",
+       "kPa", false, 3, true},
+      {StressQuantity::energy, "strain-energy", "Strain energy density", "Maximum strain energy density",
+       "The energy for each volume at rest, if the tissue is the stated material; with what the change of "
+       "its "
+       "volume takes.",
+       "kPa", false, 3, true}};
   return all;
 }
 
@@ -38,8 +48,34 @@ StressQuantity stressQuantityFromId(const std::string& id) {
   return StressQuantity::rotationalStress;
 }
 
-double quantityAt(const deformation::StressMap& map, StressQuantity quantity, Eigen::Index point) {
-  switch (quantity) {
+Text nameOf(const elasticity::StatedMaterial& material) {
+  if (!material.stated())
+    return {};
+  if (material.tissue.empty())
+    return phrase("E %1 kPa", inDigits(material.youngKpa));
+  return phrase("%1 (E %2 kPa)", named(material.tissue), inDigits(material.youngKpa));
+}
+
+Text StressMeasure::unit() const {
+  const StressQuantityDescription& description = describe(quantity);
+  if (description.unit.empty())
+    return {};
+  if (!description.ofMaterial || !material.stated())
+    return named(description.unit);
+  return listOf({named(description.unit), nameOf(material)});
+}
+
+Text StressMeasure::shortUnit() const {
+  if (!describe(quantity).ofMaterial || material.tissue.empty())
+    return unit();
+  return listOf({named(describe(quantity).unit), named(material.tissue)});
+}
+
+double quantityAt(const deformation::StressMap& map, const StressMeasure& measure, Eigen::Index point) {
+  const auto stretch = [&] {
+    return elasticity::LocalStretch{map.stretchMax[point], map.stretchMin[point], map.volumeRatio[point]};
+  };
+  switch (measure.quantity) {
   case StressQuantity::rotationalStress:
     return kDegrees * map.rotationalStress[point];
   case StressQuantity::volumeRatio:
@@ -48,6 +84,15 @@ double quantityAt(const deformation::StressMap& map, StressQuantity quantity, Ei
     return map.stretchMax[point];
   case StressQuantity::stretchMin:
     return map.stretchMin[point];
+  case StressQuantity::vonMises:
+    return map.extremes ? elasticity::shearKpa(measure.material) * map.extremes->vonMisesPerShear[point]
+                        : elasticity::vonMisesKpa(measure.material, stretch());
+  case StressQuantity::energy:
+    if (!map.extremes)
+      return elasticity::energyKpa(measure.material, stretch());
+    return map.extremes->poisson == measure.material.poisson
+               ? elasticity::shearKpa(measure.material) * map.extremes->energyPerShear[point]
+               : std::numeric_limits<double>::quiet_NaN();
   case StressQuantity::folded:
     break;
   }
@@ -85,12 +130,12 @@ Text volumeRemark(const deformation::StressMap& map, Eigen::Index count) {
   return {};
 }
 
-void quantityOf(const deformation::StressMap& map, StressQuantity quantity, Values& values) {
+void quantityOf(const deformation::StressMap& map, const StressMeasure& measure, Values& values) {
   values.resize(map.volumeRatio.size());
   for (Eigen::Index i = 0; i < values.size(); ++i)
-    values[i] = map.volumeRatio[i] <= 0 && quantity != StressQuantity::folded
+    values[i] = map.volumeRatio[i] <= 0 && measure.quantity != StressQuantity::folded
                     ? std::numeric_limits<double>::quiet_NaN()
-                    : quantityAt(map, quantity, i);
+                    : quantityAt(map, measure, i);
 }
 
 QuantitySummary summaryOf(const Values& values, Eigen::Index count) {

@@ -15,20 +15,30 @@ constexpr double kLeastWeight = 1e-9;
 
 } // namespace
 
-double valueOf(const StressReading& reading, StressQuantity quantity) {
+double valueOf(const StressReading& reading, const StressMeasure& measure) {
   if (!reading.inTissue)
     return kNone;
-  if (quantity == StressQuantity::folded)
+  if (measure.quantity == StressQuantity::folded)
     return reading.folded ? 1 : 0;
   if (reading.folded)
     return kNone;
-  switch (quantity) {
+  const elasticity::LocalStretch stretch{reading.stretchMax, reading.stretchMin, reading.volumeRatio};
+  switch (measure.quantity) {
   case StressQuantity::rotationalStress:
     return reading.stressDegrees;
   case StressQuantity::volumeRatio:
     return reading.volumeRatio;
   case StressQuantity::stretchMax:
     return reading.stretchMax;
+  case StressQuantity::vonMises:
+    return reading.extremes ? elasticity::shearKpa(measure.material) * reading.extremes->vonMisesPerShear
+                            : elasticity::vonMisesKpa(measure.material, stretch);
+  case StressQuantity::energy:
+    if (!reading.extremes)
+      return elasticity::energyKpa(measure.material, stretch);
+    return reading.extremes->poisson == measure.material.poisson
+               ? elasticity::shearKpa(measure.material) * reading.extremes->energyPerShear
+               : kNone;
   case StressQuantity::stretchMin:
   case StressQuantity::folded:
     break;
@@ -52,6 +62,8 @@ std::vector<StressReading> TissuePoints::read(const Points& posed, const deforma
       readings.push_back(reading);
       continue;
     }
+    if (map.extremes)
+      reading.extremes.emplace().poisson = map.extremes->poisson;
     places_.visitCorners(i, [&](Eigen::Index corner, double weight) {
       reading.now += weight * posed.row(corner).transpose();
       reading.folded = reading.folded || (weight > kLeastWeight && map.volumeRatio[corner] <= 0);
@@ -59,6 +71,10 @@ std::vector<StressReading> TissuePoints::read(const Points& posed, const deforma
       reading.volumeRatio += weight * map.volumeRatio[corner];
       reading.stretchMax += weight * map.stretchMax[corner];
       reading.stretchMin += weight * map.stretchMin[corner];
+      if (map.extremes) {
+        reading.extremes->vonMisesPerShear += weight * map.extremes->vonMisesPerShear[corner];
+        reading.extremes->energyPerShear += weight * map.extremes->energyPerShear[corner];
+      }
     });
     readings.push_back(reading);
   }

@@ -7,6 +7,7 @@
 #include "file_bytes.h"
 #include "surface_formats.h"
 #include "text_scanner.h"
+#include "vector_image.h"
 #include "viscera/core/atomic_file.h"
 #include "viscera/core/error.h"
 #include "viscera/core/phrase.h"
@@ -57,9 +58,12 @@ void writeDisplacements(const std::filesystem::path& file, const geometry::Trian
 
 void writeTransform(const std::filesystem::path& file, const deformation::DisplacementGrid& grid) {
   const std::string ending = extensionOf(file);
+  if (ending == ".nii" || ending == ".nii.gz")
+    return writeVectorImage(file, {grid.size[0], grid.size[1], grid.size[2]},
+                            Eigen::Translation3d(grid.origin) * Eigen::Scaling(grid.spacing), grid.vectors);
   if (ending != ".nrrd" && ending != ".mha")
     throw CannotCreateError(phrase("this cannot be written as %1", inQuotes(ending)), file.string(),
-                            phrase("let its name end in %1", ".nrrd, .mha"));
+                            phrase("let its name end in %1", ".nrrd, .mha, .nii.gz, .nii"));
   writeAtomically(file, [&](std::ostream& out) {
     out << (ending == ".nrrd" ? nrrdText(grid) : metaImageText(grid));
     out.write(reinterpret_cast<const char*>(grid.vectors.data()),

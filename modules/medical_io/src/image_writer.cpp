@@ -7,6 +7,7 @@
 #include <new>
 #include <ostream>
 #include <set>
+#include <span>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -15,6 +16,7 @@
 
 #include "file_bytes.h"
 #include "text_scanner.h"
+#include "vector_image.h"
 #include "viscera/core/atomic_file.h"
 #include "viscera/core/error.h"
 #include "viscera/core/phrase.h"
@@ -34,6 +36,9 @@ struct WrittenImage {
   std::array<int, 3> size = {};
   Eigen::Affine3d indexToLps = Eigen::Affine3d::Identity();
   int layers = 1; ///< Beside each other, as NRRD has them.
+  int phases = 1; ///< In NIfTI one after the other; in NRRD `layers`.
+  double intervalMs = 0;
+  bool vectors = false; ///< Three components, one after the other: NIfTI only.
   int niftiType = 0, bits = 0;
   std::string nrrdType;
   double slope = 1, intercept = 0;
@@ -76,11 +81,19 @@ void put(std::string& header, std::size_t offset, T value) {
 std::string niftiBytes(const WrittenImage& image) {
   std::string header(kNiftiHeader, '\0');
   put<std::int32_t>(header, 0, 348);
-  put<std::int16_t>(header, 40, 3);
+  put<std::int16_t>(header, 40, image.vectors ? 5 : image.phases > 1 ? 4 : 3);
   put<float>(header, 76, 1);
   const Eigen::Affine3d ras = Eigen::Scaling(-1.0, -1.0, 1.0) * image.indexToLps;
   for (std::size_t d = 0; d < 7; ++d)
     put<std::int16_t>(header, 42 + 2 * d, static_cast<std::int16_t>(d < 3 ? image.size[d] : 1));
+  put<std::int16_t>(header, 48, static_cast<std::int16_t>(image.phases));
+  if (image.phases > 1)
+    put<float>(header, 92, static_cast<float>(image.intervalMs));
+  if (image.vectors) {
+    constexpr std::int16_t kIntentVector = 1007;
+    put<std::int16_t>(header, 50, 3);
+    put<std::int16_t>(header, 68, kIntentVector);
+  }
   for (int d = 0; d < 3; ++d)
     put<float>(header, 80 + 4 * std::size_t(d), static_cast<float>(ras.linear().col(d).norm()));
   put<std::int16_t>(header, 70, static_cast<std::int16_t>(image.niftiType));
@@ -88,8 +101,8 @@ std::string niftiBytes(const WrittenImage& image) {
   put<float>(header, 108, static_cast<float>(kNiftiHeader));
   put<float>(header, 112, static_cast<float>(image.slope));
   put<float>(header, 116, static_cast<float>(image.intercept));
-  header[123] = 2;                   // mm
-  put<std::int16_t>(header, 254, 1); // The sform is the scanner's.
+  header[123] = static_cast<char>(image.phases > 1 ? 2 + 16 : 2); // mm, ms
+  put<std::int16_t>(header, 254, 1);                              // The sform is the scanner's.
   for (std::size_t row = 0; row < 3; ++row)
     for (std::size_t column = 0; column < 4; ++column)
       put<float>(header, 280 + 16 * row + 4 * column,
@@ -279,7 +292,101 @@ void requireLabelsOfTheirOwn(const LabelMap& map, const std::filesystem::path& f
           file.string(), phrase("let its name end in %1", ".seg.nrrd"));
 }
 
+/// Fails where a series cannot be one image: without phases, or of different grids.
+template <class Image>
+void requireOneGrid(const std::filesystem::path& file, std::span<const Image> phases) {
+  if (phases.empty())
+    throw DataError(misuse("there is no phase to write"), file.string());
+  for (const Image& phase : phases)
+    if (phase.size != phases.front().size || !phase.indexToLps.isApprox(phases.front().indexToLps))
+      throw DataError(misuse("its phases have different grids"), file.string());
+}
+
+/// The keys of 3D Slicer's sequences.
+std::string sequenceKeys(std::size_t phases, double intervalMs) {
+  std::string keys = "axis 0 index type:=numeric\naxis 0 index unit:=ms\naxis 0 index values:=";
+  for (std::size_t phase = 0; phase < phases; ++phase)
+    keys += (phase > 0 ? " " : "") + exactNumber(static_cast<double>(phase) * intervalMs);
+  return keys + "\n";
+}
+
+/// Writes whole volumes of one grid and one type over time.
+template <class Sample>
+void writePhases(const std::filesystem::path& file, const std::vector<const std::vector<Sample>*>& phases,
+                 double intervalMs, WrittenImage image) {
+  const bool nrrd = isNrrd(file);
+  const std::size_t count = phases.size(), voxels = phases.front()->size();
+  std::vector<Sample> all(count * voxels);
+  for (std::size_t phase = 0; phase < count; ++phase)
+    for (std::size_t v = 0; v < voxels; ++v)
+      all[nrrd ? v * count + phase : phase * voxels + v] = (*phases[phase])[v];
+  image.phases = static_cast<int>(count);
+  image.layers = nrrd ? image.phases : 1;
+  image.intervalMs = intervalMs;
+  if (nrrd)
+    image.keys = sequenceKeys(count, intervalMs) + image.keys;
+  setValues(image, all);
+  writeImage(file, image);
+}
+
 } // namespace
+
+void writeScanSeries(const std::filesystem::path& file, std::span<const Scan> phases, double intervalMs) {
+  requireOneGrid(file, phases);
+  WrittenImage image;
+  image.size = phases.front().size;
+  image.indexToLps = phases.front().indexToLps;
+  std::visit(
+      [&](const auto& first) {
+        using Samples = std::decay_t<decltype(first)>;
+        std::vector<const Samples*> all;
+        for (const Scan& phase : phases) {
+          const auto* samples = std::get_if<Samples>(&phase.samples);
+          if (!samples || phase.slope != 1 || phase.intercept != 0)
+            throw DataError(misuse("its phases have samples of different types, or a slope"), file.string());
+          all.push_back(samples);
+        }
+        writePhases(file, all, intervalMs, image);
+      },
+      phases.front().samples);
+}
+
+void writeLabelSeries(const std::filesystem::path& file, std::span<const LabelMap> phases,
+                      double intervalMs) {
+  requireOneGrid(file, phases);
+  WrittenImage image;
+  image.size = phases.front().size;
+  image.indexToLps = phases.front().indexToLps;
+  std::vector<std::vector<std::int16_t>> labels;
+  for (const LabelMap& phase : phases) {
+    requireLabelsOfTheirOwn(phase, file);
+    for (const Segment& segment : phase.segments)
+      if (segment.label > std::numeric_limits<std::int16_t>::max())
+        throw DataError(misuse("a series has labels up to 32767"), file.string());
+    labels.push_back(labelsOf<std::int16_t>(phase, 1));
+  }
+  std::vector<const std::vector<std::int16_t>*> all;
+  for (const std::vector<std::int16_t>& phase : labels)
+    all.push_back(&phase);
+  if (isNrrd(file))
+    image.keys = segmentKeys(phases.front());
+  writePhases(file, all, intervalMs, image);
+}
+
+void writeVectorImage(const std::filesystem::path& file, const std::array<int, 3>& size,
+                      const Eigen::Affine3d& indexToLps, const Points& vectors) {
+  WrittenImage image;
+  image.size = size;
+  image.indexToLps = indexToLps;
+  image.vectors = true;
+  constexpr int kNiftiDouble = 64;
+  image.niftiType = kNiftiDouble;
+  image.bits = kNiftiDouble;
+  const Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::ColMajor> components = vectors;
+  image.data = reinterpret_cast<const char*>(components.data());
+  image.bytes = sizeof(double) * static_cast<std::size_t>(components.size());
+  writeImage(file, image);
+}
 
 void writeScan(const std::filesystem::path& file, const Scan& scan) {
   WrittenImage image;

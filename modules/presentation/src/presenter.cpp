@@ -225,11 +225,14 @@ std::optional<LegendText> Presenter::Parts::stressLegend(const Scene& scene) con
   if (!scene.view.shown.stress || !stress.drawn() || !scene.stressLegend)
     return std::nullopt;
   const live::StressQuantityDescription& quantity = live::describe(values.quantity());
+  const Wording wording{
+      [this](const std::string& pattern, std::optional<int>) { return translate(pattern.c_str()); },
+      std::string(1, view.decimalMark())};
   // Folded tissue has a value on its own map, and its colour.
   const bool marked = values.folded() > 0 && quantity.quantity != live::StressQuantity::folded;
   return LegendText{translate((values.peak() ? quantity.peakName : quantity.name).c_str()),
-                    quantity.unit.empty() ? std::string() : translate(quantity.unit.c_str()),
-                    marked ? translate("folded") : std::string(), values.colors(), values.legendRange()};
+                    inWords(values.measure().unit(), wording), marked ? translate("folded") : std::string(),
+                    values.colors(), values.legendRange()};
 }
 
 void Presenter::Parts::updateLegend(std::optional<LegendText> wanted) {

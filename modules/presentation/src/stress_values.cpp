@@ -37,14 +37,43 @@ double stepAbove(const double (&steps)[count], double value) {
   return step == std::end(steps) ? steps[count - 1] : *step;
 }
 
-double lowDegrees(double bulk, double high) {
+/// The largest of 1, 2 and 5 times a power of ten that is at most `value`; of pascals, which have no usual
+/// range.
+double decimalBelow(double value) {
+  const double decade = std::pow(10, std::floor(std::log10(value)));
+  for (const double step : {5.0, 2.0})
+    if (step * decade <= value)
+      return step * decade;
+  return decade;
+}
+
+/// Likewise the smallest that is at least `value`.
+double decimalAbove(double value) {
+  const double below = decimalBelow(value);
+  if (below >= value * (1 - kSame))
+    return below;
+  const double decade = std::pow(10, std::floor(std::log10(below * (1 + kSame))));
+  return below < 1.5 * decade ? 2 * decade : below < 3 * decade ? 5 * decade : 10 * decade;
+}
+
+/// The upper end of a quantity that begins with 0.
+double amountAbove(live::StressQuantity quantity, double most) {
+  constexpr double kLeastKpa = 1e-3;
+  return live::describe(quantity).ofMaterial ? decimalAbove(std::max(most, kLeastKpa))
+                                             : stepAbove(kDegrees, most);
+}
+
+double lowAmount(live::StressQuantity quantity, double bulk, double high) {
   const double most = std::clamp(bulk, kLowestPart * high, kHighestPart * high) * (1 + kSame);
+  if (live::describe(quantity).ofMaterial)
+    return decimalBelow(most);
   const auto* above = std::upper_bound(std::begin(kLowDegrees), std::end(kLowDegrees), most);
   return above == std::begin(kLowDegrees) ? *above : *(above - 1);
 }
 
-scene::ValueRange logarithmicRange(bool ratio, scene::ValueRange bulk, scene::ValueRange before) {
-  if (ratio) {
+scene::ValueRange logarithmicRange(live::StressQuantity quantity, scene::ValueRange bulk,
+                                   scene::ValueRange before) {
+  if (live::describe(quantity).ratio) {
     const double reach = std::max(bulk.high, bulk.low > 0 ? 1 / bulk.low : 0.0);
     const double most = std::pow(std::max(reach, 1.0), kWider);
     const bool stepped = before.high > 1 && std::abs(before.low * before.high - 1) < kSame;
@@ -55,8 +84,8 @@ scene::ValueRange logarithmicRange(bool ratio, scene::ValueRange bulk, scene::Va
   }
   const double most = kWider * bulk.high;
   const bool same = before.high > 0 && most <= before.high && most >= kLeastFilled * before.high;
-  const double high = same ? before.high : stepAbove(kDegrees, most);
-  const double low = lowDegrees(bulk.low, high);
+  const double high = same ? before.high : amountAbove(quantity, most);
+  const double low = lowAmount(quantity, bulk.low, high);
   if (same && before.low > 0 && low >= before.low && low <= kLowStays * before.low)
     return before;
   return {low, high, true};
@@ -80,7 +109,7 @@ scene::ValueRange steppedRange(live::StressQuantity quantity, scene::ValueRange 
     return {0, 1};
   const bool ratio = live::describe(quantity).ratio;
   if (before.logarithmic)
-    return logarithmicRange(ratio, bulk, before);
+    return logarithmicRange(quantity, bulk, before);
   const double most =
       kWider * (ratio ? std::max(std::abs(bulk.low - 1), std::abs(bulk.high - 1)) : bulk.high);
   const double reach = ratio ? before.high - 1 : before.high;
@@ -88,7 +117,7 @@ scene::ValueRange steppedRange(live::StressQuantity quantity, scene::ValueRange 
   if (stepped && most <= reach && most >= kLeastFilled * reach)
     return before;
   return ratio ? scene::ValueRange{1 - stepAbove(kAroundOne, most), 1 + stepAbove(kAroundOne, most)}
-               : scene::ValueRange{0, stepAbove(kDegrees, most)};
+               : scene::ValueRange{0, amountAbove(quantity, most)};
 }
 
 scene::ValueRange onScale(live::StressQuantity quantity, scene::ValueRange range, bool logarithmic) {
@@ -105,25 +134,29 @@ scene::ValueRange joined(scene::ValueRange a, scene::ValueRange b) {
 scene::ValueRange StressValues::legendRange() const {
   if (deformed_ || pinned_ || shared_)
     return range();
-  const double rest = live::describe(quantity_).ratio ? 1 : 0;
+  const double rest = live::describe(measure_.quantity).ratio ? 1 : 0;
   return {rest, rest};
 }
 
 void StressValues::update(const live::StressFrame& frame, const StressLook& look,
                           std::optional<scene::ValueRange> shared) {
   shared_ = look.pinned ? std::nullopt : shared;
+  const live::StressMeasure measure = look.measure();
   const bool peak = look.peak && frame.cycle && frame.cycle->peak;
   const deformation::StressMap none;
-  const deformation::StressMap& map = peak ? *frame.cycle->peak : frame.map ? *frame.map : none;
-  live::quantityOf(map, look.quantity, *values_);
+  const deformation::StressMap& map = !measure.known() ? none
+                                      : peak           ? *frame.cycle->peak
+                                      : frame.map      ? *frame.map
+                                                       : none;
+  live::quantityOf(map, measure, *values_);
   // A range belongs to one quantity on one mesh; the first one goes on from what the look has kept.
-  if (colors_.name.empty() || quantity_ != look.quantity || mesh_ != frame.mesh || peak_ != peak)
+  if (colors_.name.empty() || measure_ != measure || mesh_ != frame.mesh || peak_ != peak)
     range_ = look.range;
   if (const std::string& name = look.*colorsOf(look.quantity); colors_.name != name)
     colors_ = stressColors(name);
   if (!look.pinned && range_.logarithmic != look.logarithmic)
     range_ = {0, 0}; // Chosen anew for the other scale.
-  quantity_ = look.quantity;
+  measure_ = measure;
   mesh_ = frame.mesh;
   peak_ = peak;
   summary_ = {};

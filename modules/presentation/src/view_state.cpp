@@ -125,10 +125,24 @@ void visitFields(Visit& visit, HeartSigns& signs) {
 }
 
 template <class Visit>
+void visitFields(Visit& visit, elasticity::StatedMaterial& material) {
+  visit("tissue", material.tissue);
+  visit("youngKpa", material.youngKpa);
+  visit("poisson", material.poisson);
+  visit.afterReading([&] { // A number that is no material states none.
+    const bool valid = std::isfinite(material.youngKpa) && material.youngKpa > 0 && material.poisson > 0 &&
+                       material.poisson < 0.5;
+    if (!valid)
+      material = {};
+  });
+}
+
+template <class Visit>
 void visitFields(Visit& visit, StressLook& look) {
   const auto keepRange = [&] { look.range = onScale(look.quantity, look.range, look.logarithmic); };
   keepRange(); // What is written is as it will be read.
   visit("quantity", look.quantity);
+  visit("material", look.material);
   visit("range", look.range);
   visit("cutStyle", look.style);
   visit("normal", look.normal);
@@ -522,6 +536,9 @@ StressLook habitOf(StressLook look) {
   look.range = {0, 0};
   look.probe = -1;
   look.glyphs = GlyphChoice::none;
+  look.material = {};
+  if (live::describe(look.quantity).ofMaterial)
+    look.quantity = StressLook().quantity;
   return look;
 }
 

@@ -55,6 +55,21 @@ TEST_F(CliStress, OfAnAnisotropicScalingIsTheTextbookAngleEverywhere) {
   EXPECT_NEAR(result["stretch"]["max"].get<double>(), 3, 1e-8);
 }
 
+TEST_F(CliStress, PascalsAreOfAStatedMaterial) {
+  const std::string pose = stretched(3, 2, 1);
+  expectFailure(stress(pose, {"--quantity", "von-mises"}), kUsage, "--material");
+  expectFailure(stress(pose, {"--material", "hair"}), kUsage, "liver");
+  expectFailure(stress(pose, {"--poisson", "0.4"}), kUsage, "--young");
+  EXPECT_FALSE(runJson(stress(pose)).contains("vonMisesKpa"));
+  const json result = runJson(stress(pose, {"--material", "liver", "--quantity", "von-mises", "--histogram",
+                                            path("h.csv"), "--csv", path("w.csv")}));
+  // Squares of the stretches less one are 8, 3 and 0: von Mises 7 mu / J.
+  EXPECT_NEAR(result["vonMisesKpa"]["max"].get<double>(), 7 * 6.27 / 2.98 / 6, 1e-6);
+  EXPECT_EQ(result["material"]["doi"], "10.1002/jmri.24084");
+  EXPECT_NE(contents(path("h.csv")).find("from_kPa,to_kPa,points,percent,material\n"), std::string::npos);
+  EXPECT_NE(contents(path("w.csv")).find("liver (E 6.27 kPa)"), std::string::npos);
+}
+
 /// A cube of 20 mm of 4 x 4 x 4 hexahedra, in gmsh's format.
 std::string cubeOfCells() {
   std::ostringstream nodes, cells;

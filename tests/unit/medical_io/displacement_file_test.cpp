@@ -96,7 +96,30 @@ TEST(TransformFile, MetaImageHasTheSame) {
 
 TEST(TransformFile, OtherEndingsAreRefused) {
   const TemporaryFolder folder;
-  EXPECT_THROW(writeTransform(folder / "field.nii", grid()), CannotCreateError);
+  EXPECT_THROW(writeTransform(folder / "field.tif", grid()), CannotCreateError);
+}
+
+TEST(TransformFile, NiftiHasTheComponentsInTheFifthDimension) {
+  const TemporaryFolder folder;
+  writeTransform(folder / "field.nii", grid());
+  const std::string bytes = tests::contentsOf(folder / "field.nii");
+  ASSERT_EQ(bytes.size(), 352U + 180 * sizeof(double));
+  const auto shortAt = [&](std::size_t offset) {
+    std::int16_t value = 0;
+    std::memcpy(&value, bytes.data() + offset, sizeof value);
+    return value;
+  };
+  const std::int16_t sizes[] = {5, 3, 4, 5, 1, 3};
+  for (std::size_t d = 0; d < 6; ++d)
+    EXPECT_EQ(shortAt(40 + 2 * d), sizes[d]) << d;
+  EXPECT_EQ(shortAt(68), 1007) << "vectors";
+  EXPECT_EQ(shortAt(70), 64) << "doubles";
+  std::vector<double> values(180);
+  std::memcpy(values.data(), bytes.data() + 352, 180 * sizeof(double));
+  const deformation::DisplacementGrid written = grid();
+  for (Eigen::Index component = 0; component < 3; ++component)
+    for (Eigen::Index row = 0; row < 60; ++row)
+      ASSERT_EQ(values[static_cast<std::size_t>(60 * component + row)], written.vectors(row, component));
 }
 
 TEST(DisplacementFile, HoldsTheRestSurfaceAndWhereItWent) {

@@ -81,6 +81,24 @@ TEST(StressColors, AreChosenForAnglesAndRatiosApartAndAPartOfTheLook) {
       << "an unknown map is not refused";
 }
 
+TEST(TissueRange, GoesByDecadesOfOneTwoFive) {
+  EXPECT_EQ(steppedRange(Quantity::vonMises, {0, 0.25}, {0, 0}), (Range{0, 0.5}));
+  EXPECT_EQ(steppedRange(Quantity::vonMises, {0, 90}, {0, 0}), (Range{0, 200}));
+  EXPECT_EQ(steppedRange(Quantity::energy, {0, 0}, {0, 0}), (Range{0, 0.001})) << "at rest";
+}
+
+TEST(TissueRange, TheMaterialIsAPartOfTheLookAndNoHabit) {
+  StressLook look;
+  look.quantity = Quantity::energy;
+  look.material = elasticity::materialOf("liver", 0.45);
+  EXPECT_EQ(stressLookFromJson(toJson(look)), look);
+  EXPECT_EQ(stressLookFromJson(R"({"material": {"tissue": "liver", "youngKpa": -3}})").material,
+            elasticity::StatedMaterial())
+      << "a number that is no material states none";
+  EXPECT_FALSE(habitOf(look).material.stated());
+  EXPECT_EQ(habitOf(look).quantity, Quantity::rotationalStress);
+}
+
 TEST(StressColors, HaveNoMagentaBesidesTheFolded) {
   for (const scene::ColorMap& map : scene::colorMaps()) {
     const scene::ColorMap colors = stressColors(map.name);
@@ -133,6 +151,23 @@ TEST(LegendOfStress, HasNoScaleAtRestAndTheRangeWhereSomethingIsDeformed) {
   look.range = {0, 20};
   values.update(frameOf(mesh, map, 0, 1), look);
   EXPECT_EQ(values.legendRange(), (Range{0, 20})) << "the user's own range";
+}
+
+TEST(TissueRange, NothingIsShownBeforeAMaterialIsChosen) {
+  deformation::WitnessMesh mesh;
+  mesh.points = Points::Zero(4, 3);
+  mesh.witnesses = 4;
+  deformation::StressMap map;
+  const live::StressFrame frame = frameOf(mesh, map, 10, 1);
+  StressLook look;
+  look.quantity = Quantity::vonMises;
+  StressValues values;
+  values.update(frame, look);
+  EXPECT_FALSE(values.ready());
+  look.material = elasticity::materialOf("liver");
+  values.update(frame, look);
+  EXPECT_TRUE(values.ready());
+  EXPECT_EQ(values.measure().material.tissue, "liver");
 }
 
 } // namespace

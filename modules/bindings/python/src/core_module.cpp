@@ -77,6 +77,7 @@ PYBIND11_MODULE(_core, module) {
   viscera::python::addSurfaces(module);
   viscera::python::addVolumeLock(module);
   viscera::python::addStress(module);
+  viscera::python::addElasticity(module);
   viscera::python::addSequences(module);
   viscera::python::addCirculation(module);
 }

@@ -104,6 +104,7 @@ PYBIND11_MODULE(_motion, module) {
   module.def("load_plugins", &viscera::python::loadPlugins, py::arg("search_path"),
              "File, systems and problem of every plugin.");
   viscera::python::addPatientMotion(module);
+  viscera::python::addPhantom(module);
   viscera::python::addStrain(module);
   viscera::python::addWorkbench(module);
 }

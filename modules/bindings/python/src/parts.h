@@ -10,11 +10,13 @@ void addBinding(pybind11::module_& module);
 void addSurfaces(pybind11::module_& module);
 void addVolumeLock(pybind11::module_& module);
 void addStress(pybind11::module_& module);
+void addElasticity(pybind11::module_& module);
 void addSequences(pybind11::module_& module);
 void addCirculation(pybind11::module_& module);
 
 /// Part of `_motion`.
 void addPatientMotion(pybind11::module_& module);
+void addPhantom(pybind11::module_& module);
 void addStrain(pybind11::module_& module);
 void addWorkbench(pybind11::module_& module);
 

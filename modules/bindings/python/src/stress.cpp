@@ -1,3 +1,4 @@
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -6,6 +7,7 @@
 #include "array_memory.h"
 #include "bound_points.h"
 #include "long_jobs.h"
+#include "material_stress.h"
 #include "parts.h"
 #include "viscera/core/error.h"
 #include "viscera/deformation/witness_gradients.h"
@@ -71,6 +73,12 @@ py::array column(const std::shared_ptr<StressMap>& map) {
   return share<Values>(std::shared_ptr<const Values>(map, &((*map).*kColumn)));
 }
 
+template <StressOfMaterial kWhich>
+py::array pascals(const StressMap& map, const std::optional<std::string>& tissue,
+                  std::optional<double> youngKpa, double poisson) {
+  return handOver(ofMaterial(map, tissue, youngKpa, poisson, kWhich));
+}
+
 } // namespace
 
 void addStress(py::module_& module) {
@@ -83,6 +91,16 @@ void addStress(py::module_& module) {
                              "The local change of volume, det M; at most 0 where tissue is folded.")
       .def_property_readonly("stretch_max", &column<&StressMap::stretchMax>, "The largest stretch.")
       .def_property_readonly("stretch_min", &column<&StressMap::stretchMin>, "The smallest stretch.")
+      .def("von_mises_kpa", &pascals<StressOfMaterial::vonMises>, py::arg("material") = py::none(),
+           py::kw_only(), py::arg("young") = py::none(), py::arg("poisson") = 0.49,
+           "The von Mises stress of a stated material, kPa: a tissue of `tissues()`, or `young` in kPa. NaN "
+           "where "
+           "tissue is folded. Raises UsageError without a material.")
+      .def("strain_energy_kpa", &pascals<StressOfMaterial::energy>, py::arg("material") = py::none(),
+           py::kw_only(), py::arg("young") = py::none(), py::arg("poisson") = 0.49,
+           "The strain energy per volume at rest of a stated material, kPa (= mJ/ml), with what the change "
+           "of volume "
+           "takes. NaN where tissue is folded. Raises UsageError without a material.")
       .def_readonly("folded", &StressMap::folded, "Points with a volume ratio of at most 0.")
       .def_property_readonly("statistics", &statistics,
                              "min, mean, p95, max (rad), of points that are not folded, and folded.");

@@ -24,6 +24,7 @@ from ._core import (
     breathing,
     check_surface,
     circulation_parameters,
+    elasticity,
     enclosing_handles,
     grid_witnesses,
     groups_along_axis,
@@ -34,6 +35,7 @@ from ._core import (
     sides_of_plane,
     surface_gap,
     tetrahedralise,
+    tissues,
     vertex_normals,
     volume,
     volume_gradient,
@@ -65,6 +67,7 @@ from .files import (
     write_surface,
 )
 from .motion import sequence, sequence_names, track
+from .moving_phantom import phantom
 from .heart_strain import contour_strain, strain
 from .catalogue import PluginReport, load_plugins, system, systems
 from .workbench import open
@@ -102,6 +105,7 @@ __all__ = [
     "circulation_parameters",
     "circulation_response",
     "contour_strain",
+    "elasticity",
     "enclosing_handles",
     "grid_witnesses",
     "groups_along_axis",
@@ -110,6 +114,7 @@ __all__ = [
     "load_plugins",
     "lock_volume",
     "open",
+    "phantom",
     "place_handles",
     "point_volume_gradient",
     "read_handles",
@@ -132,6 +137,7 @@ __all__ = [
     "system",
     "systems",
     "tetrahedralise",
+    "tissues",
     "track",
     "vertex_normals",
     "volume",

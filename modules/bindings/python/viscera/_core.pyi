@@ -87,6 +87,12 @@ class StressMap:
     def folded(self) -> int: ...
     @property
     def statistics(self) -> dict[str, float]: ...
+    def von_mises_kpa(
+        self, material: Optional[str] = None, *, young: Optional[float] = None, poisson: float = 0.49
+    ) -> Floats: ...
+    def strain_energy_kpa(
+        self, material: Optional[str] = None, *, young: Optional[float] = None, poisson: float = 0.49
+    ) -> Floats: ...
 
 class StressPoints:
     def __init__(
@@ -234,3 +240,18 @@ def circulation_response(
     parameters: Mapping[str, float],
     progress: Optional[Progress],
 ) -> list[dict[str, Any]]: ...
+def elasticity(
+    points: ArrayLike,
+    triangles: ArrayLike,
+    handles: ArrayLike,
+    pose: ArrayLike,
+    *,
+    material: Optional[str] = None,
+    young: Optional[float] = None,
+    poisson: float = 0.49,
+    others: str = "held",
+    tetrahedra: int = 600,
+    threads: int = 0,
+    progress: Optional[Progress] = None,
+) -> dict[str, Any]: ...
+def tissues() -> list[dict[str, Any]]: ...

@@ -85,6 +85,25 @@ def fitted_sequence(
 ) -> Sequence: ...
 def sequence_of_file(path: str) -> Sequence: ...
 def load_plugins(search_path: ListOf[str]) -> list[tuple[str, list[System], str]]: ...
+def write_phantom(
+    folder: str,
+    modality: str,
+    heartbeat: bool,
+    breathing: bool,
+    ejection_fraction: float,
+    rate: float,
+    spacing: str,
+    slices: ListOf[str],
+    noise: str,
+    shift_slices: float,
+    phases: int,
+    fields: float,
+    over_time: bool,
+    format: str,
+    seed: int,
+    threads: int,
+    progress: Optional[Progress],
+) -> dict[str, Any]: ...
 def strain_json(
     motion: ListOf[str],
     kind: str,

@@ -96,6 +96,7 @@ public:
       progress.throwIfCancelled();
       writePhase(phase);
     }
+    writeSeries();
     measureEjection();
     json_["files"] = folder_.files;
     const std::string text = json_.dump(1) + "\n";
@@ -109,6 +110,16 @@ private:
   /// A cine's own spacing is that of its planes; its label maps have cubes.
   static Vec3 gridSpacing(const PhantomOptions& options) {
     return options.modality == Modality::cine ? Vec3::Constant(3) : options.spacing;
+  }
+
+  /// The phases that were kept, each kind as one file.
+  void writeSeries() {
+    const std::string ending = options_.format == ".nrrd" ? ".seq.nrrd" : options_.format;
+    const double intervalMs = 1000 * motion_.periodSeconds() / options_.phases;
+    if (!labels_.empty())
+      medical_io::writeLabelSeries(folder_.add("labels" + ending), labels_, intervalMs);
+    if (!scans_.empty())
+      medical_io::writeScanSeries(folder_.add("ct" + ending), scans_, intervalMs);
   }
 
   void writePhase(int phase) {
@@ -159,6 +170,10 @@ private:
       if (tissue.label > 0)
         map.segments.push_back(
             {.label = tissue.label, .name = tissue.name, .named = true, .color = tissue.color});
+    if (options_.overTime) {
+      labels_.push_back(std::move(map));
+      return;
+    }
     const bool nrrd = options_.format == ".nrrd";
     medical_io::writeLabelMap(folder_.add(numbered("labels", phase, nrrd ? ".seg.nrrd" : options_.format)),
                               map);
@@ -180,6 +195,10 @@ private:
     for (const float value : values)
       samples.push_back(static_cast<std::int16_t>(std::lround(std::clamp(value, -1024.0F, 3071.0F))));
     scan.samples = std::move(samples);
+    if (options_.overTime) {
+      scans_.push_back(std::move(scan));
+      return;
+    }
     medical_io::writeScan(folder_.add(numbered("ct", phase, options_.format)), scan);
   }
 
@@ -243,8 +262,10 @@ private:
     const ImageGrid grid = bodyGrid(body_, Vec3::Constant(options_.fieldSpacingMm));
     const std::vector<std::uint8_t> rest = renderLabels(body_, atRest(body_, motion_), grid, threads_);
     const std::vector<std::uint8_t> now = renderLabels(body_, instant, grid, threads_);
-    medical_io::writeTransform(folder_.add(numbered("forward", phase, ".nrrd")), fieldOf(grid, rest, true));
-    medical_io::writeTransform(folder_.add(numbered("backward", phase, ".nrrd")), fieldOf(grid, now, false));
+    medical_io::writeTransform(folder_.add(numbered("forward", phase, options_.format)),
+                               fieldOf(grid, rest, true));
+    medical_io::writeTransform(folder_.add(numbered("backward", phase, options_.format)),
+                               fieldOf(grid, now, false));
   }
 
   const PhantomOptions& options_;
@@ -255,6 +276,8 @@ private:
   ImageGrid grid_;
   Folder folder_;
   std::vector<StudyPlane> planes_;
+  std::vector<medical_io::Scan> scans_; ///< Of all phases, for one file over time.
+  std::vector<medical_io::LabelMap> labels_;
   nlohmann::ordered_json json_;
   PhantomReport report_;
 };

@@ -7,6 +7,7 @@
 #include "pictures.h"
 #include "sections.h"
 #include "viscera/core/text.h"
+#include "viscera/elasticity/tissues.h"
 #include "viscera/live/stress_marks_reader.h"
 #include "viscera/live/stress_quantity.h"
 #include "viscera/presentation/slice_presenter.h"
@@ -33,39 +34,62 @@ std::string nameOf(live::WitnessOrigin origin) {
 }
 
 /// "Volume ratio", "Rotational stress (deg)".
-std::string titleWithUnit(const live::StressQuantityDescription& quantity) {
-  const std::string name = named(quantity.name);
-  return quantity.unit.empty() ? name : name + " (" + quantity.unit + ")";
+std::string withUnit(const std::string& name, const live::StressMeasure& measure) {
+  const std::string unit = inWords(measure.unit());
+  return unit.empty() ? name : name + " (" + unit + ")";
 }
 
-std::vector<std::string> row(const std::string& name, const live::StressQuantityDescription& quantity,
+std::string titleWithUnit(const live::StressMeasure& measure) {
+  return withUnit(named(live::describe(measure.quantity).name), measure);
+}
+
+/// "liver (E 6.27 kPa), doi:10.1002/jmri.24084".
+std::string materialIn(const elasticity::StatedMaterial& material) {
+  std::string words = inWords(live::nameOf(material));
+  if (!material.tissue.empty())
+    words += ", doi:" + std::string(elasticity::tissueNamed(material.tissue).doi);
+  return words;
+}
+
+/// All quantities that a table has: those of a material only where one is stated.
+std::vector<live::StressMeasure> listed(const elasticity::StatedMaterial& material) {
+  std::vector<live::StressMeasure> all;
+  for (const live::StressQuantityDescription& quantity : live::stressQuantities())
+    if (const live::StressMeasure measure(quantity.quantity, material);
+        quantity.quantity != live::StressQuantity::folded && measure.known())
+      all.push_back(measure);
+  return all;
+}
+
+std::vector<std::string> row(const std::string& name, const live::StressMeasure& measure,
                              const Values& values, Eigen::Index count) {
+  const live::StressQuantityDescription& quantity = live::describe(measure.quantity);
   const live::QuantitySummary summary = live::summaryOf(values, count);
-  std::vector<std::string> cells = {quantity.unit.empty() ? name : name + " (" + quantity.unit + ")"};
+  std::vector<std::string> cells = {withUnit(name, measure)};
   for (const double value :
        {summary.min, summary.percentile5, summary.mean, summary.percentile95, summary.max})
     cells.push_back(fixed(value, quantity.decimals));
   return cells;
 }
 
-Table numbers(const live::StressFrame& frame) {
+Table numbers(const live::StressFrame& frame, const elasticity::StatedMaterial& material) {
   Table table;
   table.head = {said("Quantity"), said("Minimum"),         said("5th percentile"),
                 said("Mean"),     said("95th percentile"), said("Maximum")};
   table.numbers = {false, true, true, true, true, true};
   Values values;
-  const auto add = [&](const deformation::StressMap& map, const live::StressQuantityDescription& quantity,
+  const auto add = [&](const deformation::StressMap& map, const live::StressMeasure& measure,
                        const std::string& name) {
-    live::quantityOf(map, quantity.quantity, values);
-    table.rows.push_back(row(name, quantity, values, frame.mesh->witnesses));
+    live::quantityOf(map, measure, values);
+    table.rows.push_back(row(name, measure, values, frame.mesh->witnesses));
   };
-  for (const live::StressQuantityDescription& quantity : live::stressQuantities())
-    if (quantity.quantity != live::StressQuantity::folded)
-      add(*frame.map, quantity, named(quantity.name));
-  if (frame.cycle && frame.cycle->peak)
-    for (const live::StressQuantityDescription& quantity : live::stressQuantities())
-      if (quantity.quantity == live::StressQuantity::rotationalStress)
-        add(*frame.cycle->peak, quantity, said("%1, extreme over a cycle", named(quantity.name)));
+  for (const live::StressMeasure& measure : listed(material))
+    add(*frame.map, measure, named(live::describe(measure.quantity).name));
+  if (frame.cycle && frame.cycle->peak) {
+    const live::StressMeasure angle = live::StressQuantity::rotationalStress;
+    add(*frame.cycle->peak, angle,
+        said("%1, extreme over a cycle", named(live::describe(angle.quantity).name)));
+  }
   return table;
 }
 
@@ -92,8 +116,8 @@ scene::PanelCurve outlineOf(const std::vector<double>& sorted, double low, doubl
 }
 
 /// How a quantity is spread over the witness points; nothing when it is the same everywhere.
-std::vector<Block> histogram(const live::StressFrame& frame, live::StressQuantity which) {
-  const live::StressQuantityDescription& quantity = live::describe(which);
+std::vector<Block> histogram(const live::StressFrame& frame, const live::StressMeasure& which) {
+  const live::StressQuantityDescription& quantity = live::describe(which.quantity);
   Values values;
   live::quantityOf(*frame.map, which, values);
   std::vector<double> sorted;
@@ -109,7 +133,7 @@ std::vector<Block> histogram(const live::StressFrame& frame, live::StressQuantit
     return {};
   const live::QuantitySummary summary = live::summaryOf(values, frame.mesh->witnesses);
   scene::CurvePanel panel;
-  panel.xTitle = titleWithUnit(quantity);
+  panel.xTitle = titleWithUnit(which);
   panel.yTitle = said("Points (%)");
   panel.xRange = scene::ValueRange{low, high};
   panel.curves = {outlineOf(sorted, low, high)};
@@ -147,24 +171,21 @@ PictureGrid cycleChart(const live::CycleStress& cycle) {
 }
 
 /// The pinned probes: where they are in the pose, and what the map says there.
-Table probeTable(const live::ReadMarks& marks) {
+Table probeTable(const live::ReadMarks& marks, const elasticity::StatedMaterial& material) {
   Table table;
   table.head = {said("Probe"), said("Place (mm)")};
   table.numbers = {false, false};
-  for (const live::StressQuantityDescription& quantity : live::stressQuantities())
-    if (quantity.quantity != live::StressQuantity::folded) {
-      table.head.push_back(titleWithUnit(quantity));
-      table.numbers.push_back(true);
-    }
+  for (const live::StressMeasure& measure : listed(material)) {
+    table.head.push_back(titleWithUnit(measure));
+    table.numbers.push_back(true);
+  }
   for (const live::ReadProbe& read : marks.probes) {
     const Vec3& place = read.reading.inTissue ? read.reading.now : read.probe.rest;
     std::vector<std::string> cells = {std::to_string(read.probe.number), presentation::formatPlace(place)};
-    for (const live::StressQuantityDescription& quantity : live::stressQuantities()) {
-      if (quantity.quantity == live::StressQuantity::folded)
-        continue;
-      const double value = live::valueOf(read.reading, quantity.quantity);
+    for (const live::StressMeasure& measure : listed(material)) {
+      const double value = live::valueOf(read.reading, measure);
       cells.push_back(!read.reading.inTissue ? said("no tissue")
-                      : std::isfinite(value) ? fixed(value, quantity.decimals)
+                      : std::isfinite(value) ? fixed(value, live::describe(measure.quantity).decimals)
                                              : said("folded"));
     }
     table.rows.push_back(std::move(cells));
@@ -173,11 +194,10 @@ Table probeTable(const live::ReadMarks& marks) {
 }
 
 /// The quantity along the lines between probes; a curve ends where its line leaves the tissue.
-PictureGrid profileChart(const live::ReadMarks& marks, live::StressQuantity which) {
-  const live::StressQuantityDescription& quantity = live::describe(which);
+PictureGrid profileChart(const live::ReadMarks& marks, const live::StressMeasure& which) {
   scene::CurvePanel panel;
   panel.xTitle = said("Distance at rest (mm)");
-  panel.yTitle = titleWithUnit(quantity);
+  panel.yTitle = titleWithUnit(which);
   panel.legend = true;
   double length = 0;
   for (std::size_t line = 0; line < marks.profiles.size(); ++line) {
@@ -222,7 +242,11 @@ Section stressSection(const ReportSource& source, const live::StressFrame& frame
       "Rotational stress is the largest angle by which a direction is turned when the tissue is stretched. "
       "It measures distortion and is not a pressure.")});
   section.blocks.push_back(std::move(facts));
-  section.blocks.push_back(numbers(frame));
+  const live::StressMeasure measure = source.view.stress.measure();
+  if (measure.material.stated())
+    section.blocks.push_back(
+        Paragraph{said("Pascals are of a stated material: %1.", materialIn(measure.material))});
+  section.blocks.push_back(numbers(frame, measure.material));
   for (const Text& remark : source.stressStatus.remarks)
     section.blocks.push_back(Paragraph{withoutFolders(inWords(remark))});
   if (const Text remark = live::volumeRemark(*frame.map, count); !remark.empty())
@@ -231,11 +255,12 @@ Section stressSection(const ReportSource& source, const live::StressFrame& frame
   live::StressMarksReader reader;
   const live::ReadMarks marks = reader.read(source.state, frame.organ, frame.mesh, *frame.points, *frame.map);
   if (!marks.probes.empty())
-    section.blocks.push_back(probeTable(marks));
-  if (!marks.profiles.empty())
-    section.blocks.push_back(profileChart(marks, source.view.stress.quantity));
-  for (Block& block : histogram(frame, source.view.stress.quantity))
-    section.blocks.push_back(std::move(block));
+    section.blocks.push_back(probeTable(marks, measure.material));
+  if (!marks.profiles.empty() && measure.known())
+    section.blocks.push_back(profileChart(marks, measure));
+  if (measure.known())
+    for (Block& block : histogram(frame, measure))
+      section.blocks.push_back(std::move(block));
   if (frame.cycle && frame.cycle->samples.size() > 1)
     section.blocks.push_back(cycleChart(*frame.cycle));
   return section;

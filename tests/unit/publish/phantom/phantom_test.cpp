@@ -9,6 +9,7 @@
 #include "viscera/core/error.h"
 #include "viscera/geometry/volume.h"
 #include "viscera/medical_io/cine_study.h"
+#include "viscera/medical_io/image_file.h"
 #include "viscera/phantom/render.h"
 #include "viscera/phantom/tissue.h"
 #include "viscera/phantom/write_phantom.h"
@@ -143,6 +144,25 @@ TEST(Phantom, WritesACineStudyThatIsReadAsOne) {
   EXPECT_EQ(study.slices[5].plane, medical_io::CinePlane::fourChamber);
   ASSERT_EQ(study.slices[0].fractions.size(), 3U);
   EXPECT_NEAR(study.slices[0].fractions[2], 2.0 / 3, 1e-3);
+}
+
+TEST(Phantom, WritesOneFileOverTimeAndFieldsAsNifti) {
+  const tests::TemporaryFolder folder;
+  PhantomOptions options;
+  options.motion.heartbeat = true;
+  options.spacing = Vec3::Constant(12);
+  options.phases = 2;
+  options.fieldSpacingMm = 40;
+  options.format = ".nii.gz";
+  options.overTime = true;
+  options.resolution = kResolution;
+  Progress progress;
+  const PhantomReport report =
+      writePhantom(folder.path(), options, sample_organs::standardLibrary(), progress);
+  for (const char* name : {"ct.nii.gz", "labels.nii.gz", "forward_001.nii.gz", "backward_001.nii.gz"})
+    EXPECT_EQ(std::count(report.files.begin(), report.files.end(), name), 1) << name;
+  EXPECT_EQ(medical_io::readScan(folder.path() / "ct.nii.gz", {"", 1}, progress).phaseTimesMs.size(), 2U);
+  EXPECT_EQ(medical_io::readLabelMap(folder.path() / "labels.nii.gz", progress, 1).phaseTimesMs.size(), 2U);
 }
 
 TEST(Phantom, RefusesOptionsThatMakeNoSense) {

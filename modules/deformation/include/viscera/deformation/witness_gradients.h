@@ -10,13 +10,22 @@
 
 namespace viscera::deformation {
 
+/// The greatest that each point of a neo-Hookean tissue feels over several poses, by its shear modulus: their
+/// stretches are extremes of different poses, from which it does not follow.
+struct TissueExtremes {
+  Values vonMisesPerShear;
+  Values energyPerShear;
+  double poisson = 0; ///< Poisson's ratio of the energy.
+};
+
 /// The stress map of a pose: the distortion at every witness point.
 struct StressMap {
   Values rotationalStress; ///< rad.
   Values volumeRatio;      ///< det M.
   Values stretchMax;
   Values stretchMin;
-  int folded = 0; ///< Witnesses with det M <= 0.
+  int folded = 0;                                           ///< Witnesses with det M <= 0.
+  std::shared_ptr<const TissueExtremes> extremes = nullptr; ///< Of the extremes over several poses only.
 };
 
 /// Summary statistics of a stress map: mean, largest and others. Folded witnesses are left out of the angles

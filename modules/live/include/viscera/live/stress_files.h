@@ -16,14 +16,17 @@ namespace viscera::live {
 
 /// Writes all quantities at every point of the mesh as VTK's unstructured grid (.vtu):
 /// `RotationalStress_deg`, `VolumeRatio`, `StretchMax`, `StretchMin`, `Folded`, `Witness`, `Displacement_mm`.
-/// O(points).
+/// With a stated material also `VonMises_kPa, <material>` and `StrainEnergy_kPa, <material>`. O(points).
 void writeStressSolid(const std::filesystem::path& file, const deformation::WitnessMesh& mesh,
-                      const Points& posed, const deformation::StressMap& map);
+                      const Points& posed, const deformation::StressMap& map,
+                      const elasticity::StatedMaterial& material = {});
 
 /// Writes a table of comma-separated values, one row for each witness: its place at rest and in the pose, and
-/// what is measured there, with nine digits. O(witnesses).
+/// what is measured there, with nine digits; with a stated material also `von_mises_kpa`, `strain_energy_kpa`
+/// and `material`. O(witnesses).
 void writeStressTable(const std::filesystem::path& file, const deformation::WitnessMesh& mesh,
-                      const Points& posed, const deformation::StressMap& map);
+                      const Points& posed, const deformation::StressMap& map,
+                      const elasticity::StatedMaterial& material = {});
 
 /// Bars of a histogram that is written.
 inline constexpr int kHistogramBars = 100;
@@ -40,9 +43,10 @@ struct StressHistogram {
 StressHistogram histogramOf(const Values& values, Eigen::Index count, int bars);
 
 /// Comma-separated values: a row a bar with `from_<unit>`, `to_<unit>` (without unit `from`, `to`), `points`
-/// and `percent` of those that have a value. A last row "folded" where there are such points.
+/// and `percent` of those that have a value; of a material's quantity also `material`. A last row "folded"
+/// where there are such points.
 void writeStressHistogram(const std::filesystem::path& file, const StressHistogram& histogram,
-                          const StressQuantityDescription& quantity);
+                          const StressMeasure& measure);
 
 /// Comma-separated values, a row for each instant: `time_s`, `min_deg`, `mean_deg`, `p95_deg`, `max_deg`,
 /// `folded`.

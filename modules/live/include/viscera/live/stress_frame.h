@@ -31,6 +31,8 @@ struct PosedCycle {
   double periodSeconds = 0;
   /// The pose at a fraction of the cycle, [0, 1): `n x 3` mm, valid until the next call. For one thread.
   std::function<const Points&(double fraction)> poseAt;
+  /// Poisson's ratio of the material whose largest energy is found with the maximum.
+  double poisson = elasticity::kUsualPoisson;
 };
 
 /// The stress over one cycle of a sequence.
@@ -38,7 +40,8 @@ struct CycleStress {
   double periodSeconds = 0;
   std::vector<StressSample> samples; ///< Of the witness points, evenly over the cycle, its end left out.
   /// The largest rotational stress at every point of the mesh, the largest and the smallest stretch, and the
-  /// volume ratio that is farthest from 1 (by its factor; one at most 0 before all others), each by itself.
+  /// volume ratio that is farthest from 1 (by its factor; one at most 0 before all others), each by itself;
+  /// the largest stress and energy of a tissue are its `extremes`.
   /// None unless it was asked for.
   std::optional<deformation::StressMap> peak;
   std::vector<Points> poses; ///< Of the handles at the samples, `n x 3` mm.
@@ -66,7 +69,7 @@ CycleStress stressOverCycle(const deformation::WitnessGradients& gradients, Eige
 /// The quantity at one point of the mesh at each sample of a cycle, in its unit; not a number where it is
 /// folded. `gradients` are those that the cycle was computed with. O(samples x handles).
 std::vector<double> curveAt(const deformation::WitnessGradients& gradients, Eigen::Index point,
-                            const CycleStress& cycle, StressQuantity quantity);
+                            const CycleStress& cycle, const StressMeasure& measure);
 
 /// The stress map of one organ at one instant, as it is drawn: made by `LiveStress` for the document that is
 /// open, or evaluated by a movie. The pointers share ownership of their memory; points and map are updated in
@@ -87,7 +90,7 @@ struct StressFrame {
 
 /// What the quantity of map `a` exceeds that of map `b` by at every point of their mesh, in its unit; not a
 /// number where one of them is folded. None unless both are of the same points. O(n).
-std::optional<Values> differenceOf(const StressFrame& a, const StressFrame& b, StressQuantity quantity);
+std::optional<Values> differenceOf(const StressFrame& a, const StressFrame& b, const StressMeasure& measure);
 
 /// A copy of an organ's stress computation with poses of its own, for recording a movie on another thread.
 /// For one thread.

@@ -19,7 +19,9 @@ struct NamedReading {
 
 /// Comma-separated values, a row a probe: `probe`, its place at rest and in the pose
 /// (`rest_x_mm` ... `z_mm`), `RotationalStress_deg`, `VolumeRatio`, `StretchMax`, `StretchMin`, `Folded`.
-void writeStressProbes(const std::filesystem::path& file, const std::vector<NamedReading>& probes);
+/// With a stated material also `von_mises_kpa`, `strain_energy_kpa`, `material`.
+void writeStressProbes(const std::filesystem::path& file, const std::vector<NamedReading>& probes,
+                       const elasticity::StatedMaterial& material = {});
 
 /// A profile under its name.
 struct NamedProfile {
@@ -29,6 +31,7 @@ struct NamedProfile {
 
 /// Comma-separated values, a row a place, one profile after the other: `profile`, `distance_mm` from its
 /// beginning at rest, and the columns of a probe.
-void writeStressProfiles(const std::filesystem::path& file, const std::vector<NamedProfile>& profiles);
+void writeStressProfiles(const std::filesystem::path& file, const std::vector<NamedProfile>& profiles,
+                         const elasticity::StatedMaterial& material = {});
 
 } // namespace viscera::live

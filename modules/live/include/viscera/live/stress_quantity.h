@@ -1,10 +1,12 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "viscera/core/phrase.h"
 #include "viscera/deformation/witness_gradients.h"
+#include "viscera/elasticity/stated_material.h"
 
 namespace viscera::live {
 
@@ -14,7 +16,9 @@ enum class StressQuantity {
   volumeRatio,      ///< det M.
   stretchMax,
   stretchMin,
-  folded ///< 1 where det M <= 0, else 0.
+  folded,   ///< 1 where det M <= 0, else 0.
+  vonMises, ///< kPa, of a stated material.
+  energy    ///< Strain energy per volume at rest, kPa (= mJ/ml), of a stated material.
 };
 
 /// Name, unit and number of decimals of a quantity, for users.
@@ -27,6 +31,7 @@ struct StressQuantityDescription {
   std::string unit;     ///< "deg" or empty.
   bool ratio = false;   ///< 1 means unchanged.
   int decimals = 2;
+  bool ofMaterial = false; ///< Exists of a stated material only.
 };
 
 /// All quantities, in the order of a list.
@@ -34,6 +39,28 @@ const std::vector<StressQuantityDescription>& stressQuantities();
 const StressQuantityDescription& describe(StressQuantity quantity);
 /// The quantity of that id, or the rotational stress.
 StressQuantity stressQuantityFromId(const std::string& id);
+
+/// A quantity with the material whose pascals it shows: one is needed for quantities of a material only, and
+/// plays no part in the others.
+struct StressMeasure {
+  StressMeasure(StressQuantity which, elasticity::StatedMaterial of = {})
+      : quantity(which), material(std::move(of)) {}
+
+  /// Whether there are numbers of it: not of a material's quantity without a material.
+  bool known() const { return !describe(quantity).ofMaterial || material.stated(); }
+  /// Its unit with the material: "deg", empty, "kPa, liver (E 6.27 kPa)".
+  Text unit() const;
+  /// The same in fewer letters, for a number: "kPa, liver".
+  Text shortUnit() const;
+
+  bool operator==(const StressMeasure&) const = default;
+
+  StressQuantity quantity;
+  elasticity::StatedMaterial material;
+};
+
+/// The material in words: "liver (E 6.27 kPa)", "E 5 kPa"; empty where none is stated.
+Text nameOf(const elasticity::StatedMaterial& material);
 
 /// Volume ratios beyond these are no longer those of living tissue, which is mostly water.
 inline constexpr double kLeastVolumeRatio = 0.8, kMostVolumeRatio = 1.25;
@@ -43,8 +70,9 @@ inline constexpr double kLeastVolumeRatio = 0.8, kMostVolumeRatio = 1.25;
 Text volumeRemark(const deformation::StressMap& map, Eigen::Index count);
 
 /// Fills `values` (resized) with the quantity at every point of the map, in its unit; not a number where the
-/// tissue is folded, except for the folded quantity itself, so that an angle never hides a fold. O(n).
-void quantityOf(const deformation::StressMap& map, StressQuantity quantity, Values& values);
+/// tissue is folded, except for the folded quantity itself, so that an angle never hides a fold; nowhere a
+/// number for a quantity of a material without one. O(n).
+void quantityOf(const deformation::StressMap& map, const StressMeasure& measure, Values& values);
 
 /// Summary statistics of a quantity; values that are not numbers are counted apart.
 struct QuantitySummary {
@@ -58,7 +86,7 @@ struct QuantitySummary {
 /// Summarises the first `count` values; zeros when there is no number among them. O(count).
 QuantitySummary summaryOf(const Values& values, Eigen::Index count);
 
-/// The quantity at one point, folded or not.
-double quantityAt(const deformation::StressMap& map, StressQuantity quantity, Eigen::Index point);
+/// The quantity at one point, folded or not; of a material not a number where it is folded.
+double quantityAt(const deformation::StressMap& map, const StressMeasure& measure, Eigen::Index point);
 
 } // namespace viscera::live

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "viscera/core/parallel.h"
@@ -22,11 +23,20 @@ struct StressReading {
   double volumeRatio = 0;
   double stretchMax = 0;
   double stretchMin = 0;
+  /// Of a map of extremes: its numbers for tissue, by the shear modulus; without it they follow from the
+  /// stretches.
+  struct Extremes {
+    double vonMisesPerShear = 0;
+    double energyPerShear = 0;
+    double poisson = 0;
+  };
+  std::optional<Extremes> extremes = std::nullopt;
 };
 
 /// The quantity of a reading, in its unit; not a number where there is no tissue, nor where it is folded,
-/// except for the folded quantity itself.
-double valueOf(const StressReading& reading, StressQuantity quantity);
+/// except for the folded quantity itself, nor of a material that is not stated. Pascals come of the
+/// interpolated stretches, or of the interpolated extremes of a maximum over a cycle.
+double valueOf(const StressReading& reading, const StressMeasure& measure);
 
 /// Material points of an organ: each is tied to the tetrahedron of the witness mesh that holds it at rest,
 /// and reads the map linearly between its corners; a point of the mesh reads exactly its own numbers.

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <variant>
 
 #include "viscera/core/progress.h"
@@ -23,6 +24,14 @@ void writeScan(const std::filesystem::path& file, const Scan& scan);
 /// and colours as 3D Slicer keeps them, and all layers; NIfTI has one layer: of several the first with a
 /// label counts. Throws as `writeScan`, and `DataError` for two segments of one label in NIfTI.
 void writeLabelMap(const std::filesystem::path& file, const LabelMap& map);
+
+/// Writes one file over time: NIfTI with a fourth dimension, or a sequence of 3D Slicer (.seq.nrrd), phases
+/// being `intervalMs` apart. All phases have one grid and one type of samples, without slope. Throws as
+/// `writeScan`, and `DataError` for others and for none. Memory: all samples once more. O(voxels x phases).
+void writeScanSeries(const std::filesystem::path& file, std::span<const Scan> phases, double intervalMs);
+/// The same of label maps of one grid, of the first of their layers with a label; names and colours, which
+/// NRRD keeps, are those of the first. Throws as `writeLabelMap`, and `DataError` for labels above 32767.
+void writeLabelSeries(const std::filesystem::path& file, std::span<const LabelMap> phases, double intervalMs);
 
 /// The meaning of the voxels of an image file.
 enum class ImageContents { values, labels };

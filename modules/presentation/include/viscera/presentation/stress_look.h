@@ -16,6 +16,7 @@ enum class GlyphChoice { none, ellipsoids, crosses };
 /// How a stress map is shown: quantity, range, cut and glyphs.
 struct StressLook {
   live::StressQuantity quantity = live::StressQuantity::rotationalStress;
+  elasticity::StatedMaterial material; ///< Of quantities in pascals, which are shown of a stated one only.
   bool onSurface = true; ///< The map on the organ's own surface instead of on the outer tetrahedra.
   bool pinned = false;   ///< The legend's range stays as it is.
   /// Range of the legend, in the quantity's unit; empty (high <= low) before there was a map. Kept even when
@@ -41,11 +42,13 @@ struct StressLook {
   bool sameRange = true; ///< Beside another view with a stress map: one range for both.
   int probe = -1;        ///< The point of the mesh whose values are shown; -1: none.
 
+  live::StressMeasure measure() const { return {quantity, material}; }
+
   bool operator==(const StressLook&) const = default;
 };
 
-/// The part of a look that is saved in the user's settings: without range, limit, probe and maximum, and
-/// without glyphs, which replace the tissue.
+/// The part of a look that is saved in the user's settings: without range, limit, probe and maximum, without
+/// glyphs, which replace the tissue, and without a material, which is stated for one organ, and its pascals.
 StressLook habitOf(StressLook look);
 
 /// The look as JSON text, for settings; invalid text gives the default look.

@@ -32,7 +32,9 @@ public:
   int folded() const { return folded_; }
   /// Whether the numbers are those of the maximum over a cycle.
   bool peak() const { return peak_; }
-  live::StressQuantity quantity() const { return quantity_; }
+  live::StressQuantity quantity() const { return measure_.quantity; }
+  /// The quantity with the material that it is of.
+  const live::StressMeasure& measure() const { return measure_; }
   /// The colours; `missing` marks folded tissue.
   const scene::ColorMap& colors() const { return colors_; }
   scene::ValueRange range() const { return shared_.value_or(range_); }
@@ -49,7 +51,7 @@ private:
   live::QuantitySummary summary_;
   int folded_ = 0;
   bool peak_ = false;
-  live::StressQuantity quantity_ = live::StressQuantity::rotationalStress;
+  live::StressMeasure measure_ = live::StressQuantity::rotationalStress;
   std::shared_ptr<const deformation::WitnessMesh> mesh_; ///< The mesh to which the range belongs.
   scene::ColorMap colors_;
   scene::ValueRange range_{0, 0};

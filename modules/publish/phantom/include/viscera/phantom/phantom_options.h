@@ -36,7 +36,10 @@ struct PhantomOptions {
   int phases = 20;           ///< Over the period, 1 to 200.
   double fieldSpacingMm = 8; ///< Of the displacement fields; 0: none are written.
   std::uint64_t seed = 1;
-  std::string format = ".nrrd"; ///< Of volumes: ".nrrd" or ".nii.gz".
+  std::string format = ".nrrd"; ///< Of volumes and fields: ".nrrd" or ".nii.gz".
+  /// One file over time for the CT and one for the labels, in the place of one for each phase: a NIfTI of
+  /// four dimensions, or a sequence of 3D Slicer (.seq.nrrd). Takes memory for all phases.
+  bool overTime = false;
   sample_organs::Resolution resolution = sample_organs::Resolution::medium;
 };
 

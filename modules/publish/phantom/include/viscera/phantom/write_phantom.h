@@ -28,8 +28,10 @@ struct PhantomReport {
 /// Makes the phantom and writes it into a folder, which is made when it is not there:
 /// - ct: ct_NN (HU), one file a phase; cine: a DICOM series for each plane, cine/NAME/NN.dcm;
 /// - labels_NN of every phase, for a cine those of the whole body as well;
-/// - forward_NN.nrrd, displacements at places at rest, and backward_NN.nrrd, from places to those at rest; of
-///   still tissue zero;
+/// - with `overTime` one ct.seq.nrrd (ct.nii.gz) and one labels.seq.nrrd (labels.nii.gz) of all phases
+///   instead;
+/// - forward_NN, displacements at places at rest, and backward_NN, from places to those at rest; of still
+///   tissue zero;
 /// - phantom.json: tissues, planes with their shifts, and of every phase time, volumes, landmarks and strain.
 ///
 /// The same options give the same bytes, for any number of threads. Throws `UsageError` for options out of
