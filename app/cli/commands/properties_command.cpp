@@ -10,6 +10,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "cli/elastic_table.h"
 #include "cli/listing.h"
 #include "cli/number_bounds.h"
 #include "cli/system_options.h"
@@ -220,7 +221,9 @@ class PropertiesCommand final : public Command {
 public:
   std::string name() const override { return "properties"; }
   std::string summary() const override { return "Measure the properties of the coordinate systems"; }
-  std::vector<OutputOption> outputs() const override { return {tableOutput("--output")}; }
+  std::vector<OutputOption> outputs() const override {
+    return {tableOutput("--output"), {"--figure", {".svg"}}};
+  }
 
   void addOptions(CLI::App& options) override {
     options.add_option("--systems", systems_, "Only these systems; 'viscera systems' lists them")
@@ -236,6 +239,7 @@ public:
         ->type_name("N")
         ->check(wholeBetween(10, kMostPoints))
         ->capture_default_str();
+    elastic_.addTo(options);
   }
 
   Outcome run(CommandContext& context) override {
@@ -246,6 +250,8 @@ public:
       for (const coordinates::Registry::Entry& entry : context.systems.list())
         systems.push_back(entry.system);
     const auto variants = variantsOf(systems, parameters_);
+    if (elastic_.asked())
+      return elastic_.run(variants, output_, context);
     const auto scenes = scenesFor(points_, context);
     const auto measured = coordinates::measureSystems(
         variants, scenes, context.threads, deformation::withTetgen({}).tetrahedralise, context.progress);
@@ -270,6 +276,7 @@ private:
   std::vector<std::string> parameters_;
   std::string output_;
   int points_ = 400;
+  ElasticTable elastic_;
 };
 
 } // namespace

@@ -107,6 +107,29 @@ TEST_F(CliProperties, PrintATableForAReader) {
   EXPECT_NE(result.out.find("line, 15 handles: no coordinates at"), std::string::npos) << result.out;
 }
 
+TEST_F(CliProperties, CompareSystemsWithAnElasticOrgan) {
+  const std::string table = path("drags.csv"), figure = path("drags.svg");
+  const json result =
+      runJson({"properties", "--elasticity", "--systems", "s-celestial", "wire-approach", "--organs",
+               "kidney_left", "--drags", "1", "--tetrahedra", "150", "-o", table, "--figure", figure});
+  ASSERT_EQ(result["organs"].size(), 1U);
+  EXPECT_EQ(result["organs"][0]["solved"], 1);
+  EXPECT_GT(result["organs"][0]["drags"][0]["dragMm"], 0);
+  ASSERT_EQ(result["rows"].size(), 2U);
+  const json& row = result["rows"][0];
+  for (const char* key :
+       {"medianPercentOfDrag", "p95PercentOfDrag", "percentOfElastic", "spearman", "bindSeconds", "poseMs"})
+    EXPECT_TRUE(row[key].is_number()) << key;
+  EXPECT_LE(row["medianPercentOfDrag"], row["p95PercentOfDrag"]);
+  EXPECT_TRUE(result["rows"][1]["spearman"].is_null());
+  EXPECT_NE(result["rows"][1]["organs"][0]["refusal"].get<std::string>().find("have no coordinates"),
+            std::string::npos);
+  const std::string rows = contents(table);
+  EXPECT_EQ(std::count(rows.begin(), rows.end(), '\n'), 3);
+  EXPECT_NE(contents(figure).find("S-Celestial"), std::string::npos);
+  expectFailure({"properties", "--drags", "1"}, kUsage, "--elasticity");
+}
+
 TEST_F(CliProperties, WriteNothingWhenInterrupted) {
   options_.interruptAfter = std::chrono::milliseconds(1500);
   const test::ProcessResult result = run({"properties", "--points", "20000", "-o", path("p.csv")});
