@@ -21,7 +21,7 @@ constexpr auto kShipKidneyPeople =
 constexpr auto kSpect =
     "Breen 2011, doi 10.1111/j.1365-2982.2010.01660.x (spread), and \"Simplifying the measurement of "
     "gastric accommodation using SPECT\" (mean)";
-constexpr auto kBreathing =
+constexpr auto kBreathingStudy =
     "customary; how much people at rest differ: Benchetrit 2000, doi 10.1016/S0034-5687(00)00154-7";
 constexpr auto kRiseOfPressure = "the limit of Doppler ultrasound, which no study of its own gives; measured "
                                  "by catheter since Gleason and "
@@ -251,9 +251,9 @@ void addStomach(std::vector<Norm>& rows) {
 void addBreathing(std::vector<Norm>& rows) {
   constexpr auto kSubject = "Breathing";
   rows.push_back(
-      within("breathing.rate", kSubject, "breaths", "1/min", {12, 20}, "adults at rest", kBreathing));
+      within("breathing.rate", kSubject, "breaths", "1/min", {12, 20}, "adults at rest", kBreathingStudy));
   rows.push_back(within("breathing.duty", kSubject, "part that is inspiration", "%", {33, 50},
-                        "adults at rest, from 1 : 2 to 1 : 1", kBreathing));
+                        "adults at rest, from 1 : 2 to 1 : 1", kBreathingStudy));
   rows.push_back(within("breathing.down", "Liver", "way down in quiet breathing", "mm", {10, 25},
                         "what several studies measured", "Keall 2006, doi 10.1118/1.2349696"));
 }
