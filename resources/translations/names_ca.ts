@@ -7662,6 +7662,459 @@
         <source>viscera phantom</source>
         <translation>fantoma Viscera</translation>
     </message>
+    <message>
+        <source>Choose the images first</source>
+        <translation>Trieu primer les imatges</translation>
+    </message>
+    <message>
+        <source>Choose the labels of a phase: those of the ends of diastole and systole, where there are any</source>
+        <translation>Trieu les etiquetes d&apos;una fase: les dels finals de diàstole i sístole, si n&apos;hi ha</translation>
+    </message>
+    <message>
+        <source>Enter the phase of %1</source>
+        <translation>Indiqueu la fase de %1</translation>
+    </message>
+    <message>
+        <source>The images have %1 phases: enter another one for %2</source>
+        <translation>Les imatges tenen %1 fases: indiqueu-ne una altra per a %2</translation>
+    </message>
+    <message>
+        <source>%1 and %2 are both labels of phase %3</source>
+        <translation>%1 i %2 són totes dues etiquetes de la fase %3</translation>
+    </message>
+    <message>
+        <source>Only phase %1 has labels: the motion, its volumes and ejection fractions will be estimates. Label the end of systole too, if you can</source>
+        <translation>Només la fase %1 té etiquetes: el moviment, els seus volums i les seves fraccions d&apos;ejecció seran estimacions. Etiqueteu també el final de la sístole, si podeu</translation>
+    </message>
+    <message>
+        <source>The images differ most from the first phase in phase %1, which has no labels: see whether the end of systole is labelled</source>
+        <translation>Les imatges difereixen més de la primera fase a la fase %1, que no té etiquetes: comproveu si el final de la sístole està etiquetat</translation>
+    </message>
+    <message>
+        <source>weight %1 %</source>
+        <translation>pes %1 %</translation>
+    </message>
+    <message>
+        <source>left its plane by %1 mm, %2</source>
+        <translation>ha sortit del seu pla %1 mm, %2</translation>
+    </message>
+    <message>
+        <source>hardly alike, %1</source>
+        <translation>gairebé no s&apos;assemblen, %1</translation>
+    </message>
+    <message>
+        <source>shows no wall</source>
+        <translation>no mostra paret</translation>
+    </message>
+    <message>
+        <source>no image</source>
+        <translation>sense imatge</translation>
+    </message>
+    <message>
+        <source>labelled</source>
+        <translation>etiquetada</translation>
+    </message>
+    <message>
+        <source>their phases are %1 to %2</source>
+        <translation>les seves fases són de %1 a %2</translation>
+    </message>
+    <message>
+        <source>its volumes over the beat and its ejection fraction are estimates: only phase %1 has labels</source>
+        <translation>els seus volums durant el batec i la seva fracció d&apos;ejecció són estimacions: només la fase %1 té etiquetes</translation>
+    </message>
+    <message>
+        <source>Correct contours</source>
+        <translation>Corregeix els contorns</translation>
+    </message>
+    <message>
+        <source>%1, correction of phase %2</source>
+        <translation>%1, correcció de la fase %2</translation>
+    </message>
+    <message>
+        <source>correction of phase %1</source>
+        <translation>correcció de la fase %1</translation>
+    </message>
+    <message>
+        <source>phase %1: the corrected contour of %2 is met to %3 mm only, since the tissue would fold</source>
+        <translation>fase %1: el contorn corregit de %2 només s&apos;assoleix amb un error de %3 mm, ja que el teixit es plegaria</translation>
+    </message>
+    <message>
+        <source>phase %1: the corrected contour of %2 is met to %3 mm only: the handles are too far apart for its shape</source>
+        <translation>fase %1: el contorn corregit de %2 només s&apos;assoleix amb un error de %3 mm: les nanses són massa lluny per a la seva forma</translation>
+    </message>
+    <message>
+        <source>The images have no slice %1</source>
+        <translation>Les imatges no tenen el tall %1</translation>
+    </message>
+    <message>
+        <source>their slices are 0 to %1</source>
+        <translation>els seus talls van de 0 a %1</translation>
+    </message>
+    <message>
+        <source>The corrected contour lies %1 mm beside the plane of %2</source>
+        <translation>El contorn corregit és a %1 mm del pla de %2</translation>
+    </message>
+    <message>
+        <source>give points in the plane of one slice, mm in LPS</source>
+        <translation>indiqueu punts en el pla d&apos;un tall, mm en LPS</translation>
+    </message>
+    <message>
+        <source>Phase %1 has labels, which are exact: only phases between them are corrected</source>
+        <translation>La fase %1 té etiquetes, que són exactes: només es corregeixen les fases intermèdies</translation>
+    </message>
+    <message>
+        <source>change its labels, or leave this correction out</source>
+        <translation>canvieu-ne les etiquetes o ometeu aquesta correcció</translation>
+    </message>
+    <message>
+        <source>A corrected contour has no points</source>
+        <translation>Un contorn corregit no té punts</translation>
+    </message>
+    <message>
+        <source>give three numbers for each of them, mm</source>
+        <translation>indiqueu tres nombres per a cadascun, mm</translation>
+    </message>
+    <message>
+        <source>The handles are no longer those of the motion that was found in the images</source>
+        <translation>Les nanses ja no són les del moviment trobat en les imatges</translation>
+    </message>
+    <message>
+        <source>find the motion again, or undo the change of the handles</source>
+        <translation>torneu a cercar el moviment o desfeu el canvi de les nanses</translation>
+    </message>
+    <message>
+        <source>There is no key at phase %1 any more</source>
+        <translation>Ja no hi ha cap clau a la fase %1</translation>
+    </message>
+    <message>
+        <source>find the motion again, or undo the change of the keys</source>
+        <translation>torneu a cercar el moviment o desfeu el canvi de les claus</translation>
+    </message>
+    <message>
+        <source>It has no points, or is of no surface that is fitted</source>
+        <translation>No té punts o no és de cap superfície ajustada</translation>
+    </message>
+    <message>
+        <source>give the points of a contour</source>
+        <translation>indiqueu els punts d&apos;un contorn</translation>
+    </message>
+    <message>
+        <source>Phase %1 does not lie between labelled phases</source>
+        <translation>La fase %1 no és entre fases amb etiquetes</translation>
+    </message>
+    <message>
+        <source>correct a phase that the images are fitted in</source>
+        <translation>corregiu una fase que s&apos;ajusti a les imatges</translation>
+    </message>
+    <message>
+        <source>meeting corrected contours</source>
+        <translation>ajust als contorns corregits</translation>
+    </message>
+    <message>
+        <source>as in {&quot;corrections&quot;: [{&quot;phase&quot;: 4, &quot;surface&quot;: &quot;RV&quot;, &quot;pointsMm&quot;: [[x, y, z], ...]}]}</source>
+        <translation>com a {&quot;corrections&quot;: [{&quot;phase&quot;: 4, &quot;surface&quot;: &quot;RV&quot;, &quot;pointsMm&quot;: [[x, y, z], ...]}]}</translation>
+    </message>
+    <message>
+        <source>The %1 is damaged and left out: %2</source>
+        <translation>Malmesa i omesa: %1 (%2)</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n more {phase is|phases are} damaged and left out</source>
+        <translation>
+            <numerusform>%n fase més està malmesa i s&apos;ha omès</numerusform>
+            <numerusform>%n fases més estan malmeses i s&apos;han omès</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>it has %1 x %2 x %3 voxels, others %4 x %5 x %6</source>
+        <translation>té %1 x %2 x %3 vòxels, altres %4 x %5 x %6</translation>
+    </message>
+    <message>
+        <source>phase %1 %</source>
+        <translation>fase %1 %</translation>
+    </message>
+    <message>
+        <source>The %1 shows the same instant as the %2, and is left out</source>
+        <translation>%1 mostra el mateix instant que %2 i s&apos;omet</translation>
+    </message>
+    <message>
+        <source>Its phases are kept as 16 bits a voxel, to a 65,000th of their range</source>
+        <translation>Les seves fases es guarden amb 16 bits per vòxel, a una 65.000a part del seu interval</translation>
+    </message>
+    <message>
+        <source>Its phases need %1 GB, of which %2 GB are kept at a time; the others are read again when they are shown</source>
+        <translation>Les seves fases necessiten %1 GB, dels quals se&apos;n guarden %2 GB alhora; les altres es tornen a llegir quan es mostren</translation>
+    </message>
+    <message>
+        <source>It is packed, or keeps its phases beside each other, so that each of them is read as slowly as all; save it unpacked to move through it</source>
+        <translation>Està comprimit o guarda les fases una al costat de l&apos;altra, de manera que cadascuna es llegeix tan a poc a poc com totes; deseu-lo sense comprimir per recórrer-lo</translation>
+    </message>
+    <message>
+        <source>It does not say the unit of its times; they are taken as seconds</source>
+        <translation>No indica la unitat dels seus temps; es prenen com a segons</translation>
+    </message>
+    <message>
+        <source>the session holds one phase of this scan; open its file again for the others</source>
+        <translation>la sessió conté una fase d&apos;aquest estudi; torneu a obrir-ne el fitxer per a les altres</translation>
+    </message>
+    <message>
+        <source>Series %1 states %2 phases and has %3</source>
+        <translation>La sèrie %1 declara %2 fases i en té %3</translation>
+    </message>
+    <message>
+        <source>Series %1: %2</source>
+        <translation>Sèrie %1: %2</translation>
+    </message>
+    <message>
+        <source>Series %1 is left out: &quot;%2&quot; %3</source>
+        <translation>La sèrie %1 queda fora: «%2» %3</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {picture|pictures} of %2 {is|are} empty and left out: %3</source>
+        <translation>
+            <numerusform>%n imatge de %2 és buida i s&apos;ha omès: %3</numerusform>
+            <numerusform>%n imatges de %2 són buides i s&apos;han omès: %3</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>free handles cannot follow: these coordinates are not linear in the handles</source>
+        <translation>els tiradors lliures no poden seguir: aquestes coordenades no són lineals en els tiradors</translation>
+    </message>
+    <message>
+        <source>choose another coordinate system</source>
+        <translation>trieu un altre sistema de coordenades</translation>
+    </message>
+    <message>
+        <source>free handles cannot follow: there is no witness point in the tissue</source>
+        <translation>els tiradors lliures no poden seguir: no hi ha cap punt testimoni al teixit</translation>
+    </message>
+    <message>
+        <source>place the handles around an organ that encloses a volume</source>
+        <translation>col·loqueu els tiradors al voltant d&apos;un òrgan que tanqui un volum</translation>
+    </message>
+    <message>
+        <source>unlock it, or move the handles less far</source>
+        <translation>desbloquegeu-lo, o moveu menys els tiradors</translation>
+    </message>
+    <message>
+        <source>Von Mises stress</source>
+        <translation>Tensió de von Mises</translation>
+    </message>
+    <message>
+        <source>Maximum von Mises stress</source>
+        <translation>Tensió de von Mises màxima</translation>
+    </message>
+    <message>
+        <source>The stress that shears the tissue, if it is the stated material; the change of its volume has no part in it.</source>
+        <translation>La tensió que cisalla el teixit, si és del material indicat; el canvi del seu volum no hi intervé.</translation>
+    </message>
+    <message>
+        <source>Strain energy density</source>
+        <translation>Densitat d&apos;energia de deformació</translation>
+    </message>
+    <message>
+        <source>Maximum strain energy density</source>
+        <translation>Densitat d&apos;energia de deformació màxima</translation>
+    </message>
+    <message>
+        <source>The energy for each volume at rest, if the tissue is the stated material; with what the change of its volume takes.</source>
+        <translation>L&apos;energia per volum en repòs, si el teixit és del material indicat; amb el que costa el canvi del seu volum.</translation>
+    </message>
+    <message>
+        <source>kPa</source>
+        <translation>kPa</translation>
+    </message>
+    <message>
+        <source>E %1 kPa</source>
+        <translation>E %1 kPa</translation>
+    </message>
+    <message>
+        <source>%1 (E %2 kPa)</source>
+        <translation>%1 (E %2 kPa)</translation>
+    </message>
+    <message>
+        <source>myocardium</source>
+        <translation>miocardi</translation>
+    </message>
+    <message>
+        <source>kidney</source>
+        <translation>ronyó</translation>
+    </message>
+    <message>
+        <source>spleen</source>
+        <translation>melsa</translation>
+    </message>
+    <message>
+        <source>pancreas</source>
+        <translation>pàncrees</translation>
+    </message>
+    <message>
+        <source>Pascals are of a stated material: %1.</source>
+        <translation>Els pascals són d&apos;un material indicat: %1.</translation>
+    </message>
+    <message>
+        <source>Interventricular septum</source>
+        <translation>Septe interventricular</translation>
+    </message>
+    <message>
+        <source>Interatrial septum</source>
+        <translation>Septe interauricular</translation>
+    </message>
+    <message>
+        <source>Oval fossa</source>
+        <translation>Fossa oval</translation>
+    </message>
+    <message>
+        <source>Opening of the coronary sinus</source>
+        <translation>Orifici del si coronari</translation>
+    </message>
+    <message>
+        <source>Valve of the coronary sinus</source>
+        <translation>Vàlvula del si coronari</translation>
+    </message>
+    <message>
+        <source>the limit of Doppler ultrasound, which no study of its own gives; measured by catheter since Gleason and Braunwald 1962, doi 10.1172/JCI104469</source>
+        <translation>límit de l’ecografia Doppler, que cap estudi propi no dona; mesurat amb catèter des de Gleason i Braunwald 1962, doi 10.1172/JCI104469</translation>
+    </message>
+    <message>
+        <source>customary; how much people at rest differ: Benchetrit 2000, doi 10.1016/S0034-5687(00)00154-7</source>
+        <translation>habitual; com difereixen les persones en repòs: Benchetrit 2000, doi 10.1016/S0034-5687(00)00154-7</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {point or open contour was|points and open contours were} left out</source>
+        <translation>
+            <numerusform>s&apos;ha omès %n punt o contorn obert</numerusform>
+            <numerusform>s&apos;han omès %n punts i contorns oberts</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {contour was|contours were} left out, whose numbers cannot be read</source>
+        <translation>
+            <numerusform>s&apos;ha omès %n contorn els nombres del qual no es poden llegir</numerusform>
+            <numerusform>s&apos;han omès %n contorns els nombres dels quals no es poden llegir</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {contour was left out, which lies|contours were left out, which lie} in another direction than most</source>
+        <translation>
+            <numerusform>s&apos;ha omès %n contorn que és en una altra direcció que la majoria</numerusform>
+            <numerusform>s&apos;han omès %n contorns que són en una altra direcció que la majoria</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {region was left out, which is|regions were left out, which are} in another coordinate system (frame of reference)</source>
+        <translation>
+            <numerusform>s&apos;ha omès %n regió d&apos;un altre sistema de coordenades (frame of reference)</numerusform>
+            <numerusform>s&apos;han omès %n regions d&apos;un altre sistema de coordenades (frame of reference)</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>all contours lie in one plane, whose thickness is not stated; %1 mm were taken</source>
+        <translation>tots els contorns són en un pla el gruix del qual no s&apos;indica; s&apos;han pres %1 mm</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {slice|slices} of %2 without a contour got the shape between their neighbours</source>
+        <translation>
+            <numerusform>%n tall de %2 sense contorn ha rebut la forma entre els seus veïns</numerusform>
+            <numerusform>%n talls de %2 sense contorn han rebut la forma entre els seus veïns</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 has no contour over %2 mm; that gap stays open</source>
+        <translation>%1 no té contorn en %2 mm; aquest buit queda obert</translation>
+    </message>
+    <message>
+        <source>It is a structure set without regions of interest</source>
+        <translation>És un structure set sense regions</translation>
+    </message>
+    <message>
+        <source>export the contours again</source>
+        <translation>exporteu de nou els contorns</translation>
+    </message>
+    <message>
+        <source>It is a structure set without closed contours, so that there is no organ in it</source>
+        <translation>És un structure set sense contorns tancats, de manera que no conté cap òrgan</translation>
+    </message>
+    <message>
+        <source>export the structures as closed planar contours</source>
+        <translation>exporteu les estructures com a contorns plans tancats</translation>
+    </message>
+    <message>
+        <source>No voxel of the grid lies within the organ</source>
+        <translation>Cap vòxel de la graella és dins de l&apos;òrgan</translation>
+    </message>
+    <message>
+        <source>choose the scan that shows it, or smaller voxels</source>
+        <translation>trieu l&apos;estudi que el mostra, o vòxels més petits</translation>
+    </message>
+    <message>
+        <source>choose the scan that shows it</source>
+        <translation>trieu l&apos;estudi que el mostra</translation>
+    </message>
+    <message>
+        <source>There are fewer than two images to lay a segmentation on</source>
+        <translation>Hi ha menys de dues imatges sobre les quals posar una segmentació</translation>
+    </message>
+    <message>
+        <source>choose a series of slices</source>
+        <translation>trieu una sèrie de talls</translation>
+    </message>
+    <message>
+        <source>The images lie at unequal distances, so that they have no grid</source>
+        <translation>Les imatges són a distàncies desiguals, de manera que no tenen graella</translation>
+    </message>
+    <message>
+        <source>write the segmentation on a grid of its own</source>
+        <translation>escriviu la segmentació en una graella pròpia</translation>
+    </message>
+    <message>
+        <source>The size of voxels has to be positive</source>
+        <translation>La mida dels vòxels ha de ser positiva</translation>
+    </message>
+    <message>
+        <source>The organs are too large for voxels of that size</source>
+        <translation>Els òrgans són massa grans per a vòxels d&apos;aquesta mida</translation>
+    </message>
+    <message>
+        <source>choose larger voxels</source>
+        <translation>trieu vòxels més grans</translation>
+    </message>
+    <message>
+        <source>No image of the scan crosses the organ</source>
+        <translation>Cap imatge de l&apos;estudi talla l&apos;òrgan</translation>
+    </message>
+    <message>
+        <source>Contours need the images whose planes they lie in</source>
+        <translation>Els contorns necessiten les imatges en els plans de les quals són</translation>
+    </message>
+    <message>
+        <source>open the DICOM scan of the organs, or write a segmentation</source>
+        <translation>obriu l&apos;estudi DICOM dels òrgans, o escriviu una segmentació</translation>
+    </message>
+    <message>
+        <source>It is no PDF document</source>
+        <translation>No és un document PDF</translation>
+    </message>
+    <message>
+        <source>There is no DICOM image whose patient and study could be taken</source>
+        <translation>No hi ha cap imatge DICOM de la qual prendre el pacient i l&apos;estudi</translation>
+    </message>
+    <message>
+        <source>name the folder of the images that the organs were made from</source>
+        <translation>indiqueu la carpeta de les imatges de les quals es van fer els òrgans</translation>
+    </message>
+    <message>
+        <source>It has no measurement</source>
+        <translation>No té cap mesura</translation>
+    </message>
+    <message>
+        <source>Its segment is named without the segmentation</source>
+        <translation>El seu segment s&apos;anomena sense la segmentació</translation>
+    </message>
+    <message>
+        <source>write the segmentation too</source>
+        <translation>escriviu també la segmentació</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app</name>

@@ -7662,6 +7662,459 @@
         <source>viscera phantom</source>
         <translation>Viscera-Phantom</translation>
     </message>
+    <message>
+        <source>Choose the images first</source>
+        <translation>Wählen Sie zuerst die Bilder</translation>
+    </message>
+    <message>
+        <source>Choose the labels of a phase: those of the ends of diastole and systole, where there are any</source>
+        <translation>Wählen Sie die Labels einer Phase: die der Enden von Diastole und Systole, wo es welche gibt</translation>
+    </message>
+    <message>
+        <source>Enter the phase of %1</source>
+        <translation>Geben Sie die Phase von %1 ein</translation>
+    </message>
+    <message>
+        <source>The images have %1 phases: enter another one for %2</source>
+        <translation>Die Bilder haben %1 Phasen: geben Sie für %2 eine andere ein</translation>
+    </message>
+    <message>
+        <source>%1 and %2 are both labels of phase %3</source>
+        <translation>%1 und %2 sind beide Labels der Phase %3</translation>
+    </message>
+    <message>
+        <source>Only phase %1 has labels: the motion, its volumes and ejection fractions will be estimates. Label the end of systole too, if you can</source>
+        <translation>Nur Phase %1 hat Labels: die Bewegung, ihre Volumina und Ejektionsfraktionen werden Schätzungen sein. Markieren Sie auch die Endsystole, wenn Sie können</translation>
+    </message>
+    <message>
+        <source>The images differ most from the first phase in phase %1, which has no labels: see whether the end of systole is labelled</source>
+        <translation>Die Bilder unterscheiden sich in Phase %1, die keine Labels hat, am meisten von der ersten: sehen Sie nach, ob die Endsystole markiert ist</translation>
+    </message>
+    <message>
+        <source>weight %1 %</source>
+        <translation>Gewicht %1 %</translation>
+    </message>
+    <message>
+        <source>left its plane by %1 mm, %2</source>
+        <translation>hat die Ebene um %1 mm verlassen, %2</translation>
+    </message>
+    <message>
+        <source>hardly alike, %1</source>
+        <translation>kaum ähnlich, %1</translation>
+    </message>
+    <message>
+        <source>shows no wall</source>
+        <translation>zeigt keine Wand</translation>
+    </message>
+    <message>
+        <source>no image</source>
+        <translation>kein Bild</translation>
+    </message>
+    <message>
+        <source>labelled</source>
+        <translation>markiert</translation>
+    </message>
+    <message>
+        <source>their phases are %1 to %2</source>
+        <translation>ihre Phasen sind %1 bis %2</translation>
+    </message>
+    <message>
+        <source>its volumes over the beat and its ejection fraction are estimates: only phase %1 has labels</source>
+        <translation>seine Volumina über den Schlag und seine Ejektionsfraktion sind Schätzungen: nur Phase %1 hat Labels</translation>
+    </message>
+    <message>
+        <source>Correct contours</source>
+        <translation>Konturen korrigieren</translation>
+    </message>
+    <message>
+        <source>%1, correction of phase %2</source>
+        <translation>%1, Korrektur von Phase %2</translation>
+    </message>
+    <message>
+        <source>correction of phase %1</source>
+        <translation>Korrektur von Phase %1</translation>
+    </message>
+    <message>
+        <source>phase %1: the corrected contour of %2 is met to %3 mm only, since the tissue would fold</source>
+        <translation>Phase %1: Die korrigierte Kontur von %2 wird nur auf %3 mm genau getroffen, da sich das Gewebe sonst falten würde</translation>
+    </message>
+    <message>
+        <source>phase %1: the corrected contour of %2 is met to %3 mm only: the handles are too far apart for its shape</source>
+        <translation>Phase %1: Die korrigierte Kontur von %2 wird nur auf %3 mm genau getroffen: Die Griffe sind für ihre Form zu weit voneinander entfernt</translation>
+    </message>
+    <message>
+        <source>The images have no slice %1</source>
+        <translation>Die Bilder haben keine Schicht %1</translation>
+    </message>
+    <message>
+        <source>their slices are 0 to %1</source>
+        <translation>ihre Schichten sind 0 bis %1</translation>
+    </message>
+    <message>
+        <source>The corrected contour lies %1 mm beside the plane of %2</source>
+        <translation>Die korrigierte Kontur liegt %1 mm neben der Ebene von %2</translation>
+    </message>
+    <message>
+        <source>give points in the plane of one slice, mm in LPS</source>
+        <translation>geben Sie Punkte in der Ebene einer Schicht an, mm in LPS</translation>
+    </message>
+    <message>
+        <source>Phase %1 has labels, which are exact: only phases between them are corrected</source>
+        <translation>Phase %1 hat Labels, und die sind genau: Nur Phasen dazwischen werden korrigiert</translation>
+    </message>
+    <message>
+        <source>change its labels, or leave this correction out</source>
+        <translation>ändern Sie ihre Labels, oder lassen Sie diese Korrektur weg</translation>
+    </message>
+    <message>
+        <source>A corrected contour has no points</source>
+        <translation>Eine korrigierte Kontur hat keine Punkte</translation>
+    </message>
+    <message>
+        <source>give three numbers for each of them, mm</source>
+        <translation>geben Sie für jeden drei Zahlen an, mm</translation>
+    </message>
+    <message>
+        <source>The handles are no longer those of the motion that was found in the images</source>
+        <translation>Die Griffe sind nicht mehr die der Bewegung, die in den Bildern gefunden wurde</translation>
+    </message>
+    <message>
+        <source>find the motion again, or undo the change of the handles</source>
+        <translation>suchen Sie die Bewegung erneut, oder machen Sie die Änderung der Griffe rückgängig</translation>
+    </message>
+    <message>
+        <source>There is no key at phase %1 any more</source>
+        <translation>An Phase %1 gibt es keine Pose mehr</translation>
+    </message>
+    <message>
+        <source>find the motion again, or undo the change of the keys</source>
+        <translation>suchen Sie die Bewegung erneut, oder machen Sie die Änderung der Posen rückgängig</translation>
+    </message>
+    <message>
+        <source>It has no points, or is of no surface that is fitted</source>
+        <translation>Sie hat keine Punkte oder gehört zu keiner angepassten Oberfläche</translation>
+    </message>
+    <message>
+        <source>give the points of a contour</source>
+        <translation>geben Sie die Punkte einer Kontur an</translation>
+    </message>
+    <message>
+        <source>Phase %1 does not lie between labelled phases</source>
+        <translation>Phase %1 liegt nicht zwischen Phasen mit Labels</translation>
+    </message>
+    <message>
+        <source>correct a phase that the images are fitted in</source>
+        <translation>korrigieren Sie eine Phase, in der an die Bilder angepasst wird</translation>
+    </message>
+    <message>
+        <source>meeting corrected contours</source>
+        <translation>an korrigierte Konturen anpassen</translation>
+    </message>
+    <message>
+        <source>as in {&quot;corrections&quot;: [{&quot;phase&quot;: 4, &quot;surface&quot;: &quot;RV&quot;, &quot;pointsMm&quot;: [[x, y, z], ...]}]}</source>
+        <translation>wie in {&quot;corrections&quot;: [{&quot;phase&quot;: 4, &quot;surface&quot;: &quot;RV&quot;, &quot;pointsMm&quot;: [[x, y, z], ...]}]}</translation>
+    </message>
+    <message>
+        <source>The %1 is damaged and left out: %2</source>
+        <translation>Beschädigt und ausgelassen: %1 (%2)</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n more {phase is|phases are} damaged and left out</source>
+        <translation>
+            <numerusform>%n weitere Phase ist beschädigt und ausgelassen</numerusform>
+            <numerusform>%n weitere Phasen sind beschädigt und ausgelassen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>it has %1 x %2 x %3 voxels, others %4 x %5 x %6</source>
+        <translation>sie hat %1 x %2 x %3 Voxel, andere %4 x %5 x %6</translation>
+    </message>
+    <message>
+        <source>phase %1 %</source>
+        <translation>Phase %1 %</translation>
+    </message>
+    <message>
+        <source>The %1 shows the same instant as the %2, and is left out</source>
+        <translation>%1 zeigt denselben Augenblick wie %2 und ist ausgelassen</translation>
+    </message>
+    <message>
+        <source>Its phases are kept as 16 bits a voxel, to a 65,000th of their range</source>
+        <translation>Seine Phasen werden mit 16 Bit je Voxel gehalten, auf ein 65.000stel ihres Bereichs</translation>
+    </message>
+    <message>
+        <source>Its phases need %1 GB, of which %2 GB are kept at a time; the others are read again when they are shown</source>
+        <translation>Seine Phasen brauchen %1 GB, von denen %2 GB zugleich gehalten werden; die anderen werden gelesen, wenn sie gezeigt werden</translation>
+    </message>
+    <message>
+        <source>It is packed, or keeps its phases beside each other, so that each of them is read as slowly as all; save it unpacked to move through it</source>
+        <translation>Er ist gepackt oder hat seine Phasen nebeneinander, so dass jede so langsam gelesen wird wie alle; entpackt gespeichert lässt er sich durchfahren</translation>
+    </message>
+    <message>
+        <source>It does not say the unit of its times; they are taken as seconds</source>
+        <translation>Die Einheit seiner Zeiten ist nicht angegeben; sie gelten als Sekunden</translation>
+    </message>
+    <message>
+        <source>the session holds one phase of this scan; open its file again for the others</source>
+        <translation>die Sitzung enthält eine Phase dieses Scans; öffnen Sie für die anderen wieder seine Datei</translation>
+    </message>
+    <message>
+        <source>Series %1 states %2 phases and has %3</source>
+        <translation>Serie %1 gibt %2 Phasen an und hat %3</translation>
+    </message>
+    <message>
+        <source>Series %1: %2</source>
+        <translation>Serie %1: %2</translation>
+    </message>
+    <message>
+        <source>Series %1 is left out: &quot;%2&quot; %3</source>
+        <translation>Serie %1 ist weggelassen: „%2“ %3</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {picture|pictures} of %2 {is|are} empty and left out: %3</source>
+        <translation>
+            <numerusform>%n Bild von %2 ist leer und weggelassen: %3</numerusform>
+            <numerusform>%n Bilder von %2 sind leer und weggelassen: %3</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>free handles cannot follow: these coordinates are not linear in the handles</source>
+        <translation>freie Griffe können nicht folgen: diese Koordinaten sind nicht linear in den Griffen</translation>
+    </message>
+    <message>
+        <source>choose another coordinate system</source>
+        <translation>wählen Sie ein anderes Koordinatensystem</translation>
+    </message>
+    <message>
+        <source>free handles cannot follow: there is no witness point in the tissue</source>
+        <translation>freie Griffe können nicht folgen: es gibt keinen Zeugenpunkt im Gewebe</translation>
+    </message>
+    <message>
+        <source>place the handles around an organ that encloses a volume</source>
+        <translation>setzen Sie die Griffe um ein Organ, das ein Volumen umschließt</translation>
+    </message>
+    <message>
+        <source>unlock it, or move the handles less far</source>
+        <translation>entsperren Sie es, oder bewegen Sie die Griffe weniger weit</translation>
+    </message>
+    <message>
+        <source>Von Mises stress</source>
+        <translation>Von-Mises-Spannung</translation>
+    </message>
+    <message>
+        <source>Maximum von Mises stress</source>
+        <translation>Größte Von-Mises-Spannung</translation>
+    </message>
+    <message>
+        <source>The stress that shears the tissue, if it is the stated material; the change of its volume has no part in it.</source>
+        <translation>Die Spannung, die das Gewebe schert, wenn es das angegebene Material ist; die Änderung seines Volumens hat daran keinen Anteil.</translation>
+    </message>
+    <message>
+        <source>Strain energy density</source>
+        <translation>Dichte der Verformungsenergie</translation>
+    </message>
+    <message>
+        <source>Maximum strain energy density</source>
+        <translation>Größte Dichte der Verformungsenergie</translation>
+    </message>
+    <message>
+        <source>The energy for each volume at rest, if the tissue is the stated material; with what the change of its volume takes.</source>
+        <translation>Die Energie je Volumen in Ruhe, wenn das Gewebe das angegebene Material ist; mit dem, was die Änderung seines Volumens kostet.</translation>
+    </message>
+    <message>
+        <source>kPa</source>
+        <translation>kPa</translation>
+    </message>
+    <message>
+        <source>E %1 kPa</source>
+        <translation>E %1 kPa</translation>
+    </message>
+    <message>
+        <source>%1 (E %2 kPa)</source>
+        <translation>%1 (E %2 kPa)</translation>
+    </message>
+    <message>
+        <source>myocardium</source>
+        <translation>Herzmuskel</translation>
+    </message>
+    <message>
+        <source>kidney</source>
+        <translation>Niere</translation>
+    </message>
+    <message>
+        <source>spleen</source>
+        <translation>Milz</translation>
+    </message>
+    <message>
+        <source>pancreas</source>
+        <translation>Bauchspeicheldrüse</translation>
+    </message>
+    <message>
+        <source>Pascals are of a stated material: %1.</source>
+        <translation>Pascal gelten für ein angegebenes Material: %1.</translation>
+    </message>
+    <message>
+        <source>Interventricular septum</source>
+        <translation>Kammerseptum</translation>
+    </message>
+    <message>
+        <source>Interatrial septum</source>
+        <translation>Vorhofseptum</translation>
+    </message>
+    <message>
+        <source>Oval fossa</source>
+        <translation>Fossa ovalis</translation>
+    </message>
+    <message>
+        <source>Opening of the coronary sinus</source>
+        <translation>Mündung des Sinus coronarius</translation>
+    </message>
+    <message>
+        <source>Valve of the coronary sinus</source>
+        <translation>Klappe des Sinus coronarius</translation>
+    </message>
+    <message>
+        <source>the limit of Doppler ultrasound, which no study of its own gives; measured by catheter since Gleason and Braunwald 1962, doi 10.1172/JCI104469</source>
+        <translation>Grenze der Dopplersonografie, die keine eigene Studie angibt; mit dem Katheter gemessen seit Gleason und Braunwald 1962, doi 10.1172/JCI104469</translation>
+    </message>
+    <message>
+        <source>customary; how much people at rest differ: Benchetrit 2000, doi 10.1016/S0034-5687(00)00154-7</source>
+        <translation>üblich; wie sehr sich Menschen in Ruhe unterscheiden: Benchetrit 2000, doi 10.1016/S0034-5687(00)00154-7</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {point or open contour was|points and open contours were} left out</source>
+        <translation>
+            <numerusform>%n Punkt oder offene Kontur wurde weggelassen</numerusform>
+            <numerusform>%n Punkte und offene Konturen wurden weggelassen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {contour was|contours were} left out, whose numbers cannot be read</source>
+        <translation>
+            <numerusform>%n Kontur wurde weggelassen, deren Zahlen nicht lesbar sind</numerusform>
+            <numerusform>%n Konturen wurden weggelassen, deren Zahlen nicht lesbar sind</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {contour was left out, which lies|contours were left out, which lie} in another direction than most</source>
+        <translation>
+            <numerusform>%n Kontur wurde weggelassen, die in einer anderen Richtung liegt als die meisten</numerusform>
+            <numerusform>%n Konturen wurden weggelassen, die in einer anderen Richtung liegen als die meisten</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {region was left out, which is|regions were left out, which are} in another coordinate system (frame of reference)</source>
+        <translation>
+            <numerusform>%n Region wurde weggelassen, die in einem anderen Koordinatensystem liegt (Frame of Reference)</numerusform>
+            <numerusform>%n Regionen wurden weggelassen, die in einem anderen Koordinatensystem liegen (Frame of Reference)</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>all contours lie in one plane, whose thickness is not stated; %1 mm were taken</source>
+        <translation>alle Konturen liegen in einer Ebene, deren Dicke nicht angegeben ist; %1 mm wurden angenommen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {slice|slices} of %2 without a contour got the shape between their neighbours</source>
+        <translation>
+            <numerusform>%n Schicht von %2 ohne Kontur hat die Form zwischen ihren Nachbarn bekommen</numerusform>
+            <numerusform>%n Schichten von %2 ohne Kontur haben die Form zwischen ihren Nachbarn bekommen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 has no contour over %2 mm; that gap stays open</source>
+        <translation>%1 hat auf %2 mm keine Kontur; diese Lücke bleibt offen</translation>
+    </message>
+    <message>
+        <source>It is a structure set without regions of interest</source>
+        <translation>Es ist ein Structure Set ohne Regionen</translation>
+    </message>
+    <message>
+        <source>export the contours again</source>
+        <translation>die Konturen noch einmal exportieren</translation>
+    </message>
+    <message>
+        <source>It is a structure set without closed contours, so that there is no organ in it</source>
+        <translation>Es ist ein Structure Set ohne geschlossene Konturen und enthält daher kein Organ</translation>
+    </message>
+    <message>
+        <source>export the structures as closed planar contours</source>
+        <translation>die Strukturen als geschlossene ebene Konturen exportieren</translation>
+    </message>
+    <message>
+        <source>No voxel of the grid lies within the organ</source>
+        <translation>Kein Voxel des Gitters liegt im Organ</translation>
+    </message>
+    <message>
+        <source>choose the scan that shows it, or smaller voxels</source>
+        <translation>den Scan wählen, der es zeigt, oder kleinere Voxel</translation>
+    </message>
+    <message>
+        <source>choose the scan that shows it</source>
+        <translation>den Scan wählen, der es zeigt</translation>
+    </message>
+    <message>
+        <source>There are fewer than two images to lay a segmentation on</source>
+        <translation>Es gibt weniger als zwei Bilder, auf die eine Segmentierung gelegt werden könnte</translation>
+    </message>
+    <message>
+        <source>choose a series of slices</source>
+        <translation>eine Serie von Schichten wählen</translation>
+    </message>
+    <message>
+        <source>The images lie at unequal distances, so that they have no grid</source>
+        <translation>Die Bilder liegen in ungleichen Abständen und haben daher kein Gitter</translation>
+    </message>
+    <message>
+        <source>write the segmentation on a grid of its own</source>
+        <translation>die Segmentierung auf einem eigenen Gitter schreiben</translation>
+    </message>
+    <message>
+        <source>The size of voxels has to be positive</source>
+        <translation>Die Größe der Voxel muss positiv sein</translation>
+    </message>
+    <message>
+        <source>The organs are too large for voxels of that size</source>
+        <translation>Die Organe sind für Voxel dieser Größe zu groß</translation>
+    </message>
+    <message>
+        <source>choose larger voxels</source>
+        <translation>größere Voxel wählen</translation>
+    </message>
+    <message>
+        <source>No image of the scan crosses the organ</source>
+        <translation>Kein Bild des Scans schneidet das Organ</translation>
+    </message>
+    <message>
+        <source>Contours need the images whose planes they lie in</source>
+        <translation>Konturen brauchen die Bilder, in deren Ebenen sie liegen</translation>
+    </message>
+    <message>
+        <source>open the DICOM scan of the organs, or write a segmentation</source>
+        <translation>den DICOM-Scan der Organe öffnen oder eine Segmentierung schreiben</translation>
+    </message>
+    <message>
+        <source>It is no PDF document</source>
+        <translation>Es ist kein PDF-Dokument</translation>
+    </message>
+    <message>
+        <source>There is no DICOM image whose patient and study could be taken</source>
+        <translation>Es gibt kein DICOM-Bild, dessen Patient und Studie übernommen werden könnten</translation>
+    </message>
+    <message>
+        <source>name the folder of the images that the organs were made from</source>
+        <translation>den Ordner der Bilder nennen, aus denen die Organe gemacht wurden</translation>
+    </message>
+    <message>
+        <source>It has no measurement</source>
+        <translation>Es hat keine Messung</translation>
+    </message>
+    <message>
+        <source>Its segment is named without the segmentation</source>
+        <translation>Sein Segment ist ohne die Segmentierung genannt</translation>
+    </message>
+    <message>
+        <source>write the segmentation too</source>
+        <translation>auch die Segmentierung schreiben</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app</name>

@@ -7662,6 +7662,459 @@
         <source>viscera phantom</source>
         <translation>fantoma Viscera</translation>
     </message>
+    <message>
+        <source>Choose the images first</source>
+        <translation>Elija primero las imágenes</translation>
+    </message>
+    <message>
+        <source>Choose the labels of a phase: those of the ends of diastole and systole, where there are any</source>
+        <translation>Elija las etiquetas de una fase: las de los finales de diástole y sístole, si las hay</translation>
+    </message>
+    <message>
+        <source>Enter the phase of %1</source>
+        <translation>Indique la fase de %1</translation>
+    </message>
+    <message>
+        <source>The images have %1 phases: enter another one for %2</source>
+        <translation>Las imágenes tienen %1 fases: indique otra para %2</translation>
+    </message>
+    <message>
+        <source>%1 and %2 are both labels of phase %3</source>
+        <translation>%1 y %2 son ambas etiquetas de la fase %3</translation>
+    </message>
+    <message>
+        <source>Only phase %1 has labels: the motion, its volumes and ejection fractions will be estimates. Label the end of systole too, if you can</source>
+        <translation>Solo la fase %1 tiene etiquetas: el movimiento, sus volúmenes y sus fracciones de eyección serán estimaciones. Etiquete también el final de la sístole, si puede</translation>
+    </message>
+    <message>
+        <source>The images differ most from the first phase in phase %1, which has no labels: see whether the end of systole is labelled</source>
+        <translation>Las imágenes difieren más de la primera fase en la fase %1, que no tiene etiquetas: compruebe si el final de la sístole está etiquetado</translation>
+    </message>
+    <message>
+        <source>weight %1 %</source>
+        <translation>peso %1 %</translation>
+    </message>
+    <message>
+        <source>left its plane by %1 mm, %2</source>
+        <translation>salió de su plano %1 mm, %2</translation>
+    </message>
+    <message>
+        <source>hardly alike, %1</source>
+        <translation>apenas parecidas, %1</translation>
+    </message>
+    <message>
+        <source>shows no wall</source>
+        <translation>no muestra pared</translation>
+    </message>
+    <message>
+        <source>no image</source>
+        <translation>sin imagen</translation>
+    </message>
+    <message>
+        <source>labelled</source>
+        <translation>etiquetada</translation>
+    </message>
+    <message>
+        <source>their phases are %1 to %2</source>
+        <translation>sus fases son de %1 a %2</translation>
+    </message>
+    <message>
+        <source>its volumes over the beat and its ejection fraction are estimates: only phase %1 has labels</source>
+        <translation>sus volúmenes durante el latido y su fracción de eyección son estimaciones: solo la fase %1 tiene etiquetas</translation>
+    </message>
+    <message>
+        <source>Correct contours</source>
+        <translation>Corregir contornos</translation>
+    </message>
+    <message>
+        <source>%1, correction of phase %2</source>
+        <translation>%1, corrección de la fase %2</translation>
+    </message>
+    <message>
+        <source>correction of phase %1</source>
+        <translation>corrección de la fase %1</translation>
+    </message>
+    <message>
+        <source>phase %1: the corrected contour of %2 is met to %3 mm only, since the tissue would fold</source>
+        <translation>fase %1: el contorno corregido de %2 solo se alcanza con un error de %3 mm, pues el tejido se plegaría</translation>
+    </message>
+    <message>
+        <source>phase %1: the corrected contour of %2 is met to %3 mm only: the handles are too far apart for its shape</source>
+        <translation>fase %1: el contorno corregido de %2 solo se alcanza con un error de %3 mm: los tiradores están demasiado separados para su forma</translation>
+    </message>
+    <message>
+        <source>The images have no slice %1</source>
+        <translation>Las imágenes no tienen el corte %1</translation>
+    </message>
+    <message>
+        <source>their slices are 0 to %1</source>
+        <translation>sus cortes van de 0 a %1</translation>
+    </message>
+    <message>
+        <source>The corrected contour lies %1 mm beside the plane of %2</source>
+        <translation>El contorno corregido está a %1 mm del plano de %2</translation>
+    </message>
+    <message>
+        <source>give points in the plane of one slice, mm in LPS</source>
+        <translation>indique puntos en el plano de un corte, mm en LPS</translation>
+    </message>
+    <message>
+        <source>Phase %1 has labels, which are exact: only phases between them are corrected</source>
+        <translation>La fase %1 tiene etiquetas, que son exactas: solo se corrigen las fases intermedias</translation>
+    </message>
+    <message>
+        <source>change its labels, or leave this correction out</source>
+        <translation>cambie sus etiquetas u omita esta corrección</translation>
+    </message>
+    <message>
+        <source>A corrected contour has no points</source>
+        <translation>Un contorno corregido no tiene puntos</translation>
+    </message>
+    <message>
+        <source>give three numbers for each of them, mm</source>
+        <translation>indique tres números para cada uno, mm</translation>
+    </message>
+    <message>
+        <source>The handles are no longer those of the motion that was found in the images</source>
+        <translation>Los tiradores ya no son los del movimiento encontrado en las imágenes</translation>
+    </message>
+    <message>
+        <source>find the motion again, or undo the change of the handles</source>
+        <translation>busque de nuevo el movimiento o deshaga el cambio de los tiradores</translation>
+    </message>
+    <message>
+        <source>There is no key at phase %1 any more</source>
+        <translation>Ya no hay ninguna clave en la fase %1</translation>
+    </message>
+    <message>
+        <source>find the motion again, or undo the change of the keys</source>
+        <translation>busque de nuevo el movimiento o deshaga el cambio de las claves</translation>
+    </message>
+    <message>
+        <source>It has no points, or is of no surface that is fitted</source>
+        <translation>No tiene puntos o no es de ninguna superficie ajustada</translation>
+    </message>
+    <message>
+        <source>give the points of a contour</source>
+        <translation>indique los puntos de un contorno</translation>
+    </message>
+    <message>
+        <source>Phase %1 does not lie between labelled phases</source>
+        <translation>La fase %1 no está entre fases con etiquetas</translation>
+    </message>
+    <message>
+        <source>correct a phase that the images are fitted in</source>
+        <translation>corrija una fase que se ajuste a las imágenes</translation>
+    </message>
+    <message>
+        <source>meeting corrected contours</source>
+        <translation>ajuste a los contornos corregidos</translation>
+    </message>
+    <message>
+        <source>as in {&quot;corrections&quot;: [{&quot;phase&quot;: 4, &quot;surface&quot;: &quot;RV&quot;, &quot;pointsMm&quot;: [[x, y, z], ...]}]}</source>
+        <translation>como en {&quot;corrections&quot;: [{&quot;phase&quot;: 4, &quot;surface&quot;: &quot;RV&quot;, &quot;pointsMm&quot;: [[x, y, z], ...]}]}</translation>
+    </message>
+    <message>
+        <source>The %1 is damaged and left out: %2</source>
+        <translation>Dañada y omitida: %1 (%2)</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n more {phase is|phases are} damaged and left out</source>
+        <translation>
+            <numerusform>%n fase más está dañada y se ha omitido</numerusform>
+            <numerusform>%n fases más están dañadas y se han omitido</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>it has %1 x %2 x %3 voxels, others %4 x %5 x %6</source>
+        <translation>tiene %1 x %2 x %3 vóxeles, otras %4 x %5 x %6</translation>
+    </message>
+    <message>
+        <source>phase %1 %</source>
+        <translation>fase %1 %</translation>
+    </message>
+    <message>
+        <source>The %1 shows the same instant as the %2, and is left out</source>
+        <translation>%1 muestra el mismo instante que %2 y se omite</translation>
+    </message>
+    <message>
+        <source>Its phases are kept as 16 bits a voxel, to a 65,000th of their range</source>
+        <translation>Sus fases se guardan con 16 bits por vóxel, a una 65.000.ª parte de su intervalo</translation>
+    </message>
+    <message>
+        <source>Its phases need %1 GB, of which %2 GB are kept at a time; the others are read again when they are shown</source>
+        <translation>Sus fases necesitan %1 GB, de los que se guardan %2 GB a la vez; las demás se leen de nuevo cuando se muestran</translation>
+    </message>
+    <message>
+        <source>It is packed, or keeps its phases beside each other, so that each of them is read as slowly as all; save it unpacked to move through it</source>
+        <translation>Está comprimido o guarda sus fases una junto a otra, de modo que cada una se lee tan despacio como todas; guárdelo sin comprimir para recorrerlo</translation>
+    </message>
+    <message>
+        <source>It does not say the unit of its times; they are taken as seconds</source>
+        <translation>No indica la unidad de sus tiempos; se toman como segundos</translation>
+    </message>
+    <message>
+        <source>the session holds one phase of this scan; open its file again for the others</source>
+        <translation>la sesión contiene una fase de este estudio; abra de nuevo su archivo para las demás</translation>
+    </message>
+    <message>
+        <source>Series %1 states %2 phases and has %3</source>
+        <translation>La serie %1 declara %2 fases y tiene %3</translation>
+    </message>
+    <message>
+        <source>Series %1: %2</source>
+        <translation>Serie %1: %2</translation>
+    </message>
+    <message>
+        <source>Series %1 is left out: &quot;%2&quot; %3</source>
+        <translation>La serie %1 queda fuera: «%2» %3</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {picture|pictures} of %2 {is|are} empty and left out: %3</source>
+        <translation>
+            <numerusform>%n imagen de %2 está vacía y se ha omitido: %3</numerusform>
+            <numerusform>%n imágenes de %2 están vacías y se han omitido: %3</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>free handles cannot follow: these coordinates are not linear in the handles</source>
+        <translation>los tiradores libres no pueden seguir: estas coordenadas no son lineales en los tiradores</translation>
+    </message>
+    <message>
+        <source>choose another coordinate system</source>
+        <translation>elija otro sistema de coordenadas</translation>
+    </message>
+    <message>
+        <source>free handles cannot follow: there is no witness point in the tissue</source>
+        <translation>los tiradores libres no pueden seguir: no hay ningún punto testigo en el tejido</translation>
+    </message>
+    <message>
+        <source>place the handles around an organ that encloses a volume</source>
+        <translation>coloque los tiradores alrededor de un órgano que encierre un volumen</translation>
+    </message>
+    <message>
+        <source>unlock it, or move the handles less far</source>
+        <translation>desbloquéelo, o mueva menos los tiradores</translation>
+    </message>
+    <message>
+        <source>Von Mises stress</source>
+        <translation>Tensión de von Mises</translation>
+    </message>
+    <message>
+        <source>Maximum von Mises stress</source>
+        <translation>Tensión de von Mises máxima</translation>
+    </message>
+    <message>
+        <source>The stress that shears the tissue, if it is the stated material; the change of its volume has no part in it.</source>
+        <translation>La tensión que cizalla el tejido, si es del material indicado; el cambio de su volumen no interviene.</translation>
+    </message>
+    <message>
+        <source>Strain energy density</source>
+        <translation>Densidad de energía de deformación</translation>
+    </message>
+    <message>
+        <source>Maximum strain energy density</source>
+        <translation>Densidad de energía de deformación máxima</translation>
+    </message>
+    <message>
+        <source>The energy for each volume at rest, if the tissue is the stated material; with what the change of its volume takes.</source>
+        <translation>La energía por volumen en reposo, si el tejido es del material indicado; con lo que cuesta el cambio de su volumen.</translation>
+    </message>
+    <message>
+        <source>kPa</source>
+        <translation>kPa</translation>
+    </message>
+    <message>
+        <source>E %1 kPa</source>
+        <translation>E %1 kPa</translation>
+    </message>
+    <message>
+        <source>%1 (E %2 kPa)</source>
+        <translation>%1 (E %2 kPa)</translation>
+    </message>
+    <message>
+        <source>myocardium</source>
+        <translation>miocardio</translation>
+    </message>
+    <message>
+        <source>kidney</source>
+        <translation>riñón</translation>
+    </message>
+    <message>
+        <source>spleen</source>
+        <translation>bazo</translation>
+    </message>
+    <message>
+        <source>pancreas</source>
+        <translation>páncreas</translation>
+    </message>
+    <message>
+        <source>Pascals are of a stated material: %1.</source>
+        <translation>Los pascales son de un material indicado: %1.</translation>
+    </message>
+    <message>
+        <source>Interventricular septum</source>
+        <translation>Tabique interventricular</translation>
+    </message>
+    <message>
+        <source>Interatrial septum</source>
+        <translation>Tabique interauricular</translation>
+    </message>
+    <message>
+        <source>Oval fossa</source>
+        <translation>Fosa oval</translation>
+    </message>
+    <message>
+        <source>Opening of the coronary sinus</source>
+        <translation>Orificio del seno coronario</translation>
+    </message>
+    <message>
+        <source>Valve of the coronary sinus</source>
+        <translation>Válvula del seno coronario</translation>
+    </message>
+    <message>
+        <source>the limit of Doppler ultrasound, which no study of its own gives; measured by catheter since Gleason and Braunwald 1962, doi 10.1172/JCI104469</source>
+        <translation>límite de la ecografía Doppler, que ningún estudio propio da; medida con catéter desde Gleason y Braunwald 1962, doi 10.1172/JCI104469</translation>
+    </message>
+    <message>
+        <source>customary; how much people at rest differ: Benchetrit 2000, doi 10.1016/S0034-5687(00)00154-7</source>
+        <translation>habitual; cuánto difieren las personas en reposo: Benchetrit 2000, doi 10.1016/S0034-5687(00)00154-7</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {point or open contour was|points and open contours were} left out</source>
+        <translation>
+            <numerusform>se ha omitido %n punto o contorno abierto</numerusform>
+            <numerusform>se han omitido %n puntos y contornos abiertos</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {contour was|contours were} left out, whose numbers cannot be read</source>
+        <translation>
+            <numerusform>se ha omitido %n contorno cuyos números no se pueden leer</numerusform>
+            <numerusform>se han omitido %n contornos cuyos números no se pueden leer</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {contour was left out, which lies|contours were left out, which lie} in another direction than most</source>
+        <translation>
+            <numerusform>se ha omitido %n contorno que está en otra dirección que la mayoría</numerusform>
+            <numerusform>se han omitido %n contornos que están en otra dirección que la mayoría</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {region was left out, which is|regions were left out, which are} in another coordinate system (frame of reference)</source>
+        <translation>
+            <numerusform>se ha omitido %n región de otro sistema de coordenadas (frame of reference)</numerusform>
+            <numerusform>se han omitido %n regiones de otro sistema de coordenadas (frame of reference)</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>all contours lie in one plane, whose thickness is not stated; %1 mm were taken</source>
+        <translation>todos los contornos están en un plano cuyo grosor no se indica; se han tomado %1 mm</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {slice|slices} of %2 without a contour got the shape between their neighbours</source>
+        <translation>
+            <numerusform>%n corte de %2 sin contorno ha recibido la forma entre sus vecinos</numerusform>
+            <numerusform>%n cortes de %2 sin contorno han recibido la forma entre sus vecinos</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 has no contour over %2 mm; that gap stays open</source>
+        <translation>%1 no tiene contorno en %2 mm; ese hueco queda abierto</translation>
+    </message>
+    <message>
+        <source>It is a structure set without regions of interest</source>
+        <translation>Es un structure set sin regiones</translation>
+    </message>
+    <message>
+        <source>export the contours again</source>
+        <translation>exporte de nuevo los contornos</translation>
+    </message>
+    <message>
+        <source>It is a structure set without closed contours, so that there is no organ in it</source>
+        <translation>Es un structure set sin contornos cerrados, por lo que no contiene ningún órgano</translation>
+    </message>
+    <message>
+        <source>export the structures as closed planar contours</source>
+        <translation>exporte las estructuras como contornos planos cerrados</translation>
+    </message>
+    <message>
+        <source>No voxel of the grid lies within the organ</source>
+        <translation>Ningún vóxel de la rejilla está dentro del órgano</translation>
+    </message>
+    <message>
+        <source>choose the scan that shows it, or smaller voxels</source>
+        <translation>elija el estudio que lo muestra, o vóxeles más pequeños</translation>
+    </message>
+    <message>
+        <source>choose the scan that shows it</source>
+        <translation>elija el estudio que lo muestra</translation>
+    </message>
+    <message>
+        <source>There are fewer than two images to lay a segmentation on</source>
+        <translation>Hay menos de dos imágenes sobre las que poner una segmentación</translation>
+    </message>
+    <message>
+        <source>choose a series of slices</source>
+        <translation>elija una serie de cortes</translation>
+    </message>
+    <message>
+        <source>The images lie at unequal distances, so that they have no grid</source>
+        <translation>Las imágenes están a distancias desiguales, por lo que no tienen rejilla</translation>
+    </message>
+    <message>
+        <source>write the segmentation on a grid of its own</source>
+        <translation>escriba la segmentación en una rejilla propia</translation>
+    </message>
+    <message>
+        <source>The size of voxels has to be positive</source>
+        <translation>El tamaño de los vóxeles debe ser positivo</translation>
+    </message>
+    <message>
+        <source>The organs are too large for voxels of that size</source>
+        <translation>Los órganos son demasiado grandes para vóxeles de ese tamaño</translation>
+    </message>
+    <message>
+        <source>choose larger voxels</source>
+        <translation>elija vóxeles más grandes</translation>
+    </message>
+    <message>
+        <source>No image of the scan crosses the organ</source>
+        <translation>Ninguna imagen del estudio corta el órgano</translation>
+    </message>
+    <message>
+        <source>Contours need the images whose planes they lie in</source>
+        <translation>Los contornos necesitan las imágenes en cuyos planos están</translation>
+    </message>
+    <message>
+        <source>open the DICOM scan of the organs, or write a segmentation</source>
+        <translation>abra el estudio DICOM de los órganos, o escriba una segmentación</translation>
+    </message>
+    <message>
+        <source>It is no PDF document</source>
+        <translation>No es un documento PDF</translation>
+    </message>
+    <message>
+        <source>There is no DICOM image whose patient and study could be taken</source>
+        <translation>No hay ninguna imagen DICOM de la que tomar el paciente y el estudio</translation>
+    </message>
+    <message>
+        <source>name the folder of the images that the organs were made from</source>
+        <translation>indique la carpeta de las imágenes de las que se hicieron los órganos</translation>
+    </message>
+    <message>
+        <source>It has no measurement</source>
+        <translation>No tiene ninguna medición</translation>
+    </message>
+    <message>
+        <source>Its segment is named without the segmentation</source>
+        <translation>Su segmento se nombra sin la segmentación</translation>
+    </message>
+    <message>
+        <source>write the segmentation too</source>
+        <translation>escriba también la segmentación</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app</name>

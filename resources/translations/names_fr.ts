@@ -7662,6 +7662,459 @@
         <source>viscera phantom</source>
         <translation>fantôme Viscera</translation>
     </message>
+    <message>
+        <source>Choose the images first</source>
+        <translation>Choisissez d&apos;abord les images</translation>
+    </message>
+    <message>
+        <source>Choose the labels of a phase: those of the ends of diastole and systole, where there are any</source>
+        <translation>Choisissez les étiquettes d&apos;une phase : celles des fins de diastole et de systole, s&apos;il y en a</translation>
+    </message>
+    <message>
+        <source>Enter the phase of %1</source>
+        <translation>Indiquez la phase de %1</translation>
+    </message>
+    <message>
+        <source>The images have %1 phases: enter another one for %2</source>
+        <translation>Les images ont %1 phases : indiquez-en une autre pour %2</translation>
+    </message>
+    <message>
+        <source>%1 and %2 are both labels of phase %3</source>
+        <translation>%1 et %2 sont toutes deux des étiquettes de la phase %3</translation>
+    </message>
+    <message>
+        <source>Only phase %1 has labels: the motion, its volumes and ejection fractions will be estimates. Label the end of systole too, if you can</source>
+        <translation>Seule la phase %1 a des étiquettes : le mouvement, ses volumes et ses fractions d&apos;éjection seront des estimations. Étiquetez aussi la fin de systole, si vous le pouvez</translation>
+    </message>
+    <message>
+        <source>The images differ most from the first phase in phase %1, which has no labels: see whether the end of systole is labelled</source>
+        <translation>C&apos;est dans la phase %1, sans étiquettes, que les images diffèrent le plus de la première : vérifiez que la fin de systole est étiquetée</translation>
+    </message>
+    <message>
+        <source>weight %1 %</source>
+        <translation>poids %1 %</translation>
+    </message>
+    <message>
+        <source>left its plane by %1 mm, %2</source>
+        <translation>a quitté son plan de %1 mm, %2</translation>
+    </message>
+    <message>
+        <source>hardly alike, %1</source>
+        <translation>guère semblables, %1</translation>
+    </message>
+    <message>
+        <source>shows no wall</source>
+        <translation>ne montre pas de paroi</translation>
+    </message>
+    <message>
+        <source>no image</source>
+        <translation>pas d&apos;image</translation>
+    </message>
+    <message>
+        <source>labelled</source>
+        <translation>étiquetée</translation>
+    </message>
+    <message>
+        <source>their phases are %1 to %2</source>
+        <translation>leurs phases vont de %1 à %2</translation>
+    </message>
+    <message>
+        <source>its volumes over the beat and its ejection fraction are estimates: only phase %1 has labels</source>
+        <translation>ses volumes sur le battement et sa fraction d&apos;éjection sont des estimations : seule la phase %1 a des étiquettes</translation>
+    </message>
+    <message>
+        <source>Correct contours</source>
+        <translation>Corriger les contours</translation>
+    </message>
+    <message>
+        <source>%1, correction of phase %2</source>
+        <translation>%1, correction de la phase %2</translation>
+    </message>
+    <message>
+        <source>correction of phase %1</source>
+        <translation>correction de la phase %1</translation>
+    </message>
+    <message>
+        <source>phase %1: the corrected contour of %2 is met to %3 mm only, since the tissue would fold</source>
+        <translation>phase %1 : le contour corrigé de %2 n&apos;est atteint qu&apos;à %3 mm près, car le tissu se plierait</translation>
+    </message>
+    <message>
+        <source>phase %1: the corrected contour of %2 is met to %3 mm only: the handles are too far apart for its shape</source>
+        <translation>phase %1 : le contour corrigé de %2 n&apos;est atteint qu&apos;à %3 mm près : les poignées sont trop éloignées pour sa forme</translation>
+    </message>
+    <message>
+        <source>The images have no slice %1</source>
+        <translation>Les images n&apos;ont pas de coupe %1</translation>
+    </message>
+    <message>
+        <source>their slices are 0 to %1</source>
+        <translation>leurs coupes vont de 0 à %1</translation>
+    </message>
+    <message>
+        <source>The corrected contour lies %1 mm beside the plane of %2</source>
+        <translation>Le contour corrigé est à %1 mm du plan de %2</translation>
+    </message>
+    <message>
+        <source>give points in the plane of one slice, mm in LPS</source>
+        <translation>donnez des points dans le plan d&apos;une coupe, en mm, LPS</translation>
+    </message>
+    <message>
+        <source>Phase %1 has labels, which are exact: only phases between them are corrected</source>
+        <translation>La phase %1 a des labels, qui sont exacts : seules les phases intermédiaires se corrigent</translation>
+    </message>
+    <message>
+        <source>change its labels, or leave this correction out</source>
+        <translation>modifiez ses labels, ou omettez cette correction</translation>
+    </message>
+    <message>
+        <source>A corrected contour has no points</source>
+        <translation>Un contour corrigé n&apos;a pas de points</translation>
+    </message>
+    <message>
+        <source>give three numbers for each of them, mm</source>
+        <translation>donnez trois nombres pour chacun, en mm</translation>
+    </message>
+    <message>
+        <source>The handles are no longer those of the motion that was found in the images</source>
+        <translation>Les poignées ne sont plus celles du mouvement trouvé dans les images</translation>
+    </message>
+    <message>
+        <source>find the motion again, or undo the change of the handles</source>
+        <translation>cherchez de nouveau le mouvement, ou annulez la modification des poignées</translation>
+    </message>
+    <message>
+        <source>There is no key at phase %1 any more</source>
+        <translation>Il n&apos;y a plus de pose clé à la phase %1</translation>
+    </message>
+    <message>
+        <source>find the motion again, or undo the change of the keys</source>
+        <translation>cherchez de nouveau le mouvement, ou annulez la modification des poses clés</translation>
+    </message>
+    <message>
+        <source>It has no points, or is of no surface that is fitted</source>
+        <translation>Elle n&apos;a pas de points, ou n&apos;est d&apos;aucune surface ajustée</translation>
+    </message>
+    <message>
+        <source>give the points of a contour</source>
+        <translation>donnez les points d&apos;un contour</translation>
+    </message>
+    <message>
+        <source>Phase %1 does not lie between labelled phases</source>
+        <translation>La phase %1 n&apos;est pas entre des phases à labels</translation>
+    </message>
+    <message>
+        <source>correct a phase that the images are fitted in</source>
+        <translation>corrigez une phase ajustée aux images</translation>
+    </message>
+    <message>
+        <source>meeting corrected contours</source>
+        <translation>ajustement aux contours corrigés</translation>
+    </message>
+    <message>
+        <source>as in {&quot;corrections&quot;: [{&quot;phase&quot;: 4, &quot;surface&quot;: &quot;RV&quot;, &quot;pointsMm&quot;: [[x, y, z], ...]}]}</source>
+        <translation>comme dans {&quot;corrections&quot;: [{&quot;phase&quot;: 4, &quot;surface&quot;: &quot;RV&quot;, &quot;pointsMm&quot;: [[x, y, z], ...]}]}</translation>
+    </message>
+    <message>
+        <source>The %1 is damaged and left out: %2</source>
+        <translation>Endommagée et laissée de côté : %1 (%2)</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n more {phase is|phases are} damaged and left out</source>
+        <translation>
+            <numerusform>%n autre phase est endommagée et laissée de côté</numerusform>
+            <numerusform>%n autres phases sont endommagées et laissées de côté</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>it has %1 x %2 x %3 voxels, others %4 x %5 x %6</source>
+        <translation>elle a %1 x %2 x %3 voxels, les autres %4 x %5 x %6</translation>
+    </message>
+    <message>
+        <source>phase %1 %</source>
+        <translation>phase %1 %</translation>
+    </message>
+    <message>
+        <source>The %1 shows the same instant as the %2, and is left out</source>
+        <translation>%1 montre le même instant que %2 et est laissée de côté</translation>
+    </message>
+    <message>
+        <source>Its phases are kept as 16 bits a voxel, to a 65,000th of their range</source>
+        <translation>Ses phases sont gardées en 16 bits par voxel, au 65 000e de leur étendue</translation>
+    </message>
+    <message>
+        <source>Its phases need %1 GB, of which %2 GB are kept at a time; the others are read again when they are shown</source>
+        <translation>Ses phases demandent %1 Go, dont %2 Go sont gardés à la fois ; les autres sont relues quand elles sont montrées</translation>
+    </message>
+    <message>
+        <source>It is packed, or keeps its phases beside each other, so that each of them is read as slowly as all; save it unpacked to move through it</source>
+        <translation>Il est compressé ou garde ses phases côte à côte, si bien que chacune se lit aussi lentement que toutes ; enregistrez-le non compressé pour le parcourir</translation>
+    </message>
+    <message>
+        <source>It does not say the unit of its times; they are taken as seconds</source>
+        <translation>L&apos;unité de ses temps n&apos;est pas indiquée ; ils sont pris pour des secondes</translation>
+    </message>
+    <message>
+        <source>the session holds one phase of this scan; open its file again for the others</source>
+        <translation>la session contient une phase de cet examen ; rouvrez son fichier pour les autres</translation>
+    </message>
+    <message>
+        <source>Series %1 states %2 phases and has %3</source>
+        <translation>La série %1 annonce %2 phases et en a %3</translation>
+    </message>
+    <message>
+        <source>Series %1: %2</source>
+        <translation>Série %1 : %2</translation>
+    </message>
+    <message>
+        <source>Series %1 is left out: &quot;%2&quot; %3</source>
+        <translation>La série %1 est laissée de côté : « %2 » %3</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {picture|pictures} of %2 {is|are} empty and left out: %3</source>
+        <translation>
+            <numerusform>%n image de %2 est vide et laissée de côté : %3</numerusform>
+            <numerusform>%n images de %2 sont vides et laissées de côté : %3</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>free handles cannot follow: these coordinates are not linear in the handles</source>
+        <translation>les poignées libres ne peuvent pas suivre : ces coordonnées ne sont pas linéaires en les poignées</translation>
+    </message>
+    <message>
+        <source>choose another coordinate system</source>
+        <translation>choisissez un autre système de coordonnées</translation>
+    </message>
+    <message>
+        <source>free handles cannot follow: there is no witness point in the tissue</source>
+        <translation>les poignées libres ne peuvent pas suivre : il n&apos;y a aucun point témoin dans le tissu</translation>
+    </message>
+    <message>
+        <source>place the handles around an organ that encloses a volume</source>
+        <translation>placez les poignées autour d&apos;un organe qui enferme un volume</translation>
+    </message>
+    <message>
+        <source>unlock it, or move the handles less far</source>
+        <translation>déverrouillez-le, ou déplacez moins les poignées</translation>
+    </message>
+    <message>
+        <source>Von Mises stress</source>
+        <translation>Contrainte de von Mises</translation>
+    </message>
+    <message>
+        <source>Maximum von Mises stress</source>
+        <translation>Contrainte de von Mises maximale</translation>
+    </message>
+    <message>
+        <source>The stress that shears the tissue, if it is the stated material; the change of its volume has no part in it.</source>
+        <translation>La contrainte qui cisaille le tissu, s&apos;il est du matériau indiqué ; la variation de son volume n&apos;y a pas de part.</translation>
+    </message>
+    <message>
+        <source>Strain energy density</source>
+        <translation>Densité d&apos;énergie de déformation</translation>
+    </message>
+    <message>
+        <source>Maximum strain energy density</source>
+        <translation>Densité d&apos;énergie de déformation maximale</translation>
+    </message>
+    <message>
+        <source>The energy for each volume at rest, if the tissue is the stated material; with what the change of its volume takes.</source>
+        <translation>L&apos;énergie par volume au repos, si le tissu est du matériau indiqué ; avec ce que coûte la variation de son volume.</translation>
+    </message>
+    <message>
+        <source>kPa</source>
+        <translation>kPa</translation>
+    </message>
+    <message>
+        <source>E %1 kPa</source>
+        <translation>E %1 kPa</translation>
+    </message>
+    <message>
+        <source>%1 (E %2 kPa)</source>
+        <translation>%1 (E %2 kPa)</translation>
+    </message>
+    <message>
+        <source>myocardium</source>
+        <translation>myocarde</translation>
+    </message>
+    <message>
+        <source>kidney</source>
+        <translation>rein</translation>
+    </message>
+    <message>
+        <source>spleen</source>
+        <translation>rate</translation>
+    </message>
+    <message>
+        <source>pancreas</source>
+        <translation>pancréas</translation>
+    </message>
+    <message>
+        <source>Pascals are of a stated material: %1.</source>
+        <translation>Les pascals sont ceux d&apos;un matériau indiqué : %1.</translation>
+    </message>
+    <message>
+        <source>Interventricular septum</source>
+        <translation>Septum interventriculaire</translation>
+    </message>
+    <message>
+        <source>Interatrial septum</source>
+        <translation>Septum interatrial</translation>
+    </message>
+    <message>
+        <source>Oval fossa</source>
+        <translation>Fosse ovale</translation>
+    </message>
+    <message>
+        <source>Opening of the coronary sinus</source>
+        <translation>Ostium du sinus coronaire</translation>
+    </message>
+    <message>
+        <source>Valve of the coronary sinus</source>
+        <translation>Valvule du sinus coronaire</translation>
+    </message>
+    <message>
+        <source>the limit of Doppler ultrasound, which no study of its own gives; measured by catheter since Gleason and Braunwald 1962, doi 10.1172/JCI104469</source>
+        <translation>limite de l’échographie Doppler, qu’aucune étude propre ne donne ; mesurée par cathéter depuis Gleason et Braunwald 1962, doi 10.1172/JCI104469</translation>
+    </message>
+    <message>
+        <source>customary; how much people at rest differ: Benchetrit 2000, doi 10.1016/S0034-5687(00)00154-7</source>
+        <translation>usuel ; combien les personnes au repos diffèrent : Benchetrit 2000, doi 10.1016/S0034-5687(00)00154-7</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {point or open contour was|points and open contours were} left out</source>
+        <translation>
+            <numerusform>%n point ou contour ouvert a été laissé de côté</numerusform>
+            <numerusform>%n points et contours ouverts ont été laissés de côté</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {contour was|contours were} left out, whose numbers cannot be read</source>
+        <translation>
+            <numerusform>%n contour dont les nombres sont illisibles a été laissé de côté</numerusform>
+            <numerusform>%n contours dont les nombres sont illisibles ont été laissés de côté</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {contour was left out, which lies|contours were left out, which lie} in another direction than most</source>
+        <translation>
+            <numerusform>%n contour, d&apos;une autre direction que la plupart, a été laissé de côté</numerusform>
+            <numerusform>%n contours, d&apos;une autre direction que la plupart, ont été laissés de côté</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {region was left out, which is|regions were left out, which are} in another coordinate system (frame of reference)</source>
+        <translation>
+            <numerusform>%n région d&apos;un autre système de coordonnées (frame of reference) a été laissée de côté</numerusform>
+            <numerusform>%n régions d&apos;un autre système de coordonnées (frame of reference) ont été laissées de côté</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>all contours lie in one plane, whose thickness is not stated; %1 mm were taken</source>
+        <translation>tous les contours sont dans un plan dont l&apos;épaisseur n&apos;est pas indiquée ; %1 mm ont été pris</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {slice|slices} of %2 without a contour got the shape between their neighbours</source>
+        <translation>
+            <numerusform>%n coupe de %2 sans contour a reçu la forme entre ses voisines</numerusform>
+            <numerusform>%n coupes de %2 sans contour ont reçu la forme entre leurs voisines</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 has no contour over %2 mm; that gap stays open</source>
+        <translation>%1 n&apos;a pas de contour sur %2 mm ; cette lacune reste ouverte</translation>
+    </message>
+    <message>
+        <source>It is a structure set without regions of interest</source>
+        <translation>C&apos;est un structure set sans régions</translation>
+    </message>
+    <message>
+        <source>export the contours again</source>
+        <translation>exportez de nouveau les contours</translation>
+    </message>
+    <message>
+        <source>It is a structure set without closed contours, so that there is no organ in it</source>
+        <translation>C&apos;est un structure set sans contours fermés, donc sans organe</translation>
+    </message>
+    <message>
+        <source>export the structures as closed planar contours</source>
+        <translation>exportez les structures en contours plans fermés</translation>
+    </message>
+    <message>
+        <source>No voxel of the grid lies within the organ</source>
+        <translation>Aucun voxel de la grille n&apos;est dans l&apos;organe</translation>
+    </message>
+    <message>
+        <source>choose the scan that shows it, or smaller voxels</source>
+        <translation>choisissez le scan qui le montre, ou des voxels plus petits</translation>
+    </message>
+    <message>
+        <source>choose the scan that shows it</source>
+        <translation>choisissez le scan qui le montre</translation>
+    </message>
+    <message>
+        <source>There are fewer than two images to lay a segmentation on</source>
+        <translation>Il y a moins de deux images sur lesquelles poser une segmentation</translation>
+    </message>
+    <message>
+        <source>choose a series of slices</source>
+        <translation>choisissez une série de coupes</translation>
+    </message>
+    <message>
+        <source>The images lie at unequal distances, so that they have no grid</source>
+        <translation>Les images sont à des distances inégales et n&apos;ont donc pas de grille</translation>
+    </message>
+    <message>
+        <source>write the segmentation on a grid of its own</source>
+        <translation>écrivez la segmentation sur une grille à elle</translation>
+    </message>
+    <message>
+        <source>The size of voxels has to be positive</source>
+        <translation>La taille des voxels doit être positive</translation>
+    </message>
+    <message>
+        <source>The organs are too large for voxels of that size</source>
+        <translation>Les organes sont trop grands pour des voxels de cette taille</translation>
+    </message>
+    <message>
+        <source>choose larger voxels</source>
+        <translation>choisissez des voxels plus grands</translation>
+    </message>
+    <message>
+        <source>No image of the scan crosses the organ</source>
+        <translation>Aucune image du scan ne coupe l&apos;organe</translation>
+    </message>
+    <message>
+        <source>Contours need the images whose planes they lie in</source>
+        <translation>Les contours ont besoin des images dans les plans desquelles ils sont</translation>
+    </message>
+    <message>
+        <source>open the DICOM scan of the organs, or write a segmentation</source>
+        <translation>ouvrez le scan DICOM des organes, ou écrivez une segmentation</translation>
+    </message>
+    <message>
+        <source>It is no PDF document</source>
+        <translation>Ce n&apos;est pas un document PDF</translation>
+    </message>
+    <message>
+        <source>There is no DICOM image whose patient and study could be taken</source>
+        <translation>Il n&apos;y a pas d&apos;image DICOM dont prendre le patient et l&apos;étude</translation>
+    </message>
+    <message>
+        <source>name the folder of the images that the organs were made from</source>
+        <translation>indiquez le dossier des images dont les organes ont été faits</translation>
+    </message>
+    <message>
+        <source>It has no measurement</source>
+        <translation>Il n&apos;a pas de mesure</translation>
+    </message>
+    <message>
+        <source>Its segment is named without the segmentation</source>
+        <translation>Son segment est nommé sans la segmentation</translation>
+    </message>
+    <message>
+        <source>write the segmentation too</source>
+        <translation>écrivez aussi la segmentation</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app</name>

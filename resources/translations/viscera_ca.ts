@@ -516,6 +516,116 @@ N: noms, H: tiradors, X: paret, R: restableix, T: clar o fosc, Inici: principi</
     </message>
 </context>
 <context>
+    <name>viscera::app::CinePage</name>
+    <message>
+        <source>Open study</source>
+        <translation>Estudi obert</translation>
+    </message>
+    <message>
+        <source>Take the images that are open in the window</source>
+        <translation>Agafa les imatges obertes a la finestra</translation>
+    </message>
+    <message>
+        <source>Images...</source>
+        <translation>Imatges...</translation>
+    </message>
+    <message>
+        <source>A folder with the DICOM files of a cine study</source>
+        <translation>Una carpeta amb els fitxers DICOM d&apos;un estudi de cine</translation>
+    </message>
+    <message>
+        <source>Image file...</source>
+        <translation>Fitxer d&apos;imatges...</translation>
+    </message>
+    <message>
+        <source>One file of images over time: 4D NIfTI or .seq.nrrd</source>
+        <translation>Un fitxer d&apos;imatges en el temps: NIfTI 4D o .seq.nrrd</translation>
+    </message>
+    <message>
+        <source>Labels...</source>
+        <translation>Etiquetes...</translation>
+    </message>
+    <message>
+        <source>Label maps or surfaces of single phases: the ends of diastole and systole at least</source>
+        <translation>Mapes d&apos;etiquetes o superfícies de fases soltes: com a mínim els finals de diàstole i sístole</translation>
+    </message>
+    <message>
+        <source>Folder of one phase...</source>
+        <translation>Carpeta d&apos;una fase...</translation>
+    </message>
+    <message>
+        <source>A folder with all surfaces of one phase</source>
+        <translation>Una carpeta amb totes les superfícies d&apos;una fase</translation>
+    </message>
+    <message>
+        <source>Labels and their phases</source>
+        <translation>Etiquetes i les seves fases</translation>
+    </message>
+    <message>
+        <source>Labels</source>
+        <translation>Etiquetes</translation>
+    </message>
+    <message>
+        <source>Looking through the images</source>
+        <translation>S&apos;examinen les imatges</translation>
+    </message>
+    <message>
+        <source>Folder with a cine study</source>
+        <translation>Carpeta amb un estudi de cine</translation>
+    </message>
+    <message>
+        <source>Images over time</source>
+        <translation>Imatges en el temps</translation>
+    </message>
+    <message>
+        <source>Labels of single phases</source>
+        <translation>Etiquetes de fases soltes</translation>
+    </message>
+    <message>
+        <source>Surfaces of one phase</source>
+        <translation>Superfícies d&apos;una fase</translation>
+    </message>
+    <message>
+        <source>not said</source>
+        <translation>sense indicar</translation>
+    </message>
+    <message>
+        <source> of %1</source>
+        <translation> de %1</translation>
+    </message>
+    <message>
+        <source>Phase of %1</source>
+        <translation>Fase de %1</translation>
+    </message>
+    <message>
+        <source>Guessed from the name and the images: check it</source>
+        <translation>Deduït del nom i de les imatges: comproveu-ho</translation>
+    </message>
+    <message>
+        <source>The phase that these labels belong to</source>
+        <translation>La fase a què pertanyen aquestes etiquetes</translation>
+    </message>
+    <message>
+        <source>Leave out %1</source>
+        <translation>Omet %1</translation>
+    </message>
+    <message>
+        <source>Reading %1 ...</source>
+        <translation>S&apos;està llegint %1 ...</translation>
+    </message>
+    <message>
+        <source>No images are chosen.</source>
+        <translation>No hi ha imatges triades.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: %2 phases, %n planes</source>
+        <translation>
+            <numerusform>%1: %2 fases, %n pla</numerusform>
+            <numerusform>%1: %2 fases, %n plans</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>viscera::app::CirculationBox</name>
     <message>
         <source>Preload: stressed blood</source>
@@ -672,6 +782,70 @@ N: noms, H: tiradors, X: paret, R: restableix, T: clar o fosc, Inici: principi</
     </message>
 </context>
 <context>
+    <name>viscera::app::ContourCorrector</name>
+    <message>
+        <source>Only contours of a motion that was found in images can be corrected.</source>
+        <translation>Només es poden corregir contorns d&apos;un moviment trobat en imatges.</translation>
+    </message>
+    <message>
+        <source>The motion is being fitted to the last correction.</source>
+        <translation>El moviment s&apos;està ajustant a l&apos;última correcció.</translation>
+    </message>
+    <message>
+        <source>Phase %1 has labels, which are exact. Correct a phase between them, or change its labels.</source>
+        <translation>La fase %1 té etiquetes, que són exactes. Corregiu una fase intermèdia o canvieu-ne les etiquetes.</translation>
+    </message>
+    <message>
+        <source>This organ is not moved by the motion that was found in images.</source>
+        <translation>Aquest òrgan no el mou el moviment trobat en les imatges.</translation>
+    </message>
+    <message>
+        <source>Correct contour</source>
+        <translation>Corregeix el contorn</translation>
+    </message>
+    <message numerus="yes">
+        <source>The motion is that of the images again. %n phases have changed.</source>
+        <translation>
+            <numerusform>El moviment torna a ser el de les imatges. Ha canviat %n fase.</numerusform>
+            <numerusform>El moviment torna a ser el de les imatges. Han canviat %n fases.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n phases have changed.</source>
+        <translation>
+            <numerusform>Ha canviat %n fase.</numerusform>
+            <numerusform>Han canviat %n fases.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The motion meets all corrected contours to %1 mm.</source>
+        <translation>El moviment passa per tots els contorns corregits amb un error de %1 mm.</translation>
+    </message>
+    <message>
+        <source>The corrected contour of %1 in phase %2 is met to %3 mm only.</source>
+        <translation>El contorn corregit de %1 a la fase %2 només s&apos;assoleix amb un error de %3 mm.</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::ContourGrip</name>
+    <message>
+        <source>Correct &amp;contours</source>
+        <translation>Corregeix els &amp;contorns</translation>
+    </message>
+    <message>
+        <source>Drag the contour of a tracked organ in a slice: the motion is fitted to it. Ctrl does the same while it is held. Enabled for a motion that was found in images</source>
+        <translation>Arrossegueu el contorn d&apos;un òrgan seguit en un tall: el moviment s&apos;hi ajusta. Ctrl fa el mateix mentre es manté premuda. Disponible per a un moviment trobat en imatges</translation>
+    </message>
+    <message>
+        <source>&amp;Remove a corrected contour</source>
+        <translation>&amp;Suprimeix un contorn corregit</translation>
+    </message>
+    <message>
+        <source>%1, slice %2, phase %3</source>
+        <translation>%1, tall %2, fase %3</translation>
+    </message>
+</context>
+<context>
     <name>viscera::app::CurveBox</name>
     <message>
         <source>Curve...</source>
@@ -814,6 +988,14 @@ N: noms, H: tiradors, X: paret, R: restableix, T: clar o fosc, Inici: principi</
     <message>
         <source>Under a locked volume, moved handles go exactly where they are sent, and the others compensate; else a moved handle stays where the volume lets it</source>
         <translation>Amb un volum bloquejat, els tiradors van exactament on s’envien i els altres compensen; si no, un tirador queda on el volum el deixa</translation>
+    </message>
+    <message>
+        <source>&amp;Free handles follow</source>
+        <translation>Els tiradors &amp;lliures segueixen</translation>
+    </message>
+    <message>
+        <source>Handles that you do not drag go to where the elastic energy of the organs&apos; tissue is least; locked handles hold it, else it moves as a whole. Locked volumes stay exact. The first drag takes about a second, the next ones a tenth of a second a step</source>
+        <translation>Els tiradors que no arrossegueu van on l&apos;energia elàstica del teixit dels òrgans és mínima; els bloquejats el subjecten, si no es mou en bloc. Els volums bloquejats es mantenen exactes. El primer arrossegament triga aproximadament un segon, els següents una dècima de segon per pas</translation>
     </message>
 </context>
 <context>
@@ -1146,6 +1328,13 @@ N: noms, H: tiradors, X: paret, R: restableix, T: clar o fosc, Inici: principi</
     <message>
         <source>Date</source>
         <translation>Data</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n phases in %1 s</source>
+        <translation>
+            <numerusform>%n fase en %1 s</numerusform>
+            <numerusform>%n fases en %1 s</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -1998,6 +2187,18 @@ Moveu el lliscador de dalt per col·locar-ne, o feu clic a l’òrgan en el mode
         <source>The heart&apos;s numbers are in %1</source>
         <translation>Els valors del cor són a %1</translation>
     </message>
+    <message>
+        <source>%1 (estimate)</source>
+        <translation>%1 (estimació)</translation>
+    </message>
+    <message>
+        <source>Estimates: only one phase of the images has labels. Of a right ventricle there are no numbers then.</source>
+        <translation>Estimacions: només una fase de les imatges té etiquetes. D&apos;un ventricle dret no hi ha nombres llavors.</translation>
+    </message>
+    <message>
+        <source>Body surface %1 m² from the images: %2 cm, %3 kg</source>
+        <translation>Superfície corporal %1 m² segons les imatges: %2 cm, %3 kg</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::HeartOpener</name>
@@ -2588,6 +2789,32 @@ Moveu el lliscador de dalt per col·locar-ne, o feu clic a l’òrgan en el mode
             <numerusform>%n fases requereixen atenció: vegeu la taula al costat del gràfic.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>An estimate of %n phases from the images and the labels of phase %1 alone. Mean distance from labels and followed tissue: %2.</source>
+        <translation>
+            <numerusform>Una estimació de %n fase a partir de les imatges i les etiquetes de la fase %1 sola. Distància mitjana a les etiquetes i al teixit seguit: %2.</numerusform>
+            <numerusform>Una estimació de %n fases a partir de les imatges i les etiquetes de la fase %1 sola. Distància mitjana a les etiquetes i al teixit seguit: %2.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Motion of %n phases from the images and the labels of phases %1. Mean distance from labels and followed tissue: %2.</source>
+        <translation>
+            <numerusform>Moviment de %n fase a partir de les imatges i les etiquetes de les fases %1. Distància mitjana a les etiquetes i al teixit seguit: %2.</numerusform>
+            <numerusform>Moviment de %n fases a partir de les imatges i les etiquetes de les fases %1. Distància mitjana a les etiquetes i al teixit seguit: %2.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Motion from images</source>
+        <translation>Moviment a partir d&apos;imatges</translation>
+    </message>
+    <message>
+        <source>Not used for the motion</source>
+        <translation>No s&apos;usa per al moviment</translation>
+    </message>
+    <message>
+        <source>Estimate: %1</source>
+        <translation>Estimació: %1</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::Menus</name>
@@ -2905,6 +3132,46 @@ Moveu el lliscador de dalt per col·locar-ne, o feu clic a l’òrgan en el mode
     <message>
         <source>Role of %1</source>
         <translation>Funció de %1</translation>
+    </message>
+    <message>
+        <source>Cancel the search</source>
+        <translation>Cancel·la la cerca</translation>
+    </message>
+    <message>
+        <source>What the motion is found from</source>
+        <translation>A partir de què es troba el moviment</translation>
+    </message>
+    <message>
+        <source>Labels or surfaces of every phase</source>
+        <translation>Etiquetes o superfícies de cada fase</translation>
+    </message>
+    <message>
+        <source>Cine images, and labels of a few phases</source>
+        <translation>Imatges de cine i etiquetes d&apos;algunes fases</translation>
+    </message>
+    <message>
+        <source>Turns the labels of a few phases, the ends of diastole and systole at least, and cine images of the whole cycle into handles and a key sequence with a key for each phase. Volumes of labelled phases are exact; the images show the others. One labelled phase gives an estimate. The result replaces the open organs; Undo brings them back.</source>
+        <translation>Converteix les etiquetes d&apos;algunes fases, com a mínim dels finals de diàstole i sístole, i les imatges de cine de tot el cicle en tiradors i una seqüència de claus, una clau per a cada fase. Els volums de les fases etiquetades són exactes; les imatges mostren els altres. Una sola fase etiquetada dona una estimació. El resultat substitueix els òrgans oberts; Desfés els recupera.</translation>
+    </message>
+    <message>
+        <source>Leave out series</source>
+        <translation>Omet sèries</translation>
+    </message>
+    <message>
+        <source>The labels are being read</source>
+        <translation>S&apos;estan llegint les etiquetes</translation>
+    </message>
+    <message>
+        <source>Choose other labels: these cannot be read</source>
+        <translation>Trieu altres etiquetes: aquestes no es poden llegir</translation>
+    </message>
+    <message>
+        <source>%1 is not the number of a series</source>
+        <translation>%1 no és el número d&apos;una sèrie</translation>
+    </message>
+    <message>
+        <source>name series by their numbers, as in 3, 7</source>
+        <translation>anomeneu les sèries pels seus números, com a 3, 7</translation>
     </message>
 </context>
 <context>
@@ -3340,6 +3607,73 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
     </message>
 </context>
 <context>
+    <name>viscera::app::PlaneTable</name>
+    <message>
+        <source>Planes of the images</source>
+        <translation>Plans de les imatges</translation>
+    </message>
+    <message>
+        <source>Plane</source>
+        <translation>Pla</translation>
+    </message>
+    <message>
+        <source>in this phase</source>
+        <translation>en aquesta fase</translation>
+    </message>
+    <message>
+        <source>weight %</source>
+        <translation>pes %</translation>
+    </message>
+    <message>
+        <source>likeness %</source>
+        <translation>semblança %</translation>
+    </message>
+    <message>
+        <source>arrives mm</source>
+        <translation>arribada mm</translation>
+    </message>
+    <message>
+        <source>apart mm</source>
+        <translation>separació mm</translation>
+    </message>
+    <message>
+        <source>over the beat</source>
+        <translation>durant el batec</translation>
+    </message>
+    <message>
+        <source>Series or slice, and what it shows of the heart</source>
+        <translation>Sèrie o tall, i què mostra del cor</translation>
+    </message>
+    <message>
+        <source>What the plane says of the phase that is shown</source>
+        <translation>El que el pla diu de la fase mostrada</translation>
+    </message>
+    <message>
+        <source>Mean weight of its contours over the beat</source>
+        <translation>Pes mitjà dels seus contorns durant el batec</translation>
+    </message>
+    <message>
+        <source>How alike its images are around the wall, over the beat</source>
+        <translation>Com s&apos;assemblen les seves imatges al voltant de la paret, durant el batec</translation>
+    </message>
+    <message>
+        <source>How far its tissue arrives from the next labelled surface</source>
+        <translation>A quina distància de la següent superfície etiquetada arriba el seu teixit</translation>
+    </message>
+    <message>
+        <source>Distance of its tissue from the surfaces</source>
+        <translation>Distància del seu teixit a les superfícies</translation>
+    </message>
+    <message>
+        <source>Why the plane says little</source>
+        <translation>Per què el pla diu poc</translation>
+    </message>
+    <message>
+        <source>good</source>
+        <translation>bo</translation>
+    </message>
+</context>
+<context>
     <name>viscera::app::PlayMode</name>
     <message>
         <source>Play</source>
@@ -3388,10 +3722,6 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
     <message>
         <source>Motion from a ser&amp;ies...</source>
         <translation>Moviment a partir d’una &amp;sèrie...</translation>
-    </message>
-    <message>
-        <source>Compute a patient&apos;s own motion from surfaces or label maps of each phase of the cycle</source>
-        <translation>Calcula el moviment propi d’un pacient a partir de superfícies o mapes d’etiquetes de cada fase del cicle</translation>
     </message>
     <message>
         <source>Compare two &amp;rates</source>
@@ -3521,6 +3851,10 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
         <source>Colour the heart&apos;s wall by the strain of its segments; a click chooses one</source>
         <translation>Acoloreix la paret del cor segons la deformació dels seus segments; un clic en tria un</translation>
     </message>
+    <message>
+        <source>Compute a patient&apos;s own motion from surfaces or label maps of each phase of the cycle, or from cine images and the labels of a few phases</source>
+        <translation>Calcula el moviment propi d&apos;un pacient a partir de superfícies o mapes d&apos;etiquetes de cada fase del cicle, o d&apos;imatges de cine i les etiquetes d&apos;algunes fases</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::PlayPage</name>
@@ -3591,6 +3925,14 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
     <message>
         <source>Normal for %1: %2.</source>
         <translation>Normal per a %1: %2.</translation>
+    </message>
+    <message>
+        <source>An estimate: only one phase of the images has labels</source>
+        <translation>Una estimació: només una fase de les imatges té etiquetes</translation>
+    </message>
+    <message>
+        <source>%1 (estimate)</source>
+        <translation>%1 (estimació)</translation>
     </message>
 </context>
 <context>
@@ -4048,6 +4390,54 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
         <source>Show the measured surfaces of the nearest phase, translucent</source>
         <translation>Mostra les superfícies mesurades de la fase més propera, translúcides</translation>
     </message>
+    <message>
+        <source>from</source>
+        <translation>de</translation>
+    </message>
+    <message>
+        <source>wall ml</source>
+        <translation>paret ml</translation>
+    </message>
+    <message>
+        <source>Whether the phase has labels, or was found in the images</source>
+        <translation>Si la fase té etiquetes o s&apos;ha trobat a les imatges</translation>
+    </message>
+    <message>
+        <source>Volume of the wall as a check: muscle hardly changes it. More than 10 % beyond the labelled phases needs attention</source>
+        <translation>Volum de la paret com a control: el múscul gairebé no el canvia. Més d&apos;un 10 % fora de les fases etiquetades demana atenció</translation>
+    </message>
+    <message>
+        <source>Planes of the images</source>
+        <translation>Plans de les imatges</translation>
+    </message>
+    <message>
+        <source>Estimate from the labels of one phase</source>
+        <translation>Estimació a partir de les etiquetes d&apos;una fase</translation>
+    </message>
+    <message>
+        <source>%1: about EF %2 %, %3 to %4 ml, %5 l/min</source>
+        <translation>%1: FE aproximada %2 %, %3 a %4 ml, %5 l/min</translation>
+    </message>
+    <message>
+        <source>%1 ED</source>
+        <translation>%1 ED</translation>
+    </message>
+    <message>
+        <source>%1 ES</source>
+        <translation>%1 ES</translation>
+    </message>
+    <message>
+        <source>An estimate: this phase has no labels, and only one has some.</source>
+        <translation>Una estimació: aquesta fase no té etiquetes i només una en té.</translation>
+    </message>
+    <message>
+        <source>labels</source>
+        <translation>etiquetes</translation>
+    </message>
+    <message>
+        <source>images</source>
+        <translation>imatges</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::SampleNames</name>
@@ -4117,10 +4507,6 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
     <message>
         <source>&amp;Sagittal slice</source>
         <translation>Tall &amp;sagital</translation>
-    </message>
-    <message>
-        <source>  phase %1 of %2</source>
-        <translation>  fase %1 de %2</translation>
     </message>
     <message>
         <source>Open a &amp;scan...</source>
@@ -4255,6 +4641,13 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
     <message>
         <source>Read other slices...</source>
         <translation>Llegeix altres talls...</translation>
+    </message>
+    <message numerus="yes">
+        <source>  %n phases</source>
+        <translation>
+            <numerusform>  %n fase</numerusform>
+            <numerusform>  %n fases</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -5085,6 +5478,42 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
         <source>Nothing is deformed: drag a handle, or play a sequence (Space).</source>
         <translation>Res no està deformat: arrossegueu un tirador o reproduïu una seqüència (Espai).</translation>
     </message>
+    <message>
+        <source>Choose a material</source>
+        <translation>Trieu un material</translation>
+    </message>
+    <message>
+        <source>Another material</source>
+        <translation>Un altre material</translation>
+    </message>
+    <message>
+        <source>Material</source>
+        <translation>Material</translation>
+    </message>
+    <message>
+        <source>The tissue whose stiffness makes pascals of the deformation; it does not change the pose</source>
+        <translation>El teixit la rigidesa del qual converteix la deformació en pascals; no canvia la postura</translation>
+    </message>
+    <message>
+        <source>Young&apos;s modulus</source>
+        <translation>Mòdul de Young</translation>
+    </message>
+    <message>
+        <source> kPa</source>
+        <translation> kPa</translation>
+    </message>
+    <message>
+        <source>Poisson&apos;s ratio</source>
+        <translation>Coeficient de Poisson</translation>
+    </message>
+    <message>
+        <source>Pascals exist only of a stated material. Choose a material first.</source>
+        <translation>Només hi ha pascals d&apos;un material indicat. Trieu primer un material.</translation>
+    </message>
+    <message>
+        <source>Young&apos;s modulus %1 kPa, doi:%2</source>
+        <translation>Mòdul de Young %1 kPa, doi:%2</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::SystemBox</name>
@@ -5300,6 +5729,14 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
     <message>
         <source>The images of the cine study: there is no motion yet</source>
         <translation>Les imatges de l&apos;estudi cine: encara no hi ha moviment</translation>
+    </message>
+    <message>
+        <source>The phases of the scan: there is no motion yet</source>
+        <translation>Les fases de l&apos;estudi: encara no hi ha moviment</translation>
+    </message>
+    <message>
+        <source>Scan</source>
+        <translation>Estudi</translation>
     </message>
 </context>
 <context>
@@ -5538,6 +5975,10 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
     <message>
         <source>Fit of the motion</source>
         <translation>Ajust del moviment</translation>
+    </message>
+    <message>
+        <source>EF about %1 %  SV about %2 ml (estimate)</source>
+        <translation>FE aprox. %1 %  VS aprox. %2 ml (estimació)</translation>
     </message>
 </context>
 <context>

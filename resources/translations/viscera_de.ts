@@ -516,6 +516,116 @@ N: Namen, H: Griffe, X: Wand, R: zurück, T: hell oder dunkel, Pos1: Anfang</tra
     </message>
 </context>
 <context>
+    <name>viscera::app::CinePage</name>
+    <message>
+        <source>Open study</source>
+        <translation>Offene Studie</translation>
+    </message>
+    <message>
+        <source>Take the images that are open in the window</source>
+        <translation>Die Bilder nehmen, die im Fenster offen sind</translation>
+    </message>
+    <message>
+        <source>Images...</source>
+        <translation>Bilder...</translation>
+    </message>
+    <message>
+        <source>A folder with the DICOM files of a cine study</source>
+        <translation>Ein Ordner mit den DICOM-Dateien einer Cine-Studie</translation>
+    </message>
+    <message>
+        <source>Image file...</source>
+        <translation>Bilddatei...</translation>
+    </message>
+    <message>
+        <source>One file of images over time: 4D NIfTI or .seq.nrrd</source>
+        <translation>Eine Datei mit Bildern über die Zeit: 4D-NIfTI oder .seq.nrrd</translation>
+    </message>
+    <message>
+        <source>Labels...</source>
+        <translation>Labels...</translation>
+    </message>
+    <message>
+        <source>Label maps or surfaces of single phases: the ends of diastole and systole at least</source>
+        <translation>Labelmaps oder Oberflächen einzelner Phasen: wenigstens die Enden von Diastole und Systole</translation>
+    </message>
+    <message>
+        <source>Folder of one phase...</source>
+        <translation>Ordner einer Phase...</translation>
+    </message>
+    <message>
+        <source>A folder with all surfaces of one phase</source>
+        <translation>Ein Ordner mit allen Oberflächen einer Phase</translation>
+    </message>
+    <message>
+        <source>Labels and their phases</source>
+        <translation>Labels und ihre Phasen</translation>
+    </message>
+    <message>
+        <source>Labels</source>
+        <translation>Labels</translation>
+    </message>
+    <message>
+        <source>Looking through the images</source>
+        <translation>Die Bilder werden durchgesehen</translation>
+    </message>
+    <message>
+        <source>Folder with a cine study</source>
+        <translation>Ordner mit einer Cine-Studie</translation>
+    </message>
+    <message>
+        <source>Images over time</source>
+        <translation>Bilder über die Zeit</translation>
+    </message>
+    <message>
+        <source>Labels of single phases</source>
+        <translation>Labels einzelner Phasen</translation>
+    </message>
+    <message>
+        <source>Surfaces of one phase</source>
+        <translation>Oberflächen einer Phase</translation>
+    </message>
+    <message>
+        <source>not said</source>
+        <translation>nicht gesagt</translation>
+    </message>
+    <message>
+        <source> of %1</source>
+        <translation> von %1</translation>
+    </message>
+    <message>
+        <source>Phase of %1</source>
+        <translation>Phase von %1</translation>
+    </message>
+    <message>
+        <source>Guessed from the name and the images: check it</source>
+        <translation>Aus dem Namen und den Bildern erraten: bitte prüfen</translation>
+    </message>
+    <message>
+        <source>The phase that these labels belong to</source>
+        <translation>Die Phase, zu der diese Labels gehören</translation>
+    </message>
+    <message>
+        <source>Leave out %1</source>
+        <translation>%1 weglassen</translation>
+    </message>
+    <message>
+        <source>Reading %1 ...</source>
+        <translation>%1 wird gelesen ...</translation>
+    </message>
+    <message>
+        <source>No images are chosen.</source>
+        <translation>Es sind keine Bilder gewählt.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: %2 phases, %n planes</source>
+        <translation>
+            <numerusform>%1: %2 Phasen, %n Ebene</numerusform>
+            <numerusform>%1: %2 Phasen, %n Ebenen</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>viscera::app::CirculationBox</name>
     <message>
         <source>Preload: stressed blood</source>
@@ -672,6 +782,70 @@ N: Namen, H: Griffe, X: Wand, R: zurück, T: hell oder dunkel, Pos1: Anfang</tra
     </message>
 </context>
 <context>
+    <name>viscera::app::ContourCorrector</name>
+    <message>
+        <source>Only contours of a motion that was found in images can be corrected.</source>
+        <translation>Nur Konturen einer Bewegung, die in Bildern gefunden wurde, lassen sich korrigieren.</translation>
+    </message>
+    <message>
+        <source>The motion is being fitted to the last correction.</source>
+        <translation>Die Bewegung wird gerade an die letzte Korrektur angepasst.</translation>
+    </message>
+    <message>
+        <source>Phase %1 has labels, which are exact. Correct a phase between them, or change its labels.</source>
+        <translation>Phase %1 hat Labels, und die sind genau. Korrigieren Sie eine Phase dazwischen, oder ändern Sie ihre Labels.</translation>
+    </message>
+    <message>
+        <source>This organ is not moved by the motion that was found in images.</source>
+        <translation>Dieses Organ wird nicht von der Bewegung bewegt, die in Bildern gefunden wurde.</translation>
+    </message>
+    <message>
+        <source>Correct contour</source>
+        <translation>Kontur korrigieren</translation>
+    </message>
+    <message numerus="yes">
+        <source>The motion is that of the images again. %n phases have changed.</source>
+        <translation>
+            <numerusform>Die Bewegung ist wieder die der Bilder. %n Phase hat sich geändert.</numerusform>
+            <numerusform>Die Bewegung ist wieder die der Bilder. %n Phasen haben sich geändert.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n phases have changed.</source>
+        <translation>
+            <numerusform>%n Phase hat sich geändert.</numerusform>
+            <numerusform>%n Phasen haben sich geändert.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The motion meets all corrected contours to %1 mm.</source>
+        <translation>Die Bewegung trifft alle korrigierten Konturen auf %1 mm genau.</translation>
+    </message>
+    <message>
+        <source>The corrected contour of %1 in phase %2 is met to %3 mm only.</source>
+        <translation>Die korrigierte Kontur von %1 in Phase %2 wird nur auf %3 mm genau getroffen.</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::ContourGrip</name>
+    <message>
+        <source>Correct &amp;contours</source>
+        <translation>Konturen &amp;korrigieren</translation>
+    </message>
+    <message>
+        <source>Drag the contour of a tracked organ in a slice: the motion is fitted to it. Ctrl does the same while it is held. Enabled for a motion that was found in images</source>
+        <translation>Ziehen Sie die Kontur eines verfolgten Organs in einer Schicht: Die Bewegung wird an sie angepasst. Strg bewirkt dasselbe, solange es gedrückt ist. Verfügbar bei einer Bewegung, die in Bildern gefunden wurde</translation>
+    </message>
+    <message>
+        <source>&amp;Remove a corrected contour</source>
+        <translation>Korrigierte Kontur &amp;entfernen</translation>
+    </message>
+    <message>
+        <source>%1, slice %2, phase %3</source>
+        <translation>%1, Schicht %2, Phase %3</translation>
+    </message>
+</context>
+<context>
     <name>viscera::app::CurveBox</name>
     <message>
         <source>Curve...</source>
@@ -814,6 +988,14 @@ N: Namen, H: Griffe, X: Wand, R: zurück, T: hell oder dunkel, Pos1: Anfang</tra
     <message>
         <source>Under a locked volume, moved handles go exactly where they are sent, and the others compensate; else a moved handle stays where the volume lets it</source>
         <translation>Bei gesperrtem Volumen gehen bewegte Griffe genau dorthin, wohin sie sollen, und die anderen gleichen aus; sonst bleibt ein bewegter Griff, wo das Volumen ihn lässt</translation>
+    </message>
+    <message>
+        <source>&amp;Free handles follow</source>
+        <translation>&amp;Freie Griffe folgen</translation>
+    </message>
+    <message>
+        <source>Handles that you do not drag go to where the elastic energy of the organs&apos; tissue is least; locked handles hold it, else it moves as a whole. Locked volumes stay exact. The first drag takes about a second, the next ones a tenth of a second a step</source>
+        <translation>Griffe, die Sie nicht ziehen, gehen dorthin, wo die elastische Energie des Gewebes der Organe am kleinsten ist; gesperrte Griffe halten es fest, sonst bewegt es sich als Ganzes. Gesperrte Volumen bleiben exakt. Der erste Zug dauert etwa eine Sekunde, die nächsten eine Zehntelsekunde je Schritt</translation>
     </message>
 </context>
 <context>
@@ -1146,6 +1328,13 @@ N: Namen, H: Griffe, X: Wand, R: zurück, T: hell oder dunkel, Pos1: Anfang</tra
     <message>
         <source>Date</source>
         <translation>Datum</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n phases in %1 s</source>
+        <translation>
+            <numerusform>%n Phase in %1 s</numerusform>
+            <numerusform>%n Phasen in %1 s</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -1998,6 +2187,18 @@ Bewegen Sie den Regler oben, um welche zu setzen, oder klicken Sie im Modus Grif
         <source>The heart&apos;s numbers are in %1</source>
         <translation>Die Zahlen des Herzens sind in %1</translation>
     </message>
+    <message>
+        <source>%1 (estimate)</source>
+        <translation>%1 (Schätzung)</translation>
+    </message>
+    <message>
+        <source>Estimates: only one phase of the images has labels. Of a right ventricle there are no numbers then.</source>
+        <translation>Schätzungen: nur eine Phase der Bilder hat Labels. Von einem rechten Ventrikel gibt es dann keine Zahlen.</translation>
+    </message>
+    <message>
+        <source>Body surface %1 m² from the images: %2 cm, %3 kg</source>
+        <translation>Körperoberfläche %1 m² aus den Bildern: %2 cm, %3 kg</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::HeartOpener</name>
@@ -2588,6 +2789,32 @@ Bewegen Sie den Regler oben, um welche zu setzen, oder klicken Sie im Modus Grif
             <numerusform>%n Phasen brauchen Aufmerksamkeit: siehe die Tabelle neben dem Diagramm.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>An estimate of %n phases from the images and the labels of phase %1 alone. Mean distance from labels and followed tissue: %2.</source>
+        <translation>
+            <numerusform>Eine Schätzung von %n Phase aus den Bildern und den Labels der Phase %1 allein. Mittlerer Abstand von Labels und verfolgtem Gewebe: %2.</numerusform>
+            <numerusform>Eine Schätzung von %n Phasen aus den Bildern und den Labels der Phase %1 allein. Mittlerer Abstand von Labels und verfolgtem Gewebe: %2.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Motion of %n phases from the images and the labels of phases %1. Mean distance from labels and followed tissue: %2.</source>
+        <translation>
+            <numerusform>Bewegung von %n Phase aus den Bildern und den Labels der Phasen %1. Mittlerer Abstand von Labels und verfolgtem Gewebe: %2.</numerusform>
+            <numerusform>Bewegung von %n Phasen aus den Bildern und den Labels der Phasen %1. Mittlerer Abstand von Labels und verfolgtem Gewebe: %2.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Motion from images</source>
+        <translation>Bewegung aus Bildern</translation>
+    </message>
+    <message>
+        <source>Not used for the motion</source>
+        <translation>Für die Bewegung nicht verwendet</translation>
+    </message>
+    <message>
+        <source>Estimate: %1</source>
+        <translation>Schätzung: %1</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::Menus</name>
@@ -2905,6 +3132,46 @@ Bewegen Sie den Regler oben, um welche zu setzen, oder klicken Sie im Modus Grif
     <message>
         <source>Role of %1</source>
         <translation>Rolle von %1</translation>
+    </message>
+    <message>
+        <source>Cancel the search</source>
+        <translation>Suche abbrechen</translation>
+    </message>
+    <message>
+        <source>What the motion is found from</source>
+        <translation>Woraus die Bewegung gefunden wird</translation>
+    </message>
+    <message>
+        <source>Labels or surfaces of every phase</source>
+        <translation>Labels oder Oberflächen jeder Phase</translation>
+    </message>
+    <message>
+        <source>Cine images, and labels of a few phases</source>
+        <translation>Cine-Bilder und Labels weniger Phasen</translation>
+    </message>
+    <message>
+        <source>Turns the labels of a few phases, the ends of diastole and systole at least, and cine images of the whole cycle into handles and a key sequence with a key for each phase. Volumes of labelled phases are exact; the images show the others. One labelled phase gives an estimate. The result replaces the open organs; Undo brings them back.</source>
+        <translation>Macht aus den Labels weniger Phasen, wenigstens der Enden von Diastole und Systole, und Cine-Bildern des ganzen Zyklus Griffe und eine Schlüsselbildfolge mit einem Schlüsselbild je Phase. Volumina markierter Phasen sind genau; die anderen zeigen die Bilder. Eine markierte Phase ergibt eine Schätzung. Das Ergebnis ersetzt die offenen Organe; Rückgängig holt sie zurück.</translation>
+    </message>
+    <message>
+        <source>Leave out series</source>
+        <translation>Serien weglassen</translation>
+    </message>
+    <message>
+        <source>The labels are being read</source>
+        <translation>Die Labels werden gelesen</translation>
+    </message>
+    <message>
+        <source>Choose other labels: these cannot be read</source>
+        <translation>Wählen Sie andere Labels: diese sind nicht lesbar</translation>
+    </message>
+    <message>
+        <source>%1 is not the number of a series</source>
+        <translation>%1 ist keine Nummer einer Serie</translation>
+    </message>
+    <message>
+        <source>name series by their numbers, as in 3, 7</source>
+        <translation>nennen Sie Serien mit ihren Nummern, wie in 3, 7</translation>
     </message>
 </context>
 <context>
@@ -3340,6 +3607,73 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
     </message>
 </context>
 <context>
+    <name>viscera::app::PlaneTable</name>
+    <message>
+        <source>Planes of the images</source>
+        <translation>Ebenen der Bilder</translation>
+    </message>
+    <message>
+        <source>Plane</source>
+        <translation>Ebene</translation>
+    </message>
+    <message>
+        <source>in this phase</source>
+        <translation>in dieser Phase</translation>
+    </message>
+    <message>
+        <source>weight %</source>
+        <translation>Gewicht %</translation>
+    </message>
+    <message>
+        <source>likeness %</source>
+        <translation>Ähnlichkeit %</translation>
+    </message>
+    <message>
+        <source>arrives mm</source>
+        <translation>Ankunft mm</translation>
+    </message>
+    <message>
+        <source>apart mm</source>
+        <translation>Abstand mm</translation>
+    </message>
+    <message>
+        <source>over the beat</source>
+        <translation>über den Schlag</translation>
+    </message>
+    <message>
+        <source>Series or slice, and what it shows of the heart</source>
+        <translation>Serie oder Schicht, und was sie vom Herzen zeigt</translation>
+    </message>
+    <message>
+        <source>What the plane says of the phase that is shown</source>
+        <translation>Was die Ebene über die gezeigte Phase sagt</translation>
+    </message>
+    <message>
+        <source>Mean weight of its contours over the beat</source>
+        <translation>Mittleres Gewicht ihrer Konturen über den Schlag</translation>
+    </message>
+    <message>
+        <source>How alike its images are around the wall, over the beat</source>
+        <translation>Wie ähnlich ihre Bilder um die Wand sind, über den Schlag</translation>
+    </message>
+    <message>
+        <source>How far its tissue arrives from the next labelled surface</source>
+        <translation>Wie weit ihr Gewebe von der nächsten markierten Oberfläche ankommt</translation>
+    </message>
+    <message>
+        <source>Distance of its tissue from the surfaces</source>
+        <translation>Abstand ihres Gewebes von den Oberflächen</translation>
+    </message>
+    <message>
+        <source>Why the plane says little</source>
+        <translation>Warum die Ebene wenig sagt</translation>
+    </message>
+    <message>
+        <source>good</source>
+        <translation>gut</translation>
+    </message>
+</context>
+<context>
     <name>viscera::app::PlayMode</name>
     <message>
         <source>Play</source>
@@ -3388,10 +3722,6 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
     <message>
         <source>Motion from a ser&amp;ies...</source>
         <translation>Bewegung aus einer Ser&amp;ie...</translation>
-    </message>
-    <message>
-        <source>Compute a patient&apos;s own motion from surfaces or label maps of each phase of the cycle</source>
-        <translation>Die eigene Bewegung eines Patienten aus Oberflächen oder Labelmaps jeder Phase des Zyklus berechnen</translation>
     </message>
     <message>
         <source>Compare two &amp;rates</source>
@@ -3521,6 +3851,10 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
         <source>Colour the heart&apos;s wall by the strain of its segments; a click chooses one</source>
         <translation>Die Herzwand nach der Verformung ihrer Segmente färben; ein Klick wählt eines</translation>
     </message>
+    <message>
+        <source>Compute a patient&apos;s own motion from surfaces or label maps of each phase of the cycle, or from cine images and the labels of a few phases</source>
+        <translation>Die eigene Bewegung eines Patienten aus Oberflächen oder Labelmaps jeder Phase des Zyklus berechnen, oder aus Cine-Bildern und den Labels weniger Phasen</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::PlayPage</name>
@@ -3591,6 +3925,14 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
     <message>
         <source>Normal for %1: %2.</source>
         <translation>Normal für %1: %2.</translation>
+    </message>
+    <message>
+        <source>An estimate: only one phase of the images has labels</source>
+        <translation>Eine Schätzung: nur eine Phase der Bilder hat Labels</translation>
+    </message>
+    <message>
+        <source>%1 (estimate)</source>
+        <translation>%1 (Schätzung)</translation>
     </message>
 </context>
 <context>
@@ -4048,6 +4390,54 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
         <source>Show the measured surfaces of the nearest phase, translucent</source>
         <translation>Die gemessenen Oberflächen der nächsten Phase durchscheinend zeigen</translation>
     </message>
+    <message>
+        <source>from</source>
+        <translation>aus</translation>
+    </message>
+    <message>
+        <source>wall ml</source>
+        <translation>Wand ml</translation>
+    </message>
+    <message>
+        <source>Whether the phase has labels, or was found in the images</source>
+        <translation>Ob die Phase Labels hat oder in den Bildern gefunden wurde</translation>
+    </message>
+    <message>
+        <source>Volume of the wall as a check: muscle hardly changes it. More than 10 % beyond the labelled phases needs attention</source>
+        <translation>Volumen der Wand als Probe: Muskel ändert es kaum. Mehr als 10 % jenseits der markierten Phasen verlangt Aufmerksamkeit</translation>
+    </message>
+    <message>
+        <source>Planes of the images</source>
+        <translation>Ebenen der Bilder</translation>
+    </message>
+    <message>
+        <source>Estimate from the labels of one phase</source>
+        <translation>Schätzung aus den Labels einer Phase</translation>
+    </message>
+    <message>
+        <source>%1: about EF %2 %, %3 to %4 ml, %5 l/min</source>
+        <translation>%1: etwa EF %2 %, %3 bis %4 ml, %5 l/min</translation>
+    </message>
+    <message>
+        <source>%1 ED</source>
+        <translation>%1 ED</translation>
+    </message>
+    <message>
+        <source>%1 ES</source>
+        <translation>%1 ES</translation>
+    </message>
+    <message>
+        <source>An estimate: this phase has no labels, and only one has some.</source>
+        <translation>Eine Schätzung: diese Phase hat keine Labels, und nur eine hat welche.</translation>
+    </message>
+    <message>
+        <source>labels</source>
+        <translation>Labels</translation>
+    </message>
+    <message>
+        <source>images</source>
+        <translation>Bildern</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::SampleNames</name>
@@ -4117,10 +4507,6 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
     <message>
         <source>&amp;Sagittal slice</source>
         <translation>&amp;Sagittale Schicht</translation>
-    </message>
-    <message>
-        <source>  phase %1 of %2</source>
-        <translation>  Phase %1 von %2</translation>
     </message>
     <message>
         <source>Open a &amp;scan...</source>
@@ -4255,6 +4641,13 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
     <message>
         <source>Read other slices...</source>
         <translation>Andere Schichten lesen ...</translation>
+    </message>
+    <message numerus="yes">
+        <source>  %n phases</source>
+        <translation>
+            <numerusform>  %n Phase</numerusform>
+            <numerusform>  %n Phasen</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -5085,6 +5478,42 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
         <source>Nothing is deformed: drag a handle, or play a sequence (Space).</source>
         <translation>Nichts ist verformt: Ziehen Sie an einem Griff, oder spielen Sie eine Sequenz ab (Leertaste).</translation>
     </message>
+    <message>
+        <source>Choose a material</source>
+        <translation>Material wählen</translation>
+    </message>
+    <message>
+        <source>Another material</source>
+        <translation>Anderes Material</translation>
+    </message>
+    <message>
+        <source>Material</source>
+        <translation>Material</translation>
+    </message>
+    <message>
+        <source>The tissue whose stiffness makes pascals of the deformation; it does not change the pose</source>
+        <translation>Das Gewebe, dessen Steifigkeit aus der Verformung Pascal macht; die Pose ändert es nicht</translation>
+    </message>
+    <message>
+        <source>Young&apos;s modulus</source>
+        <translation>Elastizitätsmodul</translation>
+    </message>
+    <message>
+        <source> kPa</source>
+        <translation> kPa</translation>
+    </message>
+    <message>
+        <source>Poisson&apos;s ratio</source>
+        <translation>Querkontraktionszahl</translation>
+    </message>
+    <message>
+        <source>Pascals exist only of a stated material. Choose a material first.</source>
+        <translation>Pascal gibt es nur für ein angegebenes Material. Wählen Sie zuerst ein Material.</translation>
+    </message>
+    <message>
+        <source>Young&apos;s modulus %1 kPa, doi:%2</source>
+        <translation>Elastizitätsmodul %1 kPa, doi:%2</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::SystemBox</name>
@@ -5300,6 +5729,14 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
     <message>
         <source>The images of the cine study: there is no motion yet</source>
         <translation>Die Bilder der Cine-Studie: noch gibt es keine Bewegung</translation>
+    </message>
+    <message>
+        <source>The phases of the scan: there is no motion yet</source>
+        <translation>Die Phasen des Scans: es gibt noch keine Bewegung</translation>
+    </message>
+    <message>
+        <source>Scan</source>
+        <translation>Scan</translation>
     </message>
 </context>
 <context>
@@ -5538,6 +5975,10 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
     <message>
         <source>Fit of the motion</source>
         <translation>Güte der Bewegung</translation>
+    </message>
+    <message>
+        <source>EF about %1 %  SV about %2 ml (estimate)</source>
+        <translation>EF etwa %1 %  SV etwa %2 ml (Schätzung)</translation>
     </message>
 </context>
 <context>

@@ -33,6 +33,33 @@
     </message>
 </context>
 <context>
+    <name>viscera::app::CinePage</name>
+    <message numerus="yes">
+        <source>%1: %2 phases, %n planes</source>
+        <translation>
+            <numerusform>%1: %2 phases, %n plane</numerusform>
+            <numerusform>%1: %2 phases, %n planes</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::ContourCorrector</name>
+    <message numerus="yes">
+        <source>The motion is that of the images again. %n phases have changed.</source>
+        <translation>
+            <numerusform>The motion is that of the images again. %n phase has changed.</numerusform>
+            <numerusform>The motion is that of the images again. %n phases have changed.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n phases have changed.</source>
+        <translation>
+            <numerusform>%n phase has changed.</numerusform>
+            <numerusform>%n phases have changed.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>viscera::app::DeformPage</name>
     <message numerus="yes">
         <source>%n handles</source>
@@ -56,6 +83,13 @@
         <translation>
             <numerusform>%n phase</numerusform>
             <numerusform>%n phases</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n phases in %1 s</source>
+        <translation>
+            <numerusform>%n phase in %1 s</numerusform>
+            <numerusform>%n phases in %1 s</numerusform>
         </translation>
     </message>
 </context>
@@ -210,6 +244,20 @@
             <numerusform>%n phases need attention: see the table beside the chart.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>An estimate of %n phases from the images and the labels of phase %1 alone. Mean distance from labels and followed tissue: %2.</source>
+        <translation>
+            <numerusform>An estimate of %n phase from the images and the labels of phase %1 alone. Mean distance from labels and followed tissue: %2.</numerusform>
+            <numerusform>An estimate of %n phases from the images and the labels of phase %1 alone. Mean distance from labels and followed tissue: %2.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Motion of %n phases from the images and the labels of phases %1. Mean distance from labels and followed tissue: %2.</source>
+        <translation>
+            <numerusform>Motion of %n phase from the images and the labels of phases %1. Mean distance from labels and followed tissue: %2.</numerusform>
+            <numerusform>Motion of %n phases from the images and the labels of phases %1. Mean distance from labels and followed tissue: %2.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::Menus</name>
@@ -340,6 +388,13 @@
         <translation>
             <numerusform>, all %n slice, resampled to an even grid</numerusform>
             <numerusform>, all %n slices, resampled to an even grid</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>  %n phases</source>
+        <translation>
+            <numerusform>  %n phase</numerusform>
+            <numerusform>  %n phases</numerusform>
         </translation>
     </message>
 </context>

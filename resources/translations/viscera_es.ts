@@ -516,6 +516,116 @@ N: nombres, H: tiradores, X: pared, R: restablecer, T: claro u oscuro, Inicio: p
     </message>
 </context>
 <context>
+    <name>viscera::app::CinePage</name>
+    <message>
+        <source>Open study</source>
+        <translation>Estudio abierto</translation>
+    </message>
+    <message>
+        <source>Take the images that are open in the window</source>
+        <translation>Tomar las imágenes abiertas en la ventana</translation>
+    </message>
+    <message>
+        <source>Images...</source>
+        <translation>Imágenes...</translation>
+    </message>
+    <message>
+        <source>A folder with the DICOM files of a cine study</source>
+        <translation>Una carpeta con los archivos DICOM de un estudio de cine</translation>
+    </message>
+    <message>
+        <source>Image file...</source>
+        <translation>Archivo de imágenes...</translation>
+    </message>
+    <message>
+        <source>One file of images over time: 4D NIfTI or .seq.nrrd</source>
+        <translation>Un archivo de imágenes en el tiempo: NIfTI 4D o .seq.nrrd</translation>
+    </message>
+    <message>
+        <source>Labels...</source>
+        <translation>Etiquetas...</translation>
+    </message>
+    <message>
+        <source>Label maps or surfaces of single phases: the ends of diastole and systole at least</source>
+        <translation>Mapas de etiquetas o superficies de fases sueltas: al menos los finales de diástole y sístole</translation>
+    </message>
+    <message>
+        <source>Folder of one phase...</source>
+        <translation>Carpeta de una fase...</translation>
+    </message>
+    <message>
+        <source>A folder with all surfaces of one phase</source>
+        <translation>Una carpeta con todas las superficies de una fase</translation>
+    </message>
+    <message>
+        <source>Labels and their phases</source>
+        <translation>Etiquetas y sus fases</translation>
+    </message>
+    <message>
+        <source>Labels</source>
+        <translation>Etiquetas</translation>
+    </message>
+    <message>
+        <source>Looking through the images</source>
+        <translation>Examinando las imágenes</translation>
+    </message>
+    <message>
+        <source>Folder with a cine study</source>
+        <translation>Carpeta con un estudio de cine</translation>
+    </message>
+    <message>
+        <source>Images over time</source>
+        <translation>Imágenes en el tiempo</translation>
+    </message>
+    <message>
+        <source>Labels of single phases</source>
+        <translation>Etiquetas de fases sueltas</translation>
+    </message>
+    <message>
+        <source>Surfaces of one phase</source>
+        <translation>Superficies de una fase</translation>
+    </message>
+    <message>
+        <source>not said</source>
+        <translation>sin indicar</translation>
+    </message>
+    <message>
+        <source> of %1</source>
+        <translation> de %1</translation>
+    </message>
+    <message>
+        <source>Phase of %1</source>
+        <translation>Fase de %1</translation>
+    </message>
+    <message>
+        <source>Guessed from the name and the images: check it</source>
+        <translation>Deducido del nombre y de las imágenes: compruébelo</translation>
+    </message>
+    <message>
+        <source>The phase that these labels belong to</source>
+        <translation>La fase a la que pertenecen estas etiquetas</translation>
+    </message>
+    <message>
+        <source>Leave out %1</source>
+        <translation>Omitir %1</translation>
+    </message>
+    <message>
+        <source>Reading %1 ...</source>
+        <translation>Leyendo %1 ...</translation>
+    </message>
+    <message>
+        <source>No images are chosen.</source>
+        <translation>No hay imágenes elegidas.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: %2 phases, %n planes</source>
+        <translation>
+            <numerusform>%1: %2 fases, %n plano</numerusform>
+            <numerusform>%1: %2 fases, %n planos</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>viscera::app::CirculationBox</name>
     <message>
         <source>Preload: stressed blood</source>
@@ -672,6 +782,70 @@ N: nombres, H: tiradores, X: pared, R: restablecer, T: claro u oscuro, Inicio: p
     </message>
 </context>
 <context>
+    <name>viscera::app::ContourCorrector</name>
+    <message>
+        <source>Only contours of a motion that was found in images can be corrected.</source>
+        <translation>Solo se pueden corregir contornos de un movimiento encontrado en imágenes.</translation>
+    </message>
+    <message>
+        <source>The motion is being fitted to the last correction.</source>
+        <translation>El movimiento se está ajustando a la última corrección.</translation>
+    </message>
+    <message>
+        <source>Phase %1 has labels, which are exact. Correct a phase between them, or change its labels.</source>
+        <translation>La fase %1 tiene etiquetas, que son exactas. Corrija una fase intermedia o cambie sus etiquetas.</translation>
+    </message>
+    <message>
+        <source>This organ is not moved by the motion that was found in images.</source>
+        <translation>Este órgano no lo mueve el movimiento encontrado en las imágenes.</translation>
+    </message>
+    <message>
+        <source>Correct contour</source>
+        <translation>Corregir contorno</translation>
+    </message>
+    <message numerus="yes">
+        <source>The motion is that of the images again. %n phases have changed.</source>
+        <translation>
+            <numerusform>El movimiento vuelve a ser el de las imágenes. Ha cambiado %n fase.</numerusform>
+            <numerusform>El movimiento vuelve a ser el de las imágenes. Han cambiado %n fases.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n phases have changed.</source>
+        <translation>
+            <numerusform>Ha cambiado %n fase.</numerusform>
+            <numerusform>Han cambiado %n fases.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The motion meets all corrected contours to %1 mm.</source>
+        <translation>El movimiento pasa por todos los contornos corregidos con un error de %1 mm.</translation>
+    </message>
+    <message>
+        <source>The corrected contour of %1 in phase %2 is met to %3 mm only.</source>
+        <translation>El contorno corregido de %1 en la fase %2 solo se alcanza con un error de %3 mm.</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::ContourGrip</name>
+    <message>
+        <source>Correct &amp;contours</source>
+        <translation>Corregir &amp;contornos</translation>
+    </message>
+    <message>
+        <source>Drag the contour of a tracked organ in a slice: the motion is fitted to it. Ctrl does the same while it is held. Enabled for a motion that was found in images</source>
+        <translation>Arrastre el contorno de un órgano seguido en un corte: el movimiento se ajusta a él. Ctrl hace lo mismo mientras se mantiene pulsada. Disponible para un movimiento encontrado en imágenes</translation>
+    </message>
+    <message>
+        <source>&amp;Remove a corrected contour</source>
+        <translation>&amp;Quitar un contorno corregido</translation>
+    </message>
+    <message>
+        <source>%1, slice %2, phase %3</source>
+        <translation>%1, corte %2, fase %3</translation>
+    </message>
+</context>
+<context>
     <name>viscera::app::CurveBox</name>
     <message>
         <source>Curve...</source>
@@ -814,6 +988,14 @@ N: nombres, H: tiradores, X: pared, R: restablecer, T: claro u oscuro, Inicio: p
     <message>
         <source>Under a locked volume, moved handles go exactly where they are sent, and the others compensate; else a moved handle stays where the volume lets it</source>
         <translation>Con un volumen bloqueado, los tiradores van exactamente adonde se envían y los demás compensan; si no, un tirador queda donde el volumen lo deja</translation>
+    </message>
+    <message>
+        <source>&amp;Free handles follow</source>
+        <translation>Los tiradores &amp;libres siguen</translation>
+    </message>
+    <message>
+        <source>Handles that you do not drag go to where the elastic energy of the organs&apos; tissue is least; locked handles hold it, else it moves as a whole. Locked volumes stay exact. The first drag takes about a second, the next ones a tenth of a second a step</source>
+        <translation>Los tiradores que no arrastra van adonde la energía elástica del tejido de los órganos es mínima; los bloqueados lo sujetan, si no se mueve en bloque. Los volúmenes bloqueados se mantienen exactos. El primer arrastre tarda alrededor de un segundo, los siguientes una décima de segundo por paso</translation>
     </message>
 </context>
 <context>
@@ -1146,6 +1328,13 @@ N: nombres, H: tiradores, X: pared, R: restablecer, T: claro u oscuro, Inicio: p
     <message>
         <source>Date</source>
         <translation>Fecha</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n phases in %1 s</source>
+        <translation>
+            <numerusform>%n fase en %1 s</numerusform>
+            <numerusform>%n fases en %1 s</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -1998,6 +2187,18 @@ Mueva el control de arriba para colocar algunos o haga clic en el órgano en el 
         <source>The heart&apos;s numbers are in %1</source>
         <translation>Los valores del corazón están en %1</translation>
     </message>
+    <message>
+        <source>%1 (estimate)</source>
+        <translation>%1 (estimación)</translation>
+    </message>
+    <message>
+        <source>Estimates: only one phase of the images has labels. Of a right ventricle there are no numbers then.</source>
+        <translation>Estimaciones: solo una fase de las imágenes tiene etiquetas. De un ventrículo derecho no hay números entonces.</translation>
+    </message>
+    <message>
+        <source>Body surface %1 m² from the images: %2 cm, %3 kg</source>
+        <translation>Superficie corporal %1 m² según las imágenes: %2 cm, %3 kg</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::HeartOpener</name>
@@ -2588,6 +2789,32 @@ Mueva el control de arriba para colocar algunos o haga clic en el órgano en el 
             <numerusform>%n fases requieren atención: vea la tabla junto a la gráfica.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>An estimate of %n phases from the images and the labels of phase %1 alone. Mean distance from labels and followed tissue: %2.</source>
+        <translation>
+            <numerusform>Una estimación de %n fase a partir de las imágenes y las etiquetas de la fase %1 sola. Distancia media a las etiquetas y al tejido seguido: %2.</numerusform>
+            <numerusform>Una estimación de %n fases a partir de las imágenes y las etiquetas de la fase %1 sola. Distancia media a las etiquetas y al tejido seguido: %2.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Motion of %n phases from the images and the labels of phases %1. Mean distance from labels and followed tissue: %2.</source>
+        <translation>
+            <numerusform>Movimiento de %n fase a partir de las imágenes y las etiquetas de las fases %1. Distancia media a las etiquetas y al tejido seguido: %2.</numerusform>
+            <numerusform>Movimiento de %n fases a partir de las imágenes y las etiquetas de las fases %1. Distancia media a las etiquetas y al tejido seguido: %2.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Motion from images</source>
+        <translation>Movimiento a partir de imágenes</translation>
+    </message>
+    <message>
+        <source>Not used for the motion</source>
+        <translation>No se usa para el movimiento</translation>
+    </message>
+    <message>
+        <source>Estimate: %1</source>
+        <translation>Estimación: %1</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::Menus</name>
@@ -2905,6 +3132,46 @@ Mueva el control de arriba para colocar algunos o haga clic en el órgano en el 
     <message>
         <source>Role of %1</source>
         <translation>Función de %1</translation>
+    </message>
+    <message>
+        <source>Cancel the search</source>
+        <translation>Cancelar la búsqueda</translation>
+    </message>
+    <message>
+        <source>What the motion is found from</source>
+        <translation>A partir de qué se encuentra el movimiento</translation>
+    </message>
+    <message>
+        <source>Labels or surfaces of every phase</source>
+        <translation>Etiquetas o superficies de cada fase</translation>
+    </message>
+    <message>
+        <source>Cine images, and labels of a few phases</source>
+        <translation>Imágenes de cine y etiquetas de algunas fases</translation>
+    </message>
+    <message>
+        <source>Turns the labels of a few phases, the ends of diastole and systole at least, and cine images of the whole cycle into handles and a key sequence with a key for each phase. Volumes of labelled phases are exact; the images show the others. One labelled phase gives an estimate. The result replaces the open organs; Undo brings them back.</source>
+        <translation>Convierte las etiquetas de algunas fases, al menos de los finales de diástole y sístole, y las imágenes de cine de todo el ciclo en tiradores y una secuencia con un fotograma clave por fase. Los volúmenes de las fases etiquetadas son exactos; las imágenes muestran los demás. Una sola fase etiquetada da una estimación. El resultado sustituye a los órganos abiertos; Deshacer los recupera.</translation>
+    </message>
+    <message>
+        <source>Leave out series</source>
+        <translation>Omitir series</translation>
+    </message>
+    <message>
+        <source>The labels are being read</source>
+        <translation>Se están leyendo las etiquetas</translation>
+    </message>
+    <message>
+        <source>Choose other labels: these cannot be read</source>
+        <translation>Elija otras etiquetas: estas no se pueden leer</translation>
+    </message>
+    <message>
+        <source>%1 is not the number of a series</source>
+        <translation>%1 no es el número de una serie</translation>
+    </message>
+    <message>
+        <source>name series by their numbers, as in 3, 7</source>
+        <translation>nombre las series por sus números, como en 3, 7</translation>
     </message>
 </context>
 <context>
@@ -3340,6 +3607,73 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
     </message>
 </context>
 <context>
+    <name>viscera::app::PlaneTable</name>
+    <message>
+        <source>Planes of the images</source>
+        <translation>Planos de las imágenes</translation>
+    </message>
+    <message>
+        <source>Plane</source>
+        <translation>Plano</translation>
+    </message>
+    <message>
+        <source>in this phase</source>
+        <translation>en esta fase</translation>
+    </message>
+    <message>
+        <source>weight %</source>
+        <translation>peso %</translation>
+    </message>
+    <message>
+        <source>likeness %</source>
+        <translation>parecido %</translation>
+    </message>
+    <message>
+        <source>arrives mm</source>
+        <translation>llegada mm</translation>
+    </message>
+    <message>
+        <source>apart mm</source>
+        <translation>separación mm</translation>
+    </message>
+    <message>
+        <source>over the beat</source>
+        <translation>durante el latido</translation>
+    </message>
+    <message>
+        <source>Series or slice, and what it shows of the heart</source>
+        <translation>Serie o corte, y lo que muestra del corazón</translation>
+    </message>
+    <message>
+        <source>What the plane says of the phase that is shown</source>
+        <translation>Lo que el plano dice de la fase mostrada</translation>
+    </message>
+    <message>
+        <source>Mean weight of its contours over the beat</source>
+        <translation>Peso medio de sus contornos durante el latido</translation>
+    </message>
+    <message>
+        <source>How alike its images are around the wall, over the beat</source>
+        <translation>Cuánto se parecen sus imágenes alrededor de la pared, durante el latido</translation>
+    </message>
+    <message>
+        <source>How far its tissue arrives from the next labelled surface</source>
+        <translation>A qué distancia de la siguiente superficie etiquetada llega su tejido</translation>
+    </message>
+    <message>
+        <source>Distance of its tissue from the surfaces</source>
+        <translation>Distancia de su tejido a las superficies</translation>
+    </message>
+    <message>
+        <source>Why the plane says little</source>
+        <translation>Por qué el plano dice poco</translation>
+    </message>
+    <message>
+        <source>good</source>
+        <translation>bueno</translation>
+    </message>
+</context>
+<context>
     <name>viscera::app::PlayMode</name>
     <message>
         <source>Play</source>
@@ -3388,10 +3722,6 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
     <message>
         <source>Motion from a ser&amp;ies...</source>
         <translation>Movimiento de una ser&amp;ie...</translation>
-    </message>
-    <message>
-        <source>Compute a patient&apos;s own motion from surfaces or label maps of each phase of the cycle</source>
-        <translation>Calcular el movimiento propio de un paciente a partir de superficies o mapas de etiquetas de cada fase del ciclo</translation>
     </message>
     <message>
         <source>Compare two &amp;rates</source>
@@ -3521,6 +3851,10 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
         <source>Colour the heart&apos;s wall by the strain of its segments; a click chooses one</source>
         <translation>Colorear la pared del corazón según la deformación de sus segmentos; un clic elige uno</translation>
     </message>
+    <message>
+        <source>Compute a patient&apos;s own motion from surfaces or label maps of each phase of the cycle, or from cine images and the labels of a few phases</source>
+        <translation>Calcular el movimiento propio de un paciente a partir de superficies o mapas de etiquetas de cada fase del ciclo, o de imágenes de cine y las etiquetas de algunas fases</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::PlayPage</name>
@@ -3591,6 +3925,14 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
     <message>
         <source>Normal for %1: %2.</source>
         <translation>Normal para %1: %2.</translation>
+    </message>
+    <message>
+        <source>An estimate: only one phase of the images has labels</source>
+        <translation>Una estimación: solo una fase de las imágenes tiene etiquetas</translation>
+    </message>
+    <message>
+        <source>%1 (estimate)</source>
+        <translation>%1 (estimación)</translation>
     </message>
 </context>
 <context>
@@ -4048,6 +4390,54 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
         <source>Show the measured surfaces of the nearest phase, translucent</source>
         <translation>Mostrar las superficies medidas de la fase más próxima, translúcidas</translation>
     </message>
+    <message>
+        <source>from</source>
+        <translation>de</translation>
+    </message>
+    <message>
+        <source>wall ml</source>
+        <translation>pared ml</translation>
+    </message>
+    <message>
+        <source>Whether the phase has labels, or was found in the images</source>
+        <translation>Si la fase tiene etiquetas o se encontró en las imágenes</translation>
+    </message>
+    <message>
+        <source>Volume of the wall as a check: muscle hardly changes it. More than 10 % beyond the labelled phases needs attention</source>
+        <translation>Volumen de la pared como control: el músculo apenas lo cambia. Más del 10 % fuera de las fases etiquetadas requiere atención</translation>
+    </message>
+    <message>
+        <source>Planes of the images</source>
+        <translation>Planos de las imágenes</translation>
+    </message>
+    <message>
+        <source>Estimate from the labels of one phase</source>
+        <translation>Estimación a partir de las etiquetas de una fase</translation>
+    </message>
+    <message>
+        <source>%1: about EF %2 %, %3 to %4 ml, %5 l/min</source>
+        <translation>%1: FE aproximada %2 %, %3 a %4 ml, %5 l/min</translation>
+    </message>
+    <message>
+        <source>%1 ED</source>
+        <translation>%1 ED</translation>
+    </message>
+    <message>
+        <source>%1 ES</source>
+        <translation>%1 ES</translation>
+    </message>
+    <message>
+        <source>An estimate: this phase has no labels, and only one has some.</source>
+        <translation>Una estimación: esta fase no tiene etiquetas y solo una las tiene.</translation>
+    </message>
+    <message>
+        <source>labels</source>
+        <translation>etiquetas</translation>
+    </message>
+    <message>
+        <source>images</source>
+        <translation>imágenes</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::SampleNames</name>
@@ -4117,10 +4507,6 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
     <message>
         <source>&amp;Sagittal slice</source>
         <translation>Corte &amp;sagital</translation>
-    </message>
-    <message>
-        <source>  phase %1 of %2</source>
-        <translation>  fase %1 de %2</translation>
     </message>
     <message>
         <source>Open a &amp;scan...</source>
@@ -4255,6 +4641,13 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
     <message>
         <source>Read other slices...</source>
         <translation>Leer otros cortes...</translation>
+    </message>
+    <message numerus="yes">
+        <source>  %n phases</source>
+        <translation>
+            <numerusform>  %n fase</numerusform>
+            <numerusform>  %n fases</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -5085,6 +5478,42 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
         <source>Nothing is deformed: drag a handle, or play a sequence (Space).</source>
         <translation>Nada está deformado: arrastre un tirador o reproduzca una secuencia (Espacio).</translation>
     </message>
+    <message>
+        <source>Choose a material</source>
+        <translation>Elegir un material</translation>
+    </message>
+    <message>
+        <source>Another material</source>
+        <translation>Otro material</translation>
+    </message>
+    <message>
+        <source>Material</source>
+        <translation>Material</translation>
+    </message>
+    <message>
+        <source>The tissue whose stiffness makes pascals of the deformation; it does not change the pose</source>
+        <translation>El tejido cuya rigidez convierte la deformación en pascales; no cambia la pose</translation>
+    </message>
+    <message>
+        <source>Young&apos;s modulus</source>
+        <translation>Módulo de Young</translation>
+    </message>
+    <message>
+        <source> kPa</source>
+        <translation> kPa</translation>
+    </message>
+    <message>
+        <source>Poisson&apos;s ratio</source>
+        <translation>Coeficiente de Poisson</translation>
+    </message>
+    <message>
+        <source>Pascals exist only of a stated material. Choose a material first.</source>
+        <translation>Solo hay pascales de un material indicado. Elija primero un material.</translation>
+    </message>
+    <message>
+        <source>Young&apos;s modulus %1 kPa, doi:%2</source>
+        <translation>Módulo de Young %1 kPa, doi:%2</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::SystemBox</name>
@@ -5300,6 +5729,14 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
     <message>
         <source>The images of the cine study: there is no motion yet</source>
         <translation>Las imágenes del estudio cine: todavía no hay movimiento</translation>
+    </message>
+    <message>
+        <source>The phases of the scan: there is no motion yet</source>
+        <translation>Las fases del estudio: todavía no hay movimiento</translation>
+    </message>
+    <message>
+        <source>Scan</source>
+        <translation>Estudio</translation>
     </message>
 </context>
 <context>
@@ -5538,6 +5975,10 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
     <message>
         <source>Fit of the motion</source>
         <translation>Ajuste del movimiento</translation>
+    </message>
+    <message>
+        <source>EF about %1 %  SV about %2 ml (estimate)</source>
+        <translation>FE aprox. %1 %  VS aprox. %2 ml (estimación)</translation>
     </message>
 </context>
 <context>

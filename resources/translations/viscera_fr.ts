@@ -516,6 +516,116 @@ N&#xa0;: noms, H&#xa0;: poignées, X&#xa0;: paroi, R&#xa0;: rétablir, T&#xa0;: 
     </message>
 </context>
 <context>
+    <name>viscera::app::CinePage</name>
+    <message>
+        <source>Open study</source>
+        <translation>Étude ouverte</translation>
+    </message>
+    <message>
+        <source>Take the images that are open in the window</source>
+        <translation>Prendre les images ouvertes dans la fenêtre</translation>
+    </message>
+    <message>
+        <source>Images...</source>
+        <translation>Images...</translation>
+    </message>
+    <message>
+        <source>A folder with the DICOM files of a cine study</source>
+        <translation>Un dossier avec les fichiers DICOM d&apos;une étude ciné</translation>
+    </message>
+    <message>
+        <source>Image file...</source>
+        <translation>Fichier d&apos;images...</translation>
+    </message>
+    <message>
+        <source>One file of images over time: 4D NIfTI or .seq.nrrd</source>
+        <translation>Un fichier d&apos;images dans le temps : NIfTI 4D ou .seq.nrrd</translation>
+    </message>
+    <message>
+        <source>Labels...</source>
+        <translation>Étiquettes...</translation>
+    </message>
+    <message>
+        <source>Label maps or surfaces of single phases: the ends of diastole and systole at least</source>
+        <translation>Cartes d&apos;étiquettes ou surfaces de phases isolées : au moins les fins de diastole et de systole</translation>
+    </message>
+    <message>
+        <source>Folder of one phase...</source>
+        <translation>Dossier d&apos;une phase...</translation>
+    </message>
+    <message>
+        <source>A folder with all surfaces of one phase</source>
+        <translation>Un dossier avec toutes les surfaces d&apos;une phase</translation>
+    </message>
+    <message>
+        <source>Labels and their phases</source>
+        <translation>Étiquettes et leurs phases</translation>
+    </message>
+    <message>
+        <source>Labels</source>
+        <translation>Étiquettes</translation>
+    </message>
+    <message>
+        <source>Looking through the images</source>
+        <translation>Examen des images</translation>
+    </message>
+    <message>
+        <source>Folder with a cine study</source>
+        <translation>Dossier avec une étude ciné</translation>
+    </message>
+    <message>
+        <source>Images over time</source>
+        <translation>Images dans le temps</translation>
+    </message>
+    <message>
+        <source>Labels of single phases</source>
+        <translation>Étiquettes de phases isolées</translation>
+    </message>
+    <message>
+        <source>Surfaces of one phase</source>
+        <translation>Surfaces d&apos;une phase</translation>
+    </message>
+    <message>
+        <source>not said</source>
+        <translation>non indiquée</translation>
+    </message>
+    <message>
+        <source> of %1</source>
+        <translation> sur %1</translation>
+    </message>
+    <message>
+        <source>Phase of %1</source>
+        <translation>Phase de %1</translation>
+    </message>
+    <message>
+        <source>Guessed from the name and the images: check it</source>
+        <translation>Deviné d&apos;après le nom et les images : à vérifier</translation>
+    </message>
+    <message>
+        <source>The phase that these labels belong to</source>
+        <translation>La phase à laquelle ces étiquettes appartiennent</translation>
+    </message>
+    <message>
+        <source>Leave out %1</source>
+        <translation>Laisser %1 de côté</translation>
+    </message>
+    <message>
+        <source>Reading %1 ...</source>
+        <translation>Lecture de %1 ...</translation>
+    </message>
+    <message>
+        <source>No images are chosen.</source>
+        <translation>Aucune image n&apos;est choisie.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: %2 phases, %n planes</source>
+        <translation>
+            <numerusform>%1 : %2 phases, %n plan</numerusform>
+            <numerusform>%1 : %2 phases, %n plans</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>viscera::app::CirculationBox</name>
     <message>
         <source>Preload: stressed blood</source>
@@ -672,6 +782,70 @@ N&#xa0;: noms, H&#xa0;: poignées, X&#xa0;: paroi, R&#xa0;: rétablir, T&#xa0;: 
     </message>
 </context>
 <context>
+    <name>viscera::app::ContourCorrector</name>
+    <message>
+        <source>Only contours of a motion that was found in images can be corrected.</source>
+        <translation>Seuls les contours d&apos;un mouvement trouvé dans des images peuvent être corrigés.</translation>
+    </message>
+    <message>
+        <source>The motion is being fitted to the last correction.</source>
+        <translation>Le mouvement est en cours d&apos;ajustement à la dernière correction.</translation>
+    </message>
+    <message>
+        <source>Phase %1 has labels, which are exact. Correct a phase between them, or change its labels.</source>
+        <translation>La phase %1 a des labels, qui sont exacts. Corrigez une phase intermédiaire, ou modifiez ses labels.</translation>
+    </message>
+    <message>
+        <source>This organ is not moved by the motion that was found in images.</source>
+        <translation>Cet organe n&apos;est pas mû par le mouvement trouvé dans les images.</translation>
+    </message>
+    <message>
+        <source>Correct contour</source>
+        <translation>Corriger le contour</translation>
+    </message>
+    <message numerus="yes">
+        <source>The motion is that of the images again. %n phases have changed.</source>
+        <translation>
+            <numerusform>Le mouvement est de nouveau celui des images. %n phase a changé.</numerusform>
+            <numerusform>Le mouvement est de nouveau celui des images. %n phases ont changé.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n phases have changed.</source>
+        <translation>
+            <numerusform>%n phase a changé.</numerusform>
+            <numerusform>%n phases ont changé.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The motion meets all corrected contours to %1 mm.</source>
+        <translation>Le mouvement passe par tous les contours corrigés à %1 mm près.</translation>
+    </message>
+    <message>
+        <source>The corrected contour of %1 in phase %2 is met to %3 mm only.</source>
+        <translation>Le contour corrigé de %1 à la phase %2 n&apos;est atteint qu&apos;à %3 mm près.</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::ContourGrip</name>
+    <message>
+        <source>Correct &amp;contours</source>
+        <translation>Corriger les &amp;contours</translation>
+    </message>
+    <message>
+        <source>Drag the contour of a tracked organ in a slice: the motion is fitted to it. Ctrl does the same while it is held. Enabled for a motion that was found in images</source>
+        <translation>Tirez le contour d&apos;un organe suivi dans une coupe : le mouvement s&apos;y ajuste. Ctrl fait de même tant que la touche est enfoncée. Disponible pour un mouvement trouvé dans des images</translation>
+    </message>
+    <message>
+        <source>&amp;Remove a corrected contour</source>
+        <translation>&amp;Supprimer un contour corrigé</translation>
+    </message>
+    <message>
+        <source>%1, slice %2, phase %3</source>
+        <translation>%1, coupe %2, phase %3</translation>
+    </message>
+</context>
+<context>
     <name>viscera::app::CurveBox</name>
     <message>
         <source>Curve...</source>
@@ -814,6 +988,14 @@ N&#xa0;: noms, H&#xa0;: poignées, X&#xa0;: paroi, R&#xa0;: rétablir, T&#xa0;: 
     <message>
         <source>Under a locked volume, moved handles go exactly where they are sent, and the others compensate; else a moved handle stays where the volume lets it</source>
         <translation>Sous un volume verrouillé, les poignées vont exactement où on les envoie et les autres compensent&#xa0;; sinon une poignée reste là où le volume le permet</translation>
+    </message>
+    <message>
+        <source>&amp;Free handles follow</source>
+        <translation>Les poignées &amp;libres suivent</translation>
+    </message>
+    <message>
+        <source>Handles that you do not drag go to where the elastic energy of the organs&apos; tissue is least; locked handles hold it, else it moves as a whole. Locked volumes stay exact. The first drag takes about a second, the next ones a tenth of a second a step</source>
+        <translation>Les poignées que vous ne tirez pas vont là où l&apos;énergie élastique du tissu des organes est minimale ; les poignées verrouillées le retiennent, sinon il se déplace d&apos;un bloc. Les volumes verrouillés restent exacts. Le premier déplacement prend environ une seconde, les suivants un dixième de seconde par pas</translation>
     </message>
 </context>
 <context>
@@ -1146,6 +1328,13 @@ N&#xa0;: noms, H&#xa0;: poignées, X&#xa0;: paroi, R&#xa0;: rétablir, T&#xa0;: 
     <message>
         <source>Date</source>
         <translation>Date</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n phases in %1 s</source>
+        <translation>
+            <numerusform>%n phase en %1 s</numerusform>
+            <numerusform>%n phases en %1 s</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -1998,6 +2187,18 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez sur l’organe en mode
         <source>The heart&apos;s numbers are in %1</source>
         <translation>Les valeurs du cœur sont dans %1</translation>
     </message>
+    <message>
+        <source>%1 (estimate)</source>
+        <translation>%1 (estimation)</translation>
+    </message>
+    <message>
+        <source>Estimates: only one phase of the images has labels. Of a right ventricle there are no numbers then.</source>
+        <translation>Estimations : une seule phase des images a des étiquettes. Il n&apos;y a alors pas de nombres pour un ventricule droit.</translation>
+    </message>
+    <message>
+        <source>Body surface %1 m² from the images: %2 cm, %3 kg</source>
+        <translation>Surface corporelle %1 m² d&apos;après les images : %2 cm, %3 kg</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::HeartOpener</name>
@@ -2588,6 +2789,32 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez sur l’organe en mode
             <numerusform>%n phases demandent attention&#xa0;: voir le tableau à côté du graphique.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>An estimate of %n phases from the images and the labels of phase %1 alone. Mean distance from labels and followed tissue: %2.</source>
+        <translation>
+            <numerusform>Une estimation de %n phase à partir des images et des étiquettes de la seule phase %1. Distance moyenne aux étiquettes et au tissu suivi : %2.</numerusform>
+            <numerusform>Une estimation de %n phases à partir des images et des étiquettes de la seule phase %1. Distance moyenne aux étiquettes et au tissu suivi : %2.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Motion of %n phases from the images and the labels of phases %1. Mean distance from labels and followed tissue: %2.</source>
+        <translation>
+            <numerusform>Mouvement de %n phase à partir des images et des étiquettes des phases %1. Distance moyenne aux étiquettes et au tissu suivi : %2.</numerusform>
+            <numerusform>Mouvement de %n phases à partir des images et des étiquettes des phases %1. Distance moyenne aux étiquettes et au tissu suivi : %2.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Motion from images</source>
+        <translation>Mouvement à partir d&apos;images</translation>
+    </message>
+    <message>
+        <source>Not used for the motion</source>
+        <translation>Non utilisé pour le mouvement</translation>
+    </message>
+    <message>
+        <source>Estimate: %1</source>
+        <translation>Estimation : %1</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::Menus</name>
@@ -2905,6 +3132,46 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez sur l’organe en mode
     <message>
         <source>Role of %1</source>
         <translation>Rôle de %1</translation>
+    </message>
+    <message>
+        <source>Cancel the search</source>
+        <translation>Annuler la recherche</translation>
+    </message>
+    <message>
+        <source>What the motion is found from</source>
+        <translation>À partir de quoi le mouvement est trouvé</translation>
+    </message>
+    <message>
+        <source>Labels or surfaces of every phase</source>
+        <translation>Étiquettes ou surfaces de chaque phase</translation>
+    </message>
+    <message>
+        <source>Cine images, and labels of a few phases</source>
+        <translation>Images ciné et étiquettes de quelques phases</translation>
+    </message>
+    <message>
+        <source>Turns the labels of a few phases, the ends of diastole and systole at least, and cine images of the whole cycle into handles and a key sequence with a key for each phase. Volumes of labelled phases are exact; the images show the others. One labelled phase gives an estimate. The result replaces the open organs; Undo brings them back.</source>
+        <translation>Transforme les étiquettes de quelques phases, au moins des fins de diastole et de systole, et les images ciné de tout le cycle en poignées et en une séquence de clés avec une clé par phase. Les volumes des phases étiquetées sont exacts ; les images montrent les autres. Une seule phase étiquetée donne une estimation. Le résultat remplace les organes ouverts ; Annuler les ramène.</translation>
+    </message>
+    <message>
+        <source>Leave out series</source>
+        <translation>Séries à laisser de côté</translation>
+    </message>
+    <message>
+        <source>The labels are being read</source>
+        <translation>Lecture des étiquettes en cours</translation>
+    </message>
+    <message>
+        <source>Choose other labels: these cannot be read</source>
+        <translation>Choisissez d&apos;autres étiquettes : celles-ci sont illisibles</translation>
+    </message>
+    <message>
+        <source>%1 is not the number of a series</source>
+        <translation>%1 n&apos;est pas un numéro de série</translation>
+    </message>
+    <message>
+        <source>name series by their numbers, as in 3, 7</source>
+        <translation>nommez les séries par leurs numéros, comme dans 3, 7</translation>
     </message>
 </context>
 <context>
@@ -3340,6 +3607,73 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     </message>
 </context>
 <context>
+    <name>viscera::app::PlaneTable</name>
+    <message>
+        <source>Planes of the images</source>
+        <translation>Plans des images</translation>
+    </message>
+    <message>
+        <source>Plane</source>
+        <translation>Plan</translation>
+    </message>
+    <message>
+        <source>in this phase</source>
+        <translation>dans cette phase</translation>
+    </message>
+    <message>
+        <source>weight %</source>
+        <translation>poids %</translation>
+    </message>
+    <message>
+        <source>likeness %</source>
+        <translation>ressemblance %</translation>
+    </message>
+    <message>
+        <source>arrives mm</source>
+        <translation>arrivée mm</translation>
+    </message>
+    <message>
+        <source>apart mm</source>
+        <translation>écart mm</translation>
+    </message>
+    <message>
+        <source>over the beat</source>
+        <translation>sur le battement</translation>
+    </message>
+    <message>
+        <source>Series or slice, and what it shows of the heart</source>
+        <translation>Série ou coupe, et ce qu&apos;elle montre du cœur</translation>
+    </message>
+    <message>
+        <source>What the plane says of the phase that is shown</source>
+        <translation>Ce que le plan dit de la phase affichée</translation>
+    </message>
+    <message>
+        <source>Mean weight of its contours over the beat</source>
+        <translation>Poids moyen de ses contours sur le battement</translation>
+    </message>
+    <message>
+        <source>How alike its images are around the wall, over the beat</source>
+        <translation>Ressemblance de ses images autour de la paroi, sur le battement</translation>
+    </message>
+    <message>
+        <source>How far its tissue arrives from the next labelled surface</source>
+        <translation>À quelle distance de la surface étiquetée suivante son tissu arrive</translation>
+    </message>
+    <message>
+        <source>Distance of its tissue from the surfaces</source>
+        <translation>Distance de son tissu aux surfaces</translation>
+    </message>
+    <message>
+        <source>Why the plane says little</source>
+        <translation>Pourquoi le plan dit peu de choses</translation>
+    </message>
+    <message>
+        <source>good</source>
+        <translation>bon</translation>
+    </message>
+</context>
+<context>
     <name>viscera::app::PlayMode</name>
     <message>
         <source>Play</source>
@@ -3388,10 +3722,6 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     <message>
         <source>Motion from a ser&amp;ies...</source>
         <translation>Mouvement d’une &amp;série...</translation>
-    </message>
-    <message>
-        <source>Compute a patient&apos;s own motion from surfaces or label maps of each phase of the cycle</source>
-        <translation>Calculer le mouvement propre d’un patient à partir de surfaces ou de cartes d’étiquettes de chaque phase du cycle</translation>
     </message>
     <message>
         <source>Compare two &amp;rates</source>
@@ -3521,6 +3851,10 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
         <source>Colour the heart&apos;s wall by the strain of its segments; a click chooses one</source>
         <translation>Colorer la paroi du cœur selon la déformation de ses segments&#x202f;; un clic en choisit un</translation>
     </message>
+    <message>
+        <source>Compute a patient&apos;s own motion from surfaces or label maps of each phase of the cycle, or from cine images and the labels of a few phases</source>
+        <translation>Calculer le mouvement propre d&apos;un patient à partir de surfaces ou de cartes d&apos;étiquettes de chaque phase du cycle, ou d&apos;images ciné et des étiquettes de quelques phases</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::PlayPage</name>
@@ -3591,6 +3925,14 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     <message>
         <source>Normal for %1: %2.</source>
         <translation>Normale pour %1&#xa0;: %2.</translation>
+    </message>
+    <message>
+        <source>An estimate: only one phase of the images has labels</source>
+        <translation>Une estimation : une seule phase des images a des étiquettes</translation>
+    </message>
+    <message>
+        <source>%1 (estimate)</source>
+        <translation>%1 (estimation)</translation>
     </message>
 </context>
 <context>
@@ -4048,6 +4390,54 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
         <source>Show the measured surfaces of the nearest phase, translucent</source>
         <translation>Montrer les surfaces mesurées de la phase la plus proche, translucides</translation>
     </message>
+    <message>
+        <source>from</source>
+        <translation>de</translation>
+    </message>
+    <message>
+        <source>wall ml</source>
+        <translation>paroi ml</translation>
+    </message>
+    <message>
+        <source>Whether the phase has labels, or was found in the images</source>
+        <translation>Si la phase a des étiquettes ou a été trouvée dans les images</translation>
+    </message>
+    <message>
+        <source>Volume of the wall as a check: muscle hardly changes it. More than 10 % beyond the labelled phases needs attention</source>
+        <translation>Volume de la paroi comme contrôle : le muscle n&apos;en change guère. Plus de 10 % au-delà des phases étiquetées demande attention</translation>
+    </message>
+    <message>
+        <source>Planes of the images</source>
+        <translation>Plans des images</translation>
+    </message>
+    <message>
+        <source>Estimate from the labels of one phase</source>
+        <translation>Estimation à partir des étiquettes d&apos;une phase</translation>
+    </message>
+    <message>
+        <source>%1: about EF %2 %, %3 to %4 ml, %5 l/min</source>
+        <translation>%1 : environ FE %2 %, %3 à %4 ml, %5 l/min</translation>
+    </message>
+    <message>
+        <source>%1 ED</source>
+        <translation>%1 ED</translation>
+    </message>
+    <message>
+        <source>%1 ES</source>
+        <translation>%1 ES</translation>
+    </message>
+    <message>
+        <source>An estimate: this phase has no labels, and only one has some.</source>
+        <translation>Une estimation : cette phase n&apos;a pas d&apos;étiquettes, et une seule en a.</translation>
+    </message>
+    <message>
+        <source>labels</source>
+        <translation>étiquettes</translation>
+    </message>
+    <message>
+        <source>images</source>
+        <translation>images</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::SampleNames</name>
@@ -4117,10 +4507,6 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     <message>
         <source>&amp;Sagittal slice</source>
         <translation>Coupe &amp;sagittale</translation>
-    </message>
-    <message>
-        <source>  phase %1 of %2</source>
-        <translation>  phase %1 sur %2</translation>
     </message>
     <message>
         <source>Open a &amp;scan...</source>
@@ -4255,6 +4641,13 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     <message>
         <source>Read other slices...</source>
         <translation>Lire d’autres coupes...</translation>
+    </message>
+    <message numerus="yes">
+        <source>  %n phases</source>
+        <translation>
+            <numerusform>  %n phase</numerusform>
+            <numerusform>  %n phases</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -5085,6 +5478,42 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
         <source>Nothing is deformed: drag a handle, or play a sequence (Space).</source>
         <translation>Rien n’est déformé : tirez une poignée, ou lancez une séquence (Espace).</translation>
     </message>
+    <message>
+        <source>Choose a material</source>
+        <translation>Choisir un matériau</translation>
+    </message>
+    <message>
+        <source>Another material</source>
+        <translation>Autre matériau</translation>
+    </message>
+    <message>
+        <source>Material</source>
+        <translation>Matériau</translation>
+    </message>
+    <message>
+        <source>The tissue whose stiffness makes pascals of the deformation; it does not change the pose</source>
+        <translation>Le tissu dont la rigidité fait des pascals de la déformation ; il ne change pas la pose</translation>
+    </message>
+    <message>
+        <source>Young&apos;s modulus</source>
+        <translation>Module d&apos;Young</translation>
+    </message>
+    <message>
+        <source> kPa</source>
+        <translation> kPa</translation>
+    </message>
+    <message>
+        <source>Poisson&apos;s ratio</source>
+        <translation>Coefficient de Poisson</translation>
+    </message>
+    <message>
+        <source>Pascals exist only of a stated material. Choose a material first.</source>
+        <translation>Il n&apos;y a de pascals que pour un matériau indiqué. Choisissez d&apos;abord un matériau.</translation>
+    </message>
+    <message>
+        <source>Young&apos;s modulus %1 kPa, doi:%2</source>
+        <translation>Module d&apos;Young %1 kPa, doi:%2</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::SystemBox</name>
@@ -5300,6 +5729,14 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     <message>
         <source>The images of the cine study: there is no motion yet</source>
         <translation>Les images de l&apos;étude ciné : il n&apos;y a pas encore de mouvement</translation>
+    </message>
+    <message>
+        <source>The phases of the scan: there is no motion yet</source>
+        <translation>Les phases de l&apos;examen : il n&apos;y a pas encore de mouvement</translation>
+    </message>
+    <message>
+        <source>Scan</source>
+        <translation>Examen</translation>
     </message>
 </context>
 <context>
@@ -5538,6 +5975,10 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     <message>
         <source>Fit of the motion</source>
         <translation>Ajustement du mouvement</translation>
+    </message>
+    <message>
+        <source>EF about %1 %  SV about %2 ml (estimate)</source>
+        <translation>FE environ %1 %  VES environ %2 ml (estimation)</translation>
     </message>
 </context>
 <context>
