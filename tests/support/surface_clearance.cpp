@@ -6,7 +6,11 @@
 #include <vector>
 
 #include <CGAL/AABB_face_graph_triangle_primitive.h>
+#if __has_include(<CGAL/AABB_traits_3.h>) // Since CGAL 6.
+#include <CGAL/AABB_traits_3.h>
+#else
 #include <CGAL/AABB_traits.h>
+#endif
 #include <CGAL/AABB_tree.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Side_of_triangle_mesh.h>
@@ -18,7 +22,12 @@ namespace {
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Point = Kernel::Point_3;
 using Surface = CGAL::Surface_mesh<Point>;
-using Tree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, CGAL::AABB_face_graph_triangle_primitive<Surface>>>;
+using Primitive = CGAL::AABB_face_graph_triangle_primitive<Surface>;
+#if __has_include(<CGAL/AABB_traits_3.h>)
+using Tree = CGAL::AABB_tree<CGAL::AABB_traits_3<Kernel, Primitive>>;
+#else
+using Tree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>>;
+#endif
 
 Surface surfaceFrom(const geometry::TriangleMesh& mesh) {
   Surface surface;

@@ -97,8 +97,9 @@ void FitBox::rebuildRows() {
   auto* form = new QFormLayout(rowsBox_);
   form->setContentsMargins(0, 0, 0, 0);
   form->setVerticalSpacing(2);
+  const std::string sequence = sequenceId();
   workspace_.guarded([&] {
-    for (const live::LandmarkRole& role : live::landmarkRoles(sequenceId())) {
+    for (const live::LandmarkRole& role : live::landmarkRoles(sequence)) {
       Row row;
       row.pick = new QToolButton(rowsBox_);
       row.pick->setObjectName(QStringLiteral("landmark_%1").arg(text(role.role)));
@@ -152,7 +153,8 @@ void FitBox::onClick(const QPointF& place) {
 
 void FitBox::setLandmark(const std::string& role, const Vec3& position) {
   bool several = false;
-  for (const live::LandmarkRole& known : live::landmarkRoles(sequenceId()))
+  const std::string sequence = sequenceId();
+  for (const live::LandmarkRole& known : live::landmarkRoles(sequence))
     several = several || (known.role == role && known.several);
   auto& points = landmarks_.points;
   std::erase_if(points, [&](const live::Landmark& point) {

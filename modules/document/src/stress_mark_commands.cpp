@@ -52,8 +52,8 @@ Command addStressProbe(OrganId organ, const Vec3& rest) {
 Command addStressLine(StressProbeId from, StressProbeId to) {
   return edit::onPart("Draw stress profile", &DocumentState::stressMarks,
                       [from, to](StressMarks& marks, const DocumentState&, IdSource& ids) {
-                        const StressProbe& a = edit::require(marks.probes, from, kProbe);
-                        const StressProbe& b = edit::require(marks.probes, to, kProbe);
+                        const StressProbe a = edit::require(marks.probes, from, kProbe);
+                        const StressProbe b = edit::require(marks.probes, to, kProbe);
                         if (from == to || a.organ != b.organ)
                           throw UsageError("A profile needs two probes of one organ");
                         if (std::any_of(marks.lines.begin(), marks.lines.end(),
