@@ -36,7 +36,7 @@
 #include "window/session/session_files.h"
 #include "window/session/session_view.h"
 #include "window/settings_dialog.h"
-#include "window/slices/contour_grip.h"
+#include "window/track/contour_grip.h"
 #include "window/slices/handle_grip.h"
 #include "window/slices/patient_offer.h"
 #include "window/slices/scan_actions.h"

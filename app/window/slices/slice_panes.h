@@ -118,7 +118,7 @@ private:
   std::function<SliceVerdict(std::size_t slice)> verdicts_;
   bool outdated_ = true;
   std::array<std::optional<Eigen::Vector2d>, 3> cursor_;
-  /// Those that are asked for the slices that are shown, the first ones first.
+  /// The tools that are asked for the slices that are shown, the first ones first.
   std::vector<SliceGrip*> gripsNow() const;
   std::vector<SliceGrip*> grips_, cineGrips_;
   SliceGrip* holding_ = nullptr; ///< The tool that handles the present drag.

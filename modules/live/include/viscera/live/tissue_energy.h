@@ -15,9 +15,10 @@ namespace viscera::live {
 int energyWitnesses(Eigen::Index handles);
 
 /// The elastic energy of what is inside the surfaces (mm, LPS), for handles that follow. Witness points on
-/// grids (`energyWitnesses`), which need no TetGen, are shared out by volume; the tissue of an organ inside another one counts
-/// twice. Surfaces that enclose nothing are left out. Takes about a second. Throws `DataError` when none is
-/// left or the coordinates are not linear in the pose, `Cancelled`, and what `bindWitnesses` throws.
+/// grids (`energyWitnesses`), which need no TetGen, are shared out by volume; the tissue of an organ inside
+/// another one counts twice. Surfaces that enclose nothing are left out. Takes about a second. Throws
+/// `DataError` when none is left or the coordinates are not linear in the pose, `Cancelled`, and what
+/// `bindWitnesses` throws.
 std::shared_ptr<const elasticity::LeastEnergy>
 tissueEnergy(const std::vector<std::shared_ptr<const geometry::TriangleMesh>>& surfaces,
              const coordinates::CoordinateSystem& system, const coordinates::HandleSet& handles,

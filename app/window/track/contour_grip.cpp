@@ -1,4 +1,4 @@
-#include "window/slices/contour_grip.h"
+#include "window/track/contour_grip.h"
 
 #include <QAction>
 #include <QApplication>
