@@ -104,7 +104,8 @@ struct Codec {
   }
   static void read(FieldReader from, Value& value) {
     from.json.requireObject(from.item, from.place);
-    value = Value{};
+    const Value usual;
+    value = usual; // Not a temporary, of which GCC 12 believes that it is not initialised.
     visitFields(from, value);
   }
 };
