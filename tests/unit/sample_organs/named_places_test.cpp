@@ -203,7 +203,7 @@ TEST(NamedPlacesOfTheBody, OfTheRightAtriumAreOnItsWall) {
   Progress progress;
   const auto cavity =
       sample_organs::sampleSurface(projectLibrary(), "heart", "ra", sample_organs::Resolution::low, progress);
-  ASSERT_EQ(cavity.places.size(), 1U);
+  ASSERT_EQ(cavity.places.size(), 3U);
   for (const geometry::NamedPlace& place : cavity.places) {
     EXPECT_LT((cavity.mesh->points.rowwise() - place.at.transpose()).rowwise().norm().minCoeff(),
               kFarthestFromSurface)
