@@ -142,7 +142,7 @@ void visitFields(Visit& visit, StressLook& look) {
   const auto keepRange = [&] { look.range = onScale(look.quantity, look.range, look.logarithmic); };
   keepRange(); // What is written is as it will be read.
   visit("quantity", look.quantity);
-  visit("material", look.material);
+  visit.where(look.material.stated(), "material", look.material);
   visit("range", look.range);
   visit("cutStyle", look.style);
   visit("normal", look.normal);
