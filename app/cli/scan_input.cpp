@@ -16,7 +16,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-constexpr double kMsOfSecond = 1000;
+constexpr double kMsOfASecond = 1000;
 
 std::string sizeText(const std::array<int, 3>& size) {
   return std::to_string(size[0]) + " x " + std::to_string(size[1]) + " x " + std::to_string(size[2]);
@@ -107,7 +107,7 @@ ordered_json timeJson(const medical_io::ScanOverTime& time) {
           {"fractions", time.fractions},
           {"missingFractions", time.missing},
           {"intervalMs",
-           time.periodSeconds > 0 ? ordered_json(kMsOfSecond * time.periodSeconds) : ordered_json(nullptr)},
+           time.periodSeconds > 0 ? ordered_json(kMsOfASecond * time.periodSeconds) : ordered_json(nullptr)},
           {"findings", time.findings}};
 }
 
@@ -115,7 +115,7 @@ ordered_json timeJson(const medical_io::ScanOverTime& time) {
 std::string timeText(const medical_io::ScanOverTime& time) {
   return std::to_string(time.fractions.size()) +
          (time.missing.empty() ? "" : " of " + std::to_string(time.phasesInCycle())) + " phases" +
-         (time.periodSeconds > 0 ? " in " + significant(kMsOfSecond * time.periodSeconds, 4) + " ms" : "");
+         (time.periodSeconds > 0 ? " in " + significant(kMsOfASecond * time.periodSeconds, 4) + " ms" : "");
 }
 
 } // namespace

@@ -39,7 +39,8 @@ void ComparedStress::follow() {
   });
   // The worst of the second view's own cycle, where the first one shows that of its own.
   cycle_.setWanted(state.shown.stress && state.stress.peak ? std::optional(live::CycleParts::curveAndPeak)
-                                                           : std::nullopt);
+                                                           : std::nullopt,
+                   state.stress.material.poisson);
   shareRange();
 }
 
