@@ -12,7 +12,7 @@
 #include "viscera/deformation/witness_mesh.h"
 #include "viscera/elasticity/material.h"
 
-/// Poses of least elastic energy: the handles that nobody moves go where the tissue would take them.
+/// Poses of least elastic energy: the handles that are not moved go where the tissue would take them.
 namespace viscera::elasticity {
 
 /// The energy of a deformation gradient F by the shear modulus, finite for folded tissue too:

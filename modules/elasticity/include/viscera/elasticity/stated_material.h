@@ -3,10 +3,10 @@
 #include <string>
 #include <string_view>
 
-/// Stress and energy of tissue from its stretches alone, in pascals of a material that somebody has stated.
+/// Stress and energy of tissue from its stretches alone, in pascals of a material that is stated.
 namespace viscera::elasticity {
 
-/// Poisson's ratio where nobody says another one: nearly incompressible.
+/// Poisson's ratio where no other one is stated: nearly incompressible.
 inline constexpr double kUsualPoisson = 0.49;
 
 /// A neo-Hookean material that a user has chosen: a tissue of the table, or Young's modulus. Without one

@@ -41,7 +41,7 @@ public:
   /// One file, or a folder of surfaces.
   struct Labels {
     std::filesystem::path file;
-    std::optional<std::size_t> phase; ///< From 0; none: nobody has said it.
+    std::optional<std::size_t> phase; ///< From 0; none: it is not stated.
     bool guessed = true;              ///< Not said by the user.
   };
 
