@@ -27,8 +27,8 @@ constexpr double kWheelStep = 120; ///< Qt: eighths of a degree.
 constexpr int kReadingLeft = 8;
 /// Above the level and width that stand in the picture.
 constexpr int kReadingAbove = 26;
-/// Under the title that stands in the picture.
-constexpr int kVerdictBelow = 26;
+/// The verdict stands under the picture's title, which gives way downward to the letter of its upper edge.
+constexpr int kVerdictBelow = 44, kVerdictBelowInLectures = 66;
 
 } // namespace
 
@@ -65,7 +65,8 @@ void SliceWidget::setPicture(const scene::SlicePicture& picture) {
 
 void SliceWidget::setTheme(const Theme& theme) {
   view_->setTheme(viewThemeOf(theme));
-  verdict_->move(kReadingLeft, theme.lecture ? 2 * kVerdictBelow : kVerdictBelow); // Its title is larger.
+  verdict_->move(kReadingLeft,
+                 theme.lecture ? kVerdictBelowInLectures : kVerdictBelow); // Its title is larger.
   scheduleRender();
 }
 
