@@ -200,8 +200,9 @@ TEST(HeartMeasures, ArteriesAreAsWideAsInHealthyAdultsAtFivePlaces) {
 
 TEST(HeartMeasures, VeinsAreAsWideAsInHealthyAdultsAtFivePlaces) {
   HeldRange superior("superior vena cava, lumen at five places", 11.7, 23.7, "mm",
-                     "Lin 2009, doi 10.1016/j.acra.2009.02.013 (103 people, computed tomography; 5th to 95th "
-                     "percentile of the area, as a circle's diameter)");
+                     "5th to 95th percentile of the area, as a circle's diameter: Lin 2009, PubMed 19394871 "
+                     "(103 people, computed tomography). 11.6 to 26.4 by ultrasound: Cowie 2015, doi "
+                     "10.1177/0310057X1504300312 (91 people)");
   addMeans(superior, {{-48, 16.8, 88}, {-48, 16, 76}, {-48.6, 15.4, 64}});
   HeldRange inferior("inferior vena cava, lumen at five places", 14.8, 26, "mm",
                      "doi 10.1007/s00330-018-5820-5 (1,503 people)");
@@ -282,12 +283,18 @@ double degreesBetween(const Vec3& a, const Vec3& b) {
 
 TEST(HeartMeasures, AxesStandToEachOtherAsInAtlases) {
   const Vec3 toApex = ventriclePlace(0, 0, 1) - ventricleFrame().origin();
-  HeldRange down("the left ventricle's axis below the horizontal plane", 20, 60, "degrees", "customary");
-  down.add(90 - degreesBetween(toApex, {0, 0, -1}));
-  HeldRange front("the left ventricle's axis before the frontal plane", 20, 60, "degrees", "customary");
-  front.add(90 - degreesBetween(toApex, {0, -1, 0}));
+  constexpr double kDegrees = 180 / std::numbers::pi;
+  HeldRange front("the left ventricle's axis seen from the front, below the horizontal", 18, 58, "degrees",
+                  "Engblom 2005, doi 10.1016/j.ahj.2004.10.041 (94 healthy people, magnetic resonance)");
+  front.add(std::atan2(-toApex.z(), toApex.x()) * kDegrees);
+  HeldRange above("the left ventricle's axis seen from above, before the line from right to left", 32, 60,
+                  "degrees", "Engblom 2005, doi 10.1016/j.ahj.2004.10.041");
+  above.add(std::atan2(-toApex.y(), toApex.x()) * kDegrees);
   const Vec3 aorta = Vec3(-22, 4, 58) - ringOf(HeartValve::aortic).center;
   const Vec3 trunk = Vec3(12, -6, 61) - ringOf(HeartValve::pulmonary).center;
+  HeldRange root("the aorta's first 3 cm and the left ventricle's axis", 109, 145, "degrees",
+                 "doi 10.1111/echo.15298 (100 people without heart disease, computed tomography)");
+  root.add(degreesBetween(aorta, toApex));
   HeldRange tracts("the outflow tracts, which cross", 40, 100, "degrees", "customary");
   tracts.add(degreesBetween(aorta, trunk));
   HeldRange planes("the planes of mitral and aortic valve, which open towards the ventricle", 100, 160,
@@ -311,9 +318,9 @@ TEST(HeartMeasures, MitralAndAorticValveAreContinuous) {
   for (const Vec3& a : around(ringOf(HeartValve::mitral)))
     for (const Vec3& b : around(ringOf(HeartValve::aortic)))
       nearest = std::min(nearest, (a - b).norm());
-  HeldRange held(
-      "mitral and aortic ring, nearest places", 0.5, 18.5, "mm",
-      "the fibrous curtain's edges: Cavalcanti 2005, J Morphol Sci 22(1), 30 hearts, without a DOI");
+  HeldRange held("mitral and aortic ring, nearest places", 0.5, 18.5, "mm",
+                 "the fibrous curtain's edges: Cavalcanti 2005, J Morphol Sci 22(1), 30 hearts; the journal "
+                 "gave no DOI");
   held.add(nearest);
 }
 
@@ -325,9 +332,11 @@ TEST(HeartMeasures, TricuspidValveHangsNearerToTheApexAtTheSeptum) {
       return (a - ringOf(other).center).norm() < (b - ringOf(other).center).norm();
     });
   };
-  HeldRange held("septal hinge of the tricuspid valve, nearer to the apex than the mitral one's", 3, 10, "mm",
+  HeldRange held("septal hinge of the tricuspid valve, nearer to the apex than the mitral one's", 2.2, 10,
+                 "mm",
                  "less than 8 mm for each m2 of body surface: guideline 2020, doi "
-                 "10.1093/eurheartj/ehaa554; at least 3 mm is customary");
+                 "10.1093/eurheartj/ehaa554; at least what it is before birth, when it still grows: "
+                 "Vettraino 2002, doi 10.7863/jum.2002.21.10.1099 (145 fetuses)");
   held.add(
       (hinge(HeartValve::tricuspid, HeartValve::mitral) - hinge(HeartValve::mitral, HeartValve::tricuspid))
           .dot(toApex));
