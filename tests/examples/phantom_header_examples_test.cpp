@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include "viscera/clinic/study_identity.h"
+#include "viscera/elasticity/stated_material.h"
 #include "viscera/elasticity/tissues.h"
 #include "viscera/phantom/phantom_options.h"
 #include "viscera/tracking/cine_images.h"
@@ -12,6 +14,22 @@ TEST(HeaderExamples, Tissues) {
   const double kpa = vonMisesKpa(liver, Eigen::Vector3d(1.1, 1, 1).asDiagonal());
   EXPECT_GT(kpa, 0.3);
   EXPECT_LT(kpa, 0.8);
+}
+
+TEST(HeaderExamples, StatedMaterial) {
+  using namespace elasticity;
+  const StatedMaterial liver = materialOf("liver");
+  const double kpa = vonMisesKpa(liver, {1.1, 1, 1.1});
+  EXPECT_GT(kpa, 0.3);
+  EXPECT_LT(kpa, 0.8);
+}
+
+TEST(HeaderExamples, StudyIdentity) {
+  using namespace clinic;
+  const StudyIdentity clean = withoutIdentity(newStudyIdentity(), "secret of this export");
+  const std::vector<IdentifyingElement> left = identifyingElements(clean);
+  ASSERT_FALSE(left.empty());
+  EXPECT_EQ(left.front().value, "Anonymous");
 }
 
 TEST(HeaderExamples, PhantomOptions) {

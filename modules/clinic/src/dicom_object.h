@@ -42,11 +42,11 @@ void putCode(DcmItem& item, const DcmTagKey& sequence, const Code& code);
 /// "12.5"; at most 16 characters.
 std::string decimalText(double value);
 
-/// Whose it is, study, series, equipment and the object's own UIDs and times. `modality`: "SEG".
+/// Writes whose it is, study, series, equipment and the object's own UIDs and times. `modality`: "SEG".
 void putCommon(DcmDataset& dataset, const StudyIdentity& identity, const ObjectSeries& series,
                const std::string& classUid, const std::string& modality);
 
-/// Which images an object refers to: sequences of series and instances below `item`.
+/// Writes which images an object refers to: sequences of series and instances below `item`.
 void putReferencedSeries(DcmItem& item, const StudyIdentity& identity);
 
 /// A part of the body in SNOMED CT.

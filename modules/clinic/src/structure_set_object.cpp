@@ -36,7 +36,7 @@ public:
       progress.report(double(o) / double(organs.size()), "contours");
       putOrgan(organs[o], static_cast<int>(o) + 1);
     }
-    // In the implicit form a contour may have any number of points: an explicit decimal string has 64 kB.
+    // A contour in the implicit form may have any number of points: an explicit decimal string has 64 kB.
     WrittenObject written = save(format_, file, series_, EXS_LittleEndianImplicit);
     for (const WrittenOrgan& organ : organs)
       written.segments.push_back(organ.name);

@@ -58,7 +58,7 @@ bool isLike(const SourceImage& a, const SourceImage& b) {
          std::abs(a.betweenColumns - b.betweenColumns) < kSamePlaceMm;
 }
 
-/// Of the first image's kind, each place once, in the order along the normal.
+/// Keeps those of the first image's kind, each place once, in the order along the normal.
 void keepOneStack(std::vector<SourceImage>& images) {
   if (images.empty())
     return;

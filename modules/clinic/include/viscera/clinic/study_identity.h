@@ -9,7 +9,7 @@
 #include "viscera/core/arrays.h"
 #include "viscera/core/progress.h"
 
-/// Whose the objects are that are written as DICOM, and which images they refer to.
+/// Says whose the objects are that are written as DICOM, and which images they refer to.
 namespace viscera::clinic {
 
 /// An image of a series: one slice.
@@ -40,19 +40,23 @@ struct IdentifyingElement {
   std::string value;
 };
 
-/// Those that are not empty.
+/// Gives those that are not empty.
 std::vector<IdentifyingElement> identifyingElements(const StudyIdentity& identity);
 
 /// Reads it from the files of one series. Slices in another direction, of another size or twice at one place
 /// are no images to refer to. Throws `NoInputError`, `DataError` where no file is a DICOM image, `Cancelled`.
 StudyIdentity readStudyIdentity(const std::vector<std::filesystem::path>& files, Progress& progress);
 
-/// Of organs that came from no DICOM images: a patient without a name in a study of its own, with new UIDs.
+/// Makes one for organs that came from no DICOM images: a patient without a name in a study of its own, with
+/// new UIDs.
 StudyIdentity newStudyIdentity();
 
 /// The same study without whose it is (basic profile of PS3.15, annex E): no name, numbers, dates,
 /// descriptions or physician; UIDs are replaced by others that follow from them and `secret`, so that all
 /// files of one export, and of a later one with the same secret, still belong together.
+///
+///     const StudyIdentity clean = withoutIdentity(newStudyIdentity(), "secret of this export");
+///     const std::vector<IdentifyingElement> left = identifyingElements(clean);
 StudyIdentity withoutIdentity(const StudyIdentity& identity, std::string_view secret);
 
 /// A UID that is new: "2.25." with 128 random bits.
