@@ -8119,6 +8119,14 @@
 <context>
     <name>viscera::app</name>
     <message>
+        <source>%1 (estimate)</source>
+        <translation>%1 (estimació)</translation>
+    </message>
+    <message>
+        <source>Planes of the images</source>
+        <translation>Plans de les imatges</translation>
+    </message>
+    <message>
         <source>Cine study</source>
         <translation>Estudi cine</translation>
     </message>

@@ -8119,6 +8119,14 @@
 <context>
     <name>viscera::app</name>
     <message>
+        <source>%1 (estimate)</source>
+        <translation>%1 (Schätzung)</translation>
+    </message>
+    <message>
+        <source>Planes of the images</source>
+        <translation>Ebenen der Bilder</translation>
+    </message>
+    <message>
         <source>Cine study</source>
         <translation>Cine-Studie</translation>
     </message>

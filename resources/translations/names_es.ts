@@ -8119,6 +8119,14 @@
 <context>
     <name>viscera::app</name>
     <message>
+        <source>%1 (estimate)</source>
+        <translation>%1 (estimación)</translation>
+    </message>
+    <message>
+        <source>Planes of the images</source>
+        <translation>Planos de las imágenes</translation>
+    </message>
+    <message>
         <source>Cine study</source>
         <translation>Estudio cine</translation>
     </message>

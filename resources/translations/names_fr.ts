@@ -8119,6 +8119,14 @@
 <context>
     <name>viscera::app</name>
     <message>
+        <source>%1 (estimate)</source>
+        <translation>%1 (estimation)</translation>
+    </message>
+    <message>
+        <source>Planes of the images</source>
+        <translation>Plans des images</translation>
+    </message>
+    <message>
         <source>Cine study</source>
         <translation>Étude ciné</translation>
     </message>

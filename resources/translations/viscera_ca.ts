@@ -2188,10 +2188,6 @@ Moveu el lliscador de dalt per col·locar-ne, o feu clic a l’òrgan en el mode
         <translation>Els valors del cor són a %1</translation>
     </message>
     <message>
-        <source>%1 (estimate)</source>
-        <translation>%1 (estimació)</translation>
-    </message>
-    <message>
         <source>Estimates: only one phase of the images has labels. Of a right ventricle there are no numbers then.</source>
         <translation>Estimacions: només una fase de les imatges té etiquetes. D&apos;un ventricle dret no hi ha nombres llavors.</translation>
     </message>
@@ -3609,10 +3605,6 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
 <context>
     <name>viscera::app::PlaneTable</name>
     <message>
-        <source>Planes of the images</source>
-        <translation>Plans de les imatges</translation>
-    </message>
-    <message>
         <source>Plane</source>
         <translation>Pla</translation>
     </message>
@@ -3929,10 +3921,6 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
     <message>
         <source>An estimate: only one phase of the images has labels</source>
         <translation>Una estimació: només una fase de les imatges té etiquetes</translation>
-    </message>
-    <message>
-        <source>%1 (estimate)</source>
-        <translation>%1 (estimació)</translation>
     </message>
 </context>
 <context>
@@ -4405,10 +4393,6 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
     <message>
         <source>Volume of the wall as a check: muscle hardly changes it. More than 10 % beyond the labelled phases needs attention</source>
         <translation>Volum de la paret com a control: el múscul gairebé no el canvia. Més d&apos;un 10 % fora de les fases etiquetades demana atenció</translation>
-    </message>
-    <message>
-        <source>Planes of the images</source>
-        <translation>Plans de les imatges</translation>
     </message>
     <message>
         <source>Estimate from the labels of one phase</source>

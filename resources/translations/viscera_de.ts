@@ -2188,10 +2188,6 @@ Bewegen Sie den Regler oben, um welche zu setzen, oder klicken Sie im Modus Grif
         <translation>Die Zahlen des Herzens sind in %1</translation>
     </message>
     <message>
-        <source>%1 (estimate)</source>
-        <translation>%1 (Schätzung)</translation>
-    </message>
-    <message>
         <source>Estimates: only one phase of the images has labels. Of a right ventricle there are no numbers then.</source>
         <translation>Schätzungen: nur eine Phase der Bilder hat Labels. Von einem rechten Ventrikel gibt es dann keine Zahlen.</translation>
     </message>
@@ -3609,10 +3605,6 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
 <context>
     <name>viscera::app::PlaneTable</name>
     <message>
-        <source>Planes of the images</source>
-        <translation>Ebenen der Bilder</translation>
-    </message>
-    <message>
         <source>Plane</source>
         <translation>Ebene</translation>
     </message>
@@ -3929,10 +3921,6 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
     <message>
         <source>An estimate: only one phase of the images has labels</source>
         <translation>Eine Schätzung: nur eine Phase der Bilder hat Labels</translation>
-    </message>
-    <message>
-        <source>%1 (estimate)</source>
-        <translation>%1 (Schätzung)</translation>
     </message>
 </context>
 <context>
@@ -4405,10 +4393,6 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
     <message>
         <source>Volume of the wall as a check: muscle hardly changes it. More than 10 % beyond the labelled phases needs attention</source>
         <translation>Volumen der Wand als Probe: Muskel ändert es kaum. Mehr als 10 % jenseits der markierten Phasen verlangt Aufmerksamkeit</translation>
-    </message>
-    <message>
-        <source>Planes of the images</source>
-        <translation>Ebenen der Bilder</translation>
     </message>
     <message>
         <source>Estimate from the labels of one phase</source>

@@ -2188,10 +2188,6 @@ Mueva el control de arriba para colocar algunos o haga clic en el órgano en el 
         <translation>Los valores del corazón están en %1</translation>
     </message>
     <message>
-        <source>%1 (estimate)</source>
-        <translation>%1 (estimación)</translation>
-    </message>
-    <message>
         <source>Estimates: only one phase of the images has labels. Of a right ventricle there are no numbers then.</source>
         <translation>Estimaciones: solo una fase de las imágenes tiene etiquetas. De un ventrículo derecho no hay números entonces.</translation>
     </message>
@@ -3609,10 +3605,6 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
 <context>
     <name>viscera::app::PlaneTable</name>
     <message>
-        <source>Planes of the images</source>
-        <translation>Planos de las imágenes</translation>
-    </message>
-    <message>
         <source>Plane</source>
         <translation>Plano</translation>
     </message>
@@ -3929,10 +3921,6 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
     <message>
         <source>An estimate: only one phase of the images has labels</source>
         <translation>Una estimación: solo una fase de las imágenes tiene etiquetas</translation>
-    </message>
-    <message>
-        <source>%1 (estimate)</source>
-        <translation>%1 (estimación)</translation>
     </message>
 </context>
 <context>
@@ -4405,10 +4393,6 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
     <message>
         <source>Volume of the wall as a check: muscle hardly changes it. More than 10 % beyond the labelled phases needs attention</source>
         <translation>Volumen de la pared como control: el músculo apenas lo cambia. Más del 10 % fuera de las fases etiquetadas requiere atención</translation>
-    </message>
-    <message>
-        <source>Planes of the images</source>
-        <translation>Planos de las imágenes</translation>
     </message>
     <message>
         <source>Estimate from the labels of one phase</source>

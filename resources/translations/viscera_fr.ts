@@ -2188,10 +2188,6 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez sur l’organe en mode
         <translation>Les valeurs du cœur sont dans %1</translation>
     </message>
     <message>
-        <source>%1 (estimate)</source>
-        <translation>%1 (estimation)</translation>
-    </message>
-    <message>
         <source>Estimates: only one phase of the images has labels. Of a right ventricle there are no numbers then.</source>
         <translation>Estimations : une seule phase des images a des étiquettes. Il n&apos;y a alors pas de nombres pour un ventricule droit.</translation>
     </message>
@@ -3609,10 +3605,6 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
 <context>
     <name>viscera::app::PlaneTable</name>
     <message>
-        <source>Planes of the images</source>
-        <translation>Plans des images</translation>
-    </message>
-    <message>
         <source>Plane</source>
         <translation>Plan</translation>
     </message>
@@ -3929,10 +3921,6 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     <message>
         <source>An estimate: only one phase of the images has labels</source>
         <translation>Une estimation : une seule phase des images a des étiquettes</translation>
-    </message>
-    <message>
-        <source>%1 (estimate)</source>
-        <translation>%1 (estimation)</translation>
     </message>
 </context>
 <context>
@@ -4405,10 +4393,6 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     <message>
         <source>Volume of the wall as a check: muscle hardly changes it. More than 10 % beyond the labelled phases needs attention</source>
         <translation>Volume de la paroi comme contrôle : le muscle n&apos;en change guère. Plus de 10 % au-delà des phases étiquetées demande attention</translation>
-    </message>
-    <message>
-        <source>Planes of the images</source>
-        <translation>Plans des images</translation>
     </message>
     <message>
         <source>Estimate from the labels of one phase</source>
