@@ -46,7 +46,7 @@ std::string nameOfLibrary(const std::string& file) {
       {R"((lib(c|m|dl|pthread|gcc_s|stdc\+\+|EGL|OpenGL|[a-z]+san)\.so|ld-linux).*)", ""},
       {"libvtk.*", "VTK"},
       {"libQt5.*", "Qt"},
-      {"lib(dcm|oflog|ofstd).*", "DCMTK"},
+      {"lib(dcm|cmr|oflog|ofstd).*", "DCMTK"},
       {"libopenjp2.*", "OpenJPEG"},
       {"libqhull.*", "Qhull"},
       {R"(libz\..*)", "zlib"},
