@@ -7811,10 +7811,6 @@
         <translation>ajust als contorns corregits</translation>
     </message>
     <message>
-        <source>as in {&quot;corrections&quot;: [{&quot;phase&quot;: 4, &quot;surface&quot;: &quot;RV&quot;, &quot;pointsMm&quot;: [[x, y, z], ...]}]}</source>
-        <translation>com a {&quot;corrections&quot;: [{&quot;phase&quot;: 4, &quot;surface&quot;: &quot;RV&quot;, &quot;pointsMm&quot;: [[x, y, z], ...]}]}</translation>
-    </message>
-    <message>
         <source>The %1 is damaged and left out: %2</source>
         <translation>Malmesa i omesa: %1 (%2)</translation>
     </message>
@@ -8114,6 +8110,22 @@
     <message>
         <source>write the segmentation too</source>
         <translation>escriviu també la segmentació</translation>
+    </message>
+    <message>
+        <source>export or copy it again</source>
+        <translation>exporteu-lo o copieu-lo de nou</translation>
+    </message>
+    <message>
+        <source>key sequence</source>
+        <translation>seqüència de fotogrames clau</translation>
+    </message>
+    <message>
+        <source>as in %1</source>
+        <translation>com a %1</translation>
+    </message>
+    <message>
+        <source>Correct contour</source>
+        <translation>Corregeix el contorn</translation>
     </message>
 </context>
 <context>

@@ -7811,10 +7811,6 @@
         <translation>an korrigierte Konturen anpassen</translation>
     </message>
     <message>
-        <source>as in {&quot;corrections&quot;: [{&quot;phase&quot;: 4, &quot;surface&quot;: &quot;RV&quot;, &quot;pointsMm&quot;: [[x, y, z], ...]}]}</source>
-        <translation>wie in {&quot;corrections&quot;: [{&quot;phase&quot;: 4, &quot;surface&quot;: &quot;RV&quot;, &quot;pointsMm&quot;: [[x, y, z], ...]}]}</translation>
-    </message>
-    <message>
         <source>The %1 is damaged and left out: %2</source>
         <translation>Beschädigt und ausgelassen: %1 (%2)</translation>
     </message>
@@ -8114,6 +8110,22 @@
     <message>
         <source>write the segmentation too</source>
         <translation>auch die Segmentierung schreiben</translation>
+    </message>
+    <message>
+        <source>export or copy it again</source>
+        <translation>noch einmal exportieren oder kopieren</translation>
+    </message>
+    <message>
+        <source>key sequence</source>
+        <translation>Schlüsselbildfolge</translation>
+    </message>
+    <message>
+        <source>as in %1</source>
+        <translation>wie in %1</translation>
+    </message>
+    <message>
+        <source>Correct contour</source>
+        <translation>Kontur korrigieren</translation>
     </message>
 </context>
 <context>

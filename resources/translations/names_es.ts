@@ -7811,10 +7811,6 @@
         <translation>ajuste a los contornos corregidos</translation>
     </message>
     <message>
-        <source>as in {&quot;corrections&quot;: [{&quot;phase&quot;: 4, &quot;surface&quot;: &quot;RV&quot;, &quot;pointsMm&quot;: [[x, y, z], ...]}]}</source>
-        <translation>como en {&quot;corrections&quot;: [{&quot;phase&quot;: 4, &quot;surface&quot;: &quot;RV&quot;, &quot;pointsMm&quot;: [[x, y, z], ...]}]}</translation>
-    </message>
-    <message>
         <source>The %1 is damaged and left out: %2</source>
         <translation>Dañada y omitida: %1 (%2)</translation>
     </message>
@@ -8114,6 +8110,22 @@
     <message>
         <source>write the segmentation too</source>
         <translation>escriba también la segmentación</translation>
+    </message>
+    <message>
+        <source>export or copy it again</source>
+        <translation>expórtelo o cópielo de nuevo</translation>
+    </message>
+    <message>
+        <source>key sequence</source>
+        <translation>secuencia de fotogramas clave</translation>
+    </message>
+    <message>
+        <source>as in %1</source>
+        <translation>como en %1</translation>
+    </message>
+    <message>
+        <source>Correct contour</source>
+        <translation>Corregir el contorno</translation>
     </message>
 </context>
 <context>

@@ -7811,10 +7811,6 @@
         <translation>ajustement aux contours corrigés</translation>
     </message>
     <message>
-        <source>as in {&quot;corrections&quot;: [{&quot;phase&quot;: 4, &quot;surface&quot;: &quot;RV&quot;, &quot;pointsMm&quot;: [[x, y, z], ...]}]}</source>
-        <translation>comme dans {&quot;corrections&quot;: [{&quot;phase&quot;: 4, &quot;surface&quot;: &quot;RV&quot;, &quot;pointsMm&quot;: [[x, y, z], ...]}]}</translation>
-    </message>
-    <message>
         <source>The %1 is damaged and left out: %2</source>
         <translation>Endommagée et laissée de côté : %1 (%2)</translation>
     </message>
@@ -8114,6 +8110,22 @@
     <message>
         <source>write the segmentation too</source>
         <translation>écrivez aussi la segmentation</translation>
+    </message>
+    <message>
+        <source>export or copy it again</source>
+        <translation>exportez-le ou copiez-le de nouveau</translation>
+    </message>
+    <message>
+        <source>key sequence</source>
+        <translation>séquence de clés</translation>
+    </message>
+    <message>
+        <source>as in %1</source>
+        <translation>comme dans %1</translation>
+    </message>
+    <message>
+        <source>Correct contour</source>
+        <translation>Corriger le contour</translation>
     </message>
 </context>
 <context>

@@ -194,9 +194,10 @@ std::vector<ContourCorrection> correctionsFrom(const JsonReader& reader, const o
 }
 
 std::vector<ContourCorrection> readCorrections(const std::filesystem::path& file) {
-  const JsonReader reader(file.string(),
-                          "as in {\"corrections\": [{\"phase\": 4, \"surface\": \"RV\", \"pointsMm\": [[x, "
-                          "y, z], ...]}]}");
+  const JsonReader reader(
+      file.string(),
+      phrase("as in %1",
+             R"({"corrections": [{"phase": 4, "surface": "RV", "pointsMm": [[x, y, z], ...]}]})"));
   const ordered_json content = reader.parse(readText(file));
   reader.requireObject(content, "");
   reader.listOf(content, "corrections", "");
