@@ -8127,6 +8127,14 @@
         <source>Correct contour</source>
         <translation>Corregeix el contorn</translation>
     </message>
+    <message>
+        <source>It is a segmentation over time: its frames show several phases at one place</source>
+        <translation>És una segmentació en el temps: les seves imatges mostren diverses fases en un mateix lloc</translation>
+    </message>
+    <message>
+        <source>export a segmentation of each phase</source>
+        <translation>exporteu una segmentació de cada fase</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app</name>

@@ -8127,6 +8127,14 @@
         <source>Correct contour</source>
         <translation>Kontur korrigieren</translation>
     </message>
+    <message>
+        <source>It is a segmentation over time: its frames show several phases at one place</source>
+        <translation>Es ist eine Segmentierung über die Zeit: Ihre Bilder zeigen mehrere Phasen an einem Ort</translation>
+    </message>
+    <message>
+        <source>export a segmentation of each phase</source>
+        <translation>eine Segmentierung je Phase exportieren</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app</name>

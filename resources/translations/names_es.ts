@@ -8127,6 +8127,14 @@
         <source>Correct contour</source>
         <translation>Corregir el contorno</translation>
     </message>
+    <message>
+        <source>It is a segmentation over time: its frames show several phases at one place</source>
+        <translation>Es una segmentación en el tiempo: sus imágenes muestran varias fases en un mismo lugar</translation>
+    </message>
+    <message>
+        <source>export a segmentation of each phase</source>
+        <translation>exporte una segmentación de cada fase</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app</name>

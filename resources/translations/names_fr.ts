@@ -8127,6 +8127,14 @@
         <source>Correct contour</source>
         <translation>Corriger le contour</translation>
     </message>
+    <message>
+        <source>It is a segmentation over time: its frames show several phases at one place</source>
+        <translation>C&apos;est une segmentation dans le temps : ses images montrent plusieurs phases à un même endroit</translation>
+    </message>
+    <message>
+        <source>export a segmentation of each phase</source>
+        <translation>exportez une segmentation de chaque phase</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app</name>

@@ -22,6 +22,7 @@ struct SegmentWriting {
   std::string referencedSeries = {};   ///< Empty: none.
   std::string referencedInstance = {}; ///< Of the first frame's source; empty: none.
   std::set<int> slices = {};           ///< Those that are written; empty: all.
+  int phases = 1;                      ///< So many times, each time with its temporal position.
 };
 
 inline std::set<int> labelsOf(const LabelImage& image) {
@@ -33,7 +34,7 @@ inline std::set<int> labelsOf(const LabelImage& image) {
 /// A frame of a segmentation: its values, its slice and its segment (0 in a label map).
 struct SegmentFrame {
   std::vector<int> values;
-  int slice = 0, segment = 0;
+  int slice = 0, segment = 0, phase = 1;
 };
 
 inline std::vector<SegmentFrame> segmentFrames(const LabelImage& image, const SegmentWriting& writing) {
@@ -50,7 +51,8 @@ inline std::vector<SegmentFrame> segmentFrames(const LabelImage& image, const Se
         frame.values[p] =
             isLabelMap ? (voxel == 0 ? writing.background : voxel) : (voxel == label ? writing.inside : 0);
       }
-      frames.push_back(std::move(frame));
+      for (frame.phase = 1; frame.phase <= writing.phases; ++frame.phase)
+        frames.push_back(frame);
     }
   return frames;
 }
@@ -80,6 +82,9 @@ inline DicomElements segmentationHeader(const LabelImage& image, const SegmentWr
     DicomElements groups = {
         {0x00209113,
          "SQ" + dicomItem({{0x00200032, "DS" + decimals(image.indexToLps * Vec3(0, 0, frame.slice))}})}};
+    if (writing.phases > 1)
+      groups[0x00209111] =
+          "SQ" + dicomItem({{0x00209128, "UL" + littleEndian(std::uint64_t(frame.phase), 4)}});
     if (frame.segment > 0)
       groups[0x0062000A] = "SQ" + dicomItem({{0x0062000B, us(frame.segment)}});
     if (count == 0 && !writing.referencedInstance.empty())

@@ -70,6 +70,28 @@ TEST_F(DicomSegments, AreReadFromLabelMapsOfBothWidthsAndEveryPacking) {
   }
 }
 
+/// One mask of all phases would be too large an organ.
+TEST_F(DicomSegments, OverTimeAreRefusedWithASentence) {
+  for (const char* type : {"BINARY", "LABELMAP"})
+    for (const int phases : {1, 3}) {
+      SCOPED_TRACE(type);
+      const int bits = std::string(type) == "LABELMAP" ? 8 : 1;
+      const std::string bytes = tests::dicomBytes(tests::segmentationElements(
+          liverAndTumour(),
+          {.type = type, .bits = bits, .names = {{1, "Liver"}, {2, "Tumour"}}, .phases = phases}));
+      if (phases == 1) {
+        expectOrgans(read(bytes), liverAndTumour());
+        continue;
+      }
+      try {
+        read(bytes);
+        ADD_FAILURE() << "phases were joined";
+      } catch (const DataError& error) {
+        EXPECT_THAT(error.what(), testing::HasSubstr("over time"));
+      }
+    }
+}
+
 TEST_F(DicomSegments, AreReadFromALabelMapWhoseBackgroundIsItsPadding) {
   const LabelImage image = liverAndTumour();
   const std::string bytes = tests::dicomBytes(tests::segmentationElements(

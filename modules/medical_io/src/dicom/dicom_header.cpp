@@ -323,6 +323,7 @@ private:
       file_.fail(diagnostic("its header is damaged: its rescale slope is 0"));
     if (!header_.window)
       readFrameWindow(items);
+    frame.temporalPosition = items.number(DCM_FrameContentSequence, DCM_TemporalPositionIndex);
     if (isSegmentation_)
       frame.segment = static_cast<int>(
           items.number(DCM_SegmentIdentificationSequence, DCM_ReferencedSegmentNumber).value_or(0));
@@ -355,7 +356,6 @@ private:
   }
 
   static void readTimes(const FrameItems& items, DicomFrame& frame) {
-    frame.temporalPosition = items.number(DCM_FrameContentSequence, DCM_TemporalPositionIndex);
     if (!frame.temporalPosition)
       frame.temporalPosition = items.number(DCM_FrameContentSequence, DCM_TemporalPositionIdentifier);
     frame.triggerMs = items.number(DCM_CardiacSynchronizationSequence, DCM_NominalCardiacTriggerDelayTime);

@@ -2,7 +2,9 @@
 #include <bit>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "dicom/dicom_kinds.h"
@@ -47,6 +49,7 @@ public:
     load();
     readSegments();
     grid_ = segmentationGrid(header_, file_);
+    requireOneInstant();
     raw_.size = grid_.size;
     raw_.indexToLps = grid_.indexToLps;
     raw_.space = "LPS";
@@ -102,6 +105,19 @@ private:
       if (segment.name.empty())
         segment.name = firstItemText(dataset, *item, DCM_SegmentedPropertyTypeCodeSequence, DCM_CodeMeaning);
       segments_.emplace(number, std::move(segment));
+    }
+  }
+
+  /// Phases of a motion must not become one organ that is as large as all of them.
+  void requireOneInstant() const {
+    std::map<std::pair<int, int>, std::optional<double>> seen; // By segment and slice.
+    for (std::size_t f = 0; f < header_.frames.size(); ++f) {
+      const DicomFrame& frame = header_.frames[f];
+      const auto [at, first] =
+          seen.emplace(std::pair(frame.segment, grid_.layers[f]), frame.temporalPosition);
+      if (!first && at->second != frame.temporalPosition)
+        file_.fail("It is a segmentation over time: its frames show several phases at one place",
+                   "export a segmentation of each phase");
     }
   }
 
