@@ -46,7 +46,7 @@
 #include "window/timeline/timeline_bar.h"
 #include "window/timeline/volume_panel.h"
 #include "window/track/contour_grip.h"
-#include "window/track/plane_verdict.h"
+#include "window/track/plane_table.h"
 #include "window/view/framing.h"
 #include "window/view/organ_pointer.h"
 #include "window/view/view_actions.h"

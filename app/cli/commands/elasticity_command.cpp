@@ -16,7 +16,6 @@
 #include "viscera/deformation/bind_organ.h"
 #include "viscera/deformation/tetrahedralise.h"
 #include "viscera/elasticity/elastic_organ.h"
-#include "viscera/elasticity/tissue_stress.h"
 #include "viscera/elasticity/tissues.h"
 #include "viscera/live/tissue_energy.h"
 #include "viscera/medical_io/surface_file.h"
@@ -43,6 +42,27 @@ Difference differenceOf(const Points& elastic, const Points& posed) {
   std::vector<double> sorted(distances.begin(), distances.end());
   std::sort(sorted.begin(), sorted.end());
   return {quantile(sorted, 0.5), quantile(sorted, 0.95), sorted.back()};
+}
+
+/// Writes a difference as `differenceMm` and `differencePercentOfDrag` into `json`.
+void addDifference(const Difference& difference, double dragMm, nlohmann::ordered_json& json) {
+  const double perCent = 100 / dragMm;
+  json["differenceMm"] = {
+      {"median", difference.medianMm}, {"p95", difference.p95Mm}, {"max", difference.maxMm}};
+  json["differencePercentOfDrag"] = {{"median", perCent * difference.medianMm},
+                                     {"p95", perCent * difference.p95Mm},
+                                     {"max", perCent * difference.maxMm}};
+}
+
+/// The same for reading, after what is compared.
+void listDifference(const char* name, const Difference& difference, double dragMm, Listing& listing) {
+  const double perCent = 100 / dragMm;
+  listing
+      .add(name, fixed(difference.medianMm, 2) + " mm (median), 95 % below " + fixed(difference.p95Mm, 2) +
+                     " mm, at most " + fixed(difference.maxMm, 2) + " mm")
+      .add("of the drag", fixed(perCent * difference.medianMm, 1) + " % (median), 95 % below " +
+                              fixed(perCent * difference.p95Mm, 1) + " %, at most " +
+                              fixed(perCent * difference.maxMm, 1) + " %");
 }
 
 /// Lets the patches move as the posed surface does at their nodes, in place of as the handles do.
@@ -160,7 +180,6 @@ private:
   void tell(const BoundInput& input, const elasticity::ElasticOrgan& organ, const elasticity::Grips& grips,
             const elasticity::StaticSolution& solution, const Difference& difference,
             Outcome& outcome) const {
-    const double perCent = 100 / grips.dragMm;
     outcome.json = {{"organ", input.organ.name},
                     {"system", input.system->id()},
                     {"tetrahedra", organ.body().mesh().tetrahedra.rows()},
@@ -168,29 +187,19 @@ private:
                     {"grips", grips_},
                     {"patches", {{"moved", grips.moved}, {"held", grips.held}}},
                     {"poisson", poisson_},
-                    {"dragMm", grips.dragMm},
-                    {"differenceMm",
-                     {{"median", difference.medianMm}, {"p95", difference.p95Mm}, {"max", difference.maxMm}}},
-                    {"differencePercentOfDrag",
-                     {{"median", perCent * difference.medianMm},
-                      {"p95", perCent * difference.p95Mm},
-                      {"max", perCent * difference.maxMm}}},
-                    {"volumeRatio", {{"min", solution.smallestJacobian}, {"max", solution.largestJacobian}}},
-                    {"loadSteps", solution.loadSteps},
-                    {"iterations", solution.iterations}};
+                    {"dragMm", grips.dragMm}};
+    addDifference(difference, grips.dragMm, outcome.json);
+    outcome.json["volumeRatio"] = {{"min", solution.smallestJacobian}, {"max", solution.largestJacobian}};
+    outcome.json["loadSteps"] = solution.loadSteps;
+    outcome.json["iterations"] = solution.iterations;
     Listing listing;
     listing.add("elastic organ", std::to_string(organ.body().mesh().tetrahedra.rows()) + " tetrahedra")
         .add("grips", std::to_string(grips.moved) + " moved, " +
                           (others_ == kHeld ? std::to_string(grips.held) + " held" : "all others free"))
-        .add("largest drag", fixed(grips.dragMm, 2) + " mm")
-        .add("difference", fixed(difference.medianMm, 2) + " mm (median), 95 % below " +
-                               fixed(difference.p95Mm, 2) + " mm, at most " + fixed(difference.maxMm, 2) +
-                               " mm")
-        .add("of the drag", fixed(perCent * difference.medianMm, 1) + " % (median), 95 % below " +
-                                fixed(perCent * difference.p95Mm, 1) + " %, at most " +
-                                fixed(perCent * difference.maxMm, 1) + " %")
-        .add("volume ratio",
-             fixed(solution.smallestJacobian, 3) + " to " + fixed(solution.largestJacobian, 3));
+        .add("largest drag", fixed(grips.dragMm, 2) + " mm");
+    listDifference("difference", difference, grips.dragMm, listing);
+    listing.add("volume ratio",
+                fixed(solution.smallestJacobian, 3) + " to " + fixed(solution.largestJacobian, 3));
     if (stated())
       tellStress(organ, solution, outcome, listing);
     outcome.text = listing.text();
@@ -246,29 +255,17 @@ private:
       elastic = input.organ.mesh->points +
                 organ.atSurface(solved(input, organ, grips, posed, context).displacements);
     const Difference difference = differenceOf(elastic, posed);
-    const double perCent = 100 / grips.dragMm;
-    outcome.json["leastEnergy"] = {
-        {"followingHandles", grips.loose.size()},
-        {"witnesses", tissue->witnesses()},
-        {"energyRatio", relaxed.energy / tissue->energy(input.pose)},
-        {"differenceMm",
-         {{"median", difference.medianMm}, {"p95", difference.p95Mm}, {"max", difference.maxMm}}},
-        {"differencePercentOfDrag",
-         {{"median", perCent * difference.medianMm},
-          {"p95", perCent * difference.p95Mm},
-          {"max", perCent * difference.maxMm}}},
-        {"seconds", taken.count()}};
+    nlohmann::ordered_json& json = outcome.json["leastEnergy"];
+    json = {{"followingHandles", grips.loose.size()},
+            {"witnesses", tissue->witnesses()},
+            {"energyRatio", relaxed.energy / tissue->energy(input.pose)}};
+    addDifference(difference, grips.dragMm, json);
+    json["seconds"] = taken.count();
     Listing listing;
-    listing
-        .add("free handles follow", std::to_string(grips.loose.size()) + " of " +
-                                        std::to_string(input.rig.handles.size()) + ", in " +
-                                        fixed(taken.count(), 3) + " s")
-        .add("difference then", fixed(difference.medianMm, 2) + " mm (median), 95 % below " +
-                                    fixed(difference.p95Mm, 2) + " mm, at most " +
-                                    fixed(difference.maxMm, 2) + " mm")
-        .add("of the drag", fixed(perCent * difference.medianMm, 1) + " % (median), 95 % below " +
-                                fixed(perCent * difference.p95Mm, 1) + " %, at most " +
-                                fixed(perCent * difference.maxMm, 1) + " %");
+    listing.add("free handles follow", std::to_string(grips.loose.size()) + " of " +
+                                           std::to_string(input.rig.handles.size()) + ", in " +
+                                           fixed(taken.count(), 3) + " s");
+    listDifference("difference then", difference, grips.dragMm, listing);
     outcome.text += listing.text();
   }
 

@@ -15,7 +15,7 @@
 
 #include "viscera/core/atomic_file.h"
 #include "viscera/document/study_item.h"
-#include "window/play/study_person.h"
+#include "viscera/live/cine_reading.h"
 #include "window/style/language.h"
 #include "window/view/view_model.h"
 #include "window/widgets/flow_layout.h"
@@ -150,7 +150,7 @@ void HeartNumbersBox::sync() {
 QString HeartNumbersBox::personText() const {
   const auto& item = workspace_.state().study;
   const double surface = view_.state().person.bodySurfaceM2;
-  const auto stated = item ? statedBodySurface(*item->study) : std::nullopt;
+  const auto stated = item ? live::statedBodySurface(*item->study) : std::nullopt;
   if (!stated || std::abs(*stated - surface) > kSameSurface)
     return {};
   return tr("Body surface %1 m\u00b2 from the images: %2 cm, %3 kg")

@@ -12,12 +12,12 @@
 #include "viscera/document/organ_commands.h"
 #include "viscera/document/study_item.h"
 #include "viscera/heart/beating_heart.h"
+#include "viscera/live/cine_reading.h"
 #include "viscera/live/sequence_setup.h"
 #include "viscera/presentation/strain_figure.h"
 #include "viscera/workbench/loaded_sample.h"
 #include "window/movie/shown_signs.h"
 #include "window/play/play_page.h"
-#include "window/play/study_person.h"
 #include "window/strain/axis_picker.h"
 #include "window/strain/heart_segments.h"
 #include "window/style/language.h"
@@ -85,9 +85,16 @@ PlayMode::PlayMode(const ModeParts& parts, Actions& actions)
     if (change.organs())
       syncStrain(); // Axes are those of a heart of that shape.
     if (change.study() && parts_.workspace.state().study)
-      takePerson(*parts_.workspace.state().study->study, parts_.view);
+      takePerson();
   });
   connect(measured_.get(), &MeasuredMotion::found, this, &PlayMode::showImages);
+}
+
+/// Takes the body surface that a study states for the normal ranges, unless a user has given one.
+void PlayMode::takePerson() {
+  const auto surface = live::statedBodySurface(*parts_.workspace.state().study->study);
+  if (surface && parts_.view.state().person.bodySurfaceM2 <= 0)
+    parts_.view.change([&surface](presentation::ViewState& state) { state.person.bodySurfaceM2 = *surface; });
 }
 
 PlayMode::~PlayMode() {

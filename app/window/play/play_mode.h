@@ -86,6 +86,7 @@ private:
   void makeStrainActions(Actions& actions);
   void chooseStrainFile();
   void syncStrain();
+  void takePerson();
   void syncSegments();
   bool segmentsWanted() const;
   /// Serves a movie; null where none are shown.

@@ -14,6 +14,13 @@
 #include "window/style/language.h"
 
 namespace viscera::app {
+
+struct MeasuredMotion::Result {
+  Found found;
+  std::vector<document::NewOrgan> organs;
+  std::shared_ptr<const document::StudyItem> study; ///< Null for a motion without images.
+};
+
 namespace {
 
 constexpr const char* kTrackSlot = "track";
@@ -85,13 +92,6 @@ QString summaryOf(const MeasuredMotion::Found& found) {
   return pattern.arg(labelled.join(listSeparator()), apart);
 }
 
-/// A motion from images on its way into the document.
-struct CineResult {
-  MeasuredMotion::Found found;
-  std::vector<document::NewOrgan> organs;
-  std::shared_ptr<const document::StudyItem> study;
-};
-
 /// Says at the organs that their numbers are estimates: reports list it, and other lists of organs.
 void markEstimate(const live::CineMotion& found, std::vector<document::NewOrgan>& organs) {
   if (found.estimate)
@@ -102,9 +102,9 @@ void markEstimate(const live::CineMotion& found, std::vector<document::NewOrgan>
 }
 
 /// Reads the images unless they are there, joins them with the labels, and finds the motion. On a worker.
-CineResult findInImages(const live::CineRequest& request, const live::TrackOptions& options,
-                        std::shared_ptr<const document::StudyItem> study, Progress& progress) {
-  CineResult result;
+MeasuredMotion::Result findInImages(const live::CineRequest& request, const live::TrackOptions& options,
+                                    std::shared_ptr<const document::StudyItem> study, Progress& progress) {
+  MeasuredMotion::Result result;
   live::LabelledStudy joined;
   runPart(progress, 0, 0.15, [&](Progress& part) {
     result.study =
@@ -169,12 +169,8 @@ void MeasuredMotion::cancel() {
 }
 
 void MeasuredMotion::find(const live::SeriesRequest& request, const live::TrackOptions& options) {
-  struct Result {
-    Found found;
-    std::vector<document::NewOrgan> organs;
-  };
-  auto work = [request, options](Progress& progress) {
-    Result result{{request, options, {}, {}}, {}};
+  search(tr("Motion from a series"), [request, options](Progress& progress) {
+    Result result{{request, options, {}, {}}, {}, nullptr};
     runPart(progress, 0, 0.15, [&](Progress& part) {
       result.found.series = std::make_shared<const live::MotionSeries>(live::readMotionSeries(request, part));
     });
@@ -184,27 +180,18 @@ void MeasuredMotion::find(const live::SeriesRequest& request, const live::TrackO
     });
     result.organs = organsOf(*result.found.motion, *result.found.series);
     return result;
-  };
-  auto done = [this, search = ++searches_](JobResult<Result> result) {
-    if (search != searches_)
-      return; // Another one took its place.
-    if (result.cancelled())
-      return Q_EMIT ended(tr("The search for the motion was cancelled."));
-    if (result.error)
-      return Q_EMIT ended(sentenceOf(*result.error));
-    take(result.value->found, result.value->organs, nullptr);
-    Q_EMIT ended({});
-  };
-  workspace_.jobs().submit<Result>(tr("Motion from a series").toStdString(), kTrackSlot, std::move(work),
-                                   std::move(done));
+  });
 }
 
 void MeasuredMotion::findFromImages(const live::CineRequest& request, const live::TrackOptions& options,
                                     std::shared_ptr<const document::StudyItem> study) {
-  auto work = [request, options, study = std::move(study)](Progress& progress) {
+  search(tr("Motion from images"), [request, options, study = std::move(study)](Progress& progress) {
     return findInImages(request, options, study, progress);
-  };
-  auto done = [this, search = ++searches_](JobResult<CineResult> result) {
+  });
+}
+
+void MeasuredMotion::search(const QString& name, std::function<Result(Progress&)> work) {
+  auto done = [this, search = ++searches_](JobResult<Result> result) {
     if (search != searches_)
       return; // Another one took its place.
     if (result.cancelled())
@@ -214,8 +201,7 @@ void MeasuredMotion::findFromImages(const live::CineRequest& request, const live
     take(result.value->found, result.value->organs, result.value->study);
     Q_EMIT ended({});
   };
-  workspace_.jobs().submit<CineResult>(tr("Motion from images").toStdString(), kTrackSlot, std::move(work),
-                                       std::move(done));
+  workspace_.jobs().submit<Result>(name.toStdString(), kTrackSlot, std::move(work), std::move(done));
 }
 
 void MeasuredMotion::know(const Found& found) {

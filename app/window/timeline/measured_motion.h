@@ -2,6 +2,7 @@
 
 #include <QObject>
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -39,6 +40,9 @@ public:
     /// The surfaces of the labelled phases; null without images, and in a session.
     std::shared_ptr<const live::MotionSeries> labels = nullptr;
   };
+
+  /// A motion on its way into the document.
+  struct Result;
 
   MeasuredMotion(Workspace& workspace, Playback& playback, Picture& picture, QObject* parent = nullptr);
   ~MeasuredMotion() override;
@@ -101,6 +105,8 @@ Q_SIGNALS:
   void ended(const QString& refusal);
 
 private:
+  /// Finds a motion on a worker, and takes it into the document.
+  void search(const QString& name, std::function<Result(Progress&)> work);
   void take(const Found& found, const std::vector<document::NewOrgan>& organs,
             const std::shared_ptr<const document::StudyItem>& study);
   void know(const Found& found);

@@ -2,6 +2,9 @@
 
 #include <QTableWidget>
 
+#include <cstddef>
+
+#include "window/slices/slice_widget.h"
 #include "window/style/theme.h"
 #include "window/timeline/measured_motion.h"
 
@@ -25,5 +28,9 @@ private:
   MeasuredMotion& measured_;
   Theme theme_;
 };
+
+/// What a slice of the document's study said of the phase that is shown, for its pane: weight and quality in
+/// words with their light. Empty while the organs are not posed by a motion from these images.
+SliceVerdict planeVerdict(const MeasuredMotion& measured, const Playback& playback, std::size_t slice);
 
 } // namespace viscera::app

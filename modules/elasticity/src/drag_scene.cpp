@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "viscera/core/error.h"
+#include "viscera/core/inner_job.h"
 #include "viscera/deformation/rotational_stress.h"
 #include "viscera/elasticity/drag_table.h"
 #include "viscera/geometry/convex_hull.h"
@@ -20,20 +21,6 @@ namespace {
 constexpr double kFartherOut = 1.1;
 constexpr int kMostFarther = 60;
 constexpr int kMostHalved = 3;
-
-/// A job inside another one: it is cancelled with the outer one, and its fraction is its own affair.
-class DragJob {
-public:
-  explicit DragJob(const Progress& outer)
-      : progress_([&outer, this](double, const Text&) {
-          if (outer.cancelled())
-            progress_.cancel();
-        }) {}
-  Progress& progress() { return progress_; }
-
-private:
-  Progress progress_;
-};
 
 /// Directions spread evenly over the sphere along a spiral (Gonzalez 2010, doi:10.1007/s11004-009-9257-x).
 Points evenDirections(int count) {
@@ -190,7 +177,7 @@ std::vector<SolvedScene> solveDrags(std::vector<DragScene> scenes, const DragOpt
     progress.throwIfCancelled();
     const auto scene = static_cast<std::size_t>(index / options.drags);
     const auto drag = static_cast<std::size_t>(index % options.drags);
-    DragJob job(progress);
+    InnerJob job(progress);
     all[scene].drags[drag] = solved(all[scene].scene, wanted[scene][drag], options, job.progress());
     progress.report(static_cast<double>(++done) / static_cast<double>(count),
                     "Elastic drags of " + all[scene].scene.organ);

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "viscera/anatomy/norms.h"
 #include "viscera/core/error.h"
+#include "viscera/heart/heart_numbers.h"
 
 namespace viscera::live {
 namespace {
@@ -79,6 +81,15 @@ MotionSeries wholeCycle(const LabelledStudy& study, const CineMotion& found) {
       volumes.push_back(surface.measuredMl);
   }
   return cycle;
+}
+
+std::optional<double> statedBodySurface(const medical_io::CineStudy& study) {
+  if (study.heightCm <= 0 || study.weightKg <= 0)
+    return std::nullopt;
+  const double surface = heart::bodySurfaceM2(study.heightCm, study.weightKg);
+  return surface >= anatomy::kSmallestBodySurfaceM2 && surface <= anatomy::kLargestBodySurfaceM2
+             ? std::optional(surface)
+             : std::nullopt;
 }
 
 } // namespace viscera::live

@@ -72,7 +72,7 @@ private:
     ring_.keep(phase, kept(std::move(scan)));
   }
 
-  /// As many as fit, and the last one, which a file that is cut off lacks first.
+  /// Reads as many as fit, and the last one, which a file that is cut off lacks first.
   void readOneByOne(std::vector<Text>& damaged, Progress& progress) {
     const std::size_t count = volumes_.count();
     const std::size_t fit = fits() ? count : std::max<std::size_t>(1, kept_ / (bytes() / count));

@@ -17,7 +17,8 @@ namespace {
 
 /// Durations of a heart's beat or a breath, s.
 constexpr double kShortestCycle = 0.25, kLongestCycle = 10;
-/// Of a beat in a file without a unit of time, s: steps of 1, which say nothing, make longer ones.
+/// The duration of a beat in a file without a unit of time, s: steps of 1, which say nothing, make longer
+/// ones.
 constexpr double kLongestBeat = 1.6;
 
 /// Bytes of a sample as `SampleCollector` keeps it.

@@ -48,7 +48,8 @@ double cycleOfTimes(const std::vector<double>& times);
 /// does not mean, or from something else than a cycle.
 bool isCycle(double seconds);
 
-/// Of a file other than DICOM; none of one volume, and of layers that are no phases. Throws as `readScan`.
+/// The volumes of a file other than DICOM; none of one volume, and of layers that are no phases. Throws as
+/// `readScan`.
 std::optional<TimedVolumes> imageVolumes(const std::filesystem::path& file);
 
 } // namespace viscera::medical_io

@@ -419,7 +419,7 @@ TEST(HeartLabels, NameWhatItOpens) {
                                                     "Tricuspid valve", "Interventricular septum"}));
 }
 
-/// From the side of the right atrium, and from a side where that is closed.
+/// The right atrium is seen from its side, and from a side where it is closed.
 TEST(HeartLabels, NameWhatIsOnTheSeptumOfAnOpenRightAtriumOnly) {
   NamedHeart heart;
   heart.cut(Vec3(0.8, 0.6, 0), -0.2808);

@@ -13,7 +13,7 @@
 #include "viscera/core/error.h"
 #include "viscera/elasticity/elastic_organ.h"
 #include "viscera/elasticity/stated_material.h"
-#include "viscera/elasticity/tissue_stress.h"
+#include "viscera/elasticity/static_solution.h"
 #include "viscera/elasticity/tissues.h"
 
 namespace viscera::python {

@@ -9,6 +9,7 @@
 
 #include "viscera/coordinates/cage/cage.h"
 #include "viscera/core/error.h"
+#include "viscera/core/inner_job.h"
 #include "viscera/core/phrase.h"
 
 namespace viscera::coordinates {
@@ -21,20 +22,6 @@ constexpr double kTimedSeconds = 0.02;
 constexpr int kMostTimed = 25;
 /// The change that counts for a coordinate that exists only before or only after a rotation.
 constexpr double kGone = 1;
-
-/// A job inside another one: it is cancelled with the outer one, and its fraction is its own affair.
-class PartOf {
-public:
-  explicit PartOf(const Progress& outer)
-      : progress_([&outer, this](double, const Text&) {
-          if (outer.cancelled())
-            progress_.cancel();
-        }) {}
-  Progress& progress() { return progress_; }
-
-private:
-  Progress progress_;
-};
 
 Points pointsOf(const Scene& scene) {
   if (!scene.line)
@@ -214,7 +201,7 @@ std::vector<SystemProperties> measureSystems(const std::vector<SystemVariant>& v
     progress.throwIfCancelled();
     const Task& task = tasks[static_cast<std::size_t>(index)];
     const SystemVariant& variant = variants[task.variant];
-    PartOf part(progress);
+    InnerJob part(progress);
     const BindOptions options{variant.parameters, Threads{1}, tetrahedralise};
     progress.report(static_cast<double>(done) / static_cast<double>(tasks.size()), all[task.variant].id);
     all[task.variant].scenes[task.slot] = measureOn(*variant.system, *task.scene, options, part.progress());

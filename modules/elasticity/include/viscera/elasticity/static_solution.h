@@ -69,6 +69,16 @@ private:
 StaticSolution solveStatic(const ElasticBody& body, const Loads& loads, const SolveOptions& options,
                            Progress& progress);
 
+/// The von Mises stress of a body over its volume at rest, kPa.
+struct TissueStress {
+  double mean = 0;
+  double p95 = 0; ///< Below it is the stress in 95 % of the volume.
+  double max = 0; ///< Over the quadrature points.
+};
+
+/// The stress of `body` at `state`, the unknowns of a solution. O(tetrahedra log tetrahedra).
+TissueStress tissueStress(const ElasticBody& body, const Values& state);
+
 /// Adds the forces and the symmetric part of the tangent of a pressure `kpa` on a face to the share of its
 /// tetrahedron at `state`.
 void addPressure(const ElasticBody& body, const Face& face, double kpa, const Values& state,

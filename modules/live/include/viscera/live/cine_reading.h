@@ -36,4 +36,8 @@ std::optional<WallCheck> wallAt(const PatientMotion& motion, const CineMotion* f
 /// as measured, of the others as the images say. O(phases x surfaces).
 MotionSeries wholeCycle(const LabelledStudy& study, const CineMotion& found);
 
+/// The body surface of a study's patient by Mosteller, m2; none where its files do not state height and
+/// weight, or those are not of an adult, for whom there are normal ranges.
+std::optional<double> statedBodySurface(const medical_io::CineStudy& study);
+
 } // namespace viscera::live

@@ -16,7 +16,7 @@ namespace viscera::live {
 
 /// Writes all quantities at every point of the mesh as VTK's unstructured grid (.vtu):
 /// `RotationalStress_deg`, `VolumeRatio`, `StretchMax`, `StretchMin`, `Folded`, `Witness`, `Displacement_mm`.
-/// With a stated material also `VonMises_kPa, <material>` and `StrainEnergy_kPa, <material>`. O(points).
+/// A stated material adds `VonMises_kPa, <material>` and `StrainEnergy_kPa, <material>`. O(points).
 void writeStressSolid(const std::filesystem::path& file, const deformation::WitnessMesh& mesh,
                       const Points& posed, const deformation::StressMap& map,
                       const elasticity::StatedMaterial& material = {});

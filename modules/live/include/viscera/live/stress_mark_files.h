@@ -19,7 +19,7 @@ struct NamedReading {
 
 /// Comma-separated values, a row a probe: `probe`, its place at rest and in the pose
 /// (`rest_x_mm` ... `z_mm`), `RotationalStress_deg`, `VolumeRatio`, `StretchMax`, `StretchMin`, `Folded`.
-/// With a stated material also `von_mises_kpa`, `strain_energy_kpa`, `material`.
+/// A stated material adds `von_mises_kpa`, `strain_energy_kpa`, `material`.
 void writeStressProbes(const std::filesystem::path& file, const std::vector<NamedReading>& probes,
                        const elasticity::StatedMaterial& material = {});
 

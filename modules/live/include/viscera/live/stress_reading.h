@@ -23,7 +23,7 @@ struct StressReading {
   double volumeRatio = 0;
   double stretchMax = 0;
   double stretchMin = 0;
-  /// Of a map of extremes: its numbers for tissue, by the shear modulus; without it they follow from the
+  /// The numbers for tissue of a map of extremes, by the shear modulus; those of other maps follow from the
   /// stretches.
   struct Extremes {
     double vonMisesPerShear = 0;

@@ -58,8 +58,8 @@ public:
   /// Sets the contour that is being bent, which is drawn from the next update on over the organ's own, thin
   /// one; none: no contour.
   void setBent(std::optional<BentContour> bent);
-  /// As of `SlicePresenter`: the row of the nearest handle within `reach` pixels, or -1; and the nearest
-  /// point of a measurement that lies on no organ.
+  /// The same as `SlicePresenter` gives: the row of the nearest handle within `reach` pixels, or -1; and the
+  /// nearest point of a measurement that lies on no organ.
   int handleAt(int direction, const Eigen::Vector2d& pixel, double reach) const;
   std::optional<scene::MeasurementGlyphs::Mark> measuredAt(int direction, const Eigen::Vector2d& pixel,
                                                            double reach) const;

@@ -90,7 +90,7 @@ public:
   CineFitter(const CineFitter&) = delete;
   CineFitter& operator=(const CineFitter&) = delete;
 
-  /// Without corrections.
+  /// The fit without corrections.
   const CineFit& fit() const;
   /// The fit with corrected contours. Each goes before the images: the handles change as little as makes the
   /// surface's cut pass within `kCorrectionMetMm` of all its points, or as near as the handles can without
