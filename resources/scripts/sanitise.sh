@@ -10,16 +10,17 @@ preset_of() {
   esac
 }
 
-# build_sanitised PRESET [TARGET...]: with clang, in build/PRESET, which `build` names from now on.
+# build_sanitised PRESET MODULES [TARGET...]: with clang, in build/PRESET, which `build` names from now on. The sanitiser
+# does not judge the code of MODULES (a list of CMake).
 build_sanitised() {
-  local preset=$1
+  local preset=$1 modules=$2
   local -a targets=()
-  shift
+  shift 2
   [ "$#" -eq 0 ] || targets=(--target "$@")
   mapfile -t packages < <(packages_to_fuzz)
   install_packages "${packages[@]}"
   use_shared_cache "$root"
-  (cd "$root" && cmake --preset "$preset" && cmake --build --preset "$preset" "${targets[@]}") >&2
+  (cd "$root" && cmake --preset "$preset" -DVISCERA_NOT_SANITISED="$modules" && cmake --build --preset "$preset" "${targets[@]}") >&2
   build=$root/build/$preset
 }
 
@@ -44,25 +45,40 @@ run_sanitised() {
 sanitise() {
   local preset
   preset=$(preset_of "${1:-}")
-  build_sanitised "$preset"
+  build_sanitised "$preset" ""
   use_own_environment
   start_displays "$tests_at_once"
   run_sanitised ctest --test-dir "$build" --parallel "$tests_at_once" --resource-spec-file "$build/displays.json" \
     --output-on-failure --no-tests=error "${@:2}"
 }
 
-# sanitise_part address|thread: what continuous integration has time for. The readers of files see the bytes of strangers;
-# of coordinates and deformation those tests whose names say that they run on several threads.
+# run_in_shares PROGRAM [ARGUMENT...]: the tests of the program, a share of them on each processor; fails where one fails.
+run_in_shares() {
+  local share process failed=0
+  local -a processes=()
+  for ((share = 0; share < jobs; ++share)); do
+    GTEST_TOTAL_SHARDS=$jobs GTEST_SHARD_INDEX=$share run_sanitised "$@" &
+    processes+=($!)
+  done
+  for process in "${processes[@]}"; do
+    wait "$process" || failed=1
+  done
+  return "$failed"
+}
+
+# sanitise_part address|thread: what continuous integration has time for. The readers of files see the bytes of strangers,
+# which come no further than the geometry; of coordinates and deformation those tests whose names say that they run on several
+# threads.
 sanitise_part() {
   local preset test
   preset=$(preset_of "${1:-}")
   local -a tests=(test_medical_io test_scans)
-  local chosen='*'
+  local chosen='*' beyond='coordinates;deformation'
   if [ "$preset" = tsan ]; then
-    tests=(test_coordinates test_deformation)
-    chosen='*Thread*:*Parallel*'
+    tests=(test_threads)
+    chosen='*Thread*:*Parallel*' beyond=
   fi
-  build_sanitised "$preset" "${tests[@]}"
+  build_sanitised "$preset" "$beyond" "${tests[@]}"
   use_own_environment
   # Some kernels lay out memory in a way that a sanitiser refuses, or let it look for no leaks.
   if ! run_sanitised "$build/bin/${tests[0]}" --gtest_list_tests >/dev/null 2>"$build/start.log"; then
@@ -71,6 +87,6 @@ sanitise_part() {
   fi
   for test in "${tests[@]}"; do
     say "== $test under the $1 sanitiser"
-    run_sanitised "$build/bin/$test" --gtest_brief=1 --gtest_filter="$chosen"
+    run_in_shares "$build/bin/$test" --gtest_brief=1 --gtest_filter="$chosen"
   done
 }
