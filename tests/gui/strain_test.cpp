@@ -31,11 +31,14 @@ namespace {
 
 /// ms: the panel lets the organs be drawn first.
 constexpr int kDrawnMs = 80;
+/// A quarter of what users have: what is drawn is compared with what was measured, however finely.
+constexpr int kWitnesses = 10'000;
 
 class PlayedStrain : public PlayMode {
 protected:
   void SetUp() override {
     PlayMode::SetUp();
+    model().setWitnesses(kWitnesses);
     window().actions()["play.strain"]->trigger();
     ASSERT_TRUE(waitUntil([this] { return model().cycle() != nullptr; }))
         << model().failureReason().toStdString();

@@ -216,6 +216,7 @@ void StrainModel::submit(const Basis& basis, std::function<live::MovedOrgans(Pro
   const std::shared_ptr<const live::StrainGauge> before = lastGauge_;
   live::StrainOptions options;
   options.landmarks = basis.axes;
+  options.witnesses = witnesses_;
   auto work = [made, before, rest = atRest(basis), state = workspace_.state(), motion = std::move(motion),
                reference, options](Progress& progress) mutable {
     Reading reading;

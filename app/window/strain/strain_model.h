@@ -48,6 +48,9 @@ public:
   /// reading.
   void choose(const StrainChoice& choice);
 
+  /// Sets how many witness points fill the heart that is measured next; fewer take less time.
+  void setWitnesses(int count) { witnesses_ = count; }
+
   /// Whether an organ is a left ventricle by its name.
   bool possible() const { return static_cast<bool>(leftVentricle()); }
   /// The first of these; none without any.
@@ -110,6 +113,7 @@ private:
   QPointer<const MeasuredMotion> measured_;
   bool wanted_ = false;
   StrainChoice choice_;
+  int witnesses_ = live::StrainOptions().witnesses;
   live::WantedPose poseWanted_ = live::WantedPose::sequence; ///< When it was looked at last.
   bool asked_ = false; ///< `sync` is scheduled after the present notification.
   bool running_ = false;
