@@ -10,7 +10,7 @@
 namespace viscera::live {
 namespace {
 
-constexpr double kBallRadius = 40, kBallDrag = 8;
+constexpr double kBallRadius = 40, kBallDrag = 4;
 
 /// A ball with a handle beyond each end of the axes, of which the first is dragged.
 class ElasticComparisonOfABall : public testing::Test {
@@ -43,7 +43,8 @@ TEST_F(ElasticComparisonOfABall, HasTheDistanceOfEachVertex) {
   ASSERT_EQ(beside.distancesMm.size(), surface_.points.rows());
   for (Eigen::Index v = 0; v < beside.distancesMm.size(); ++v)
     EXPECT_NEAR(beside.distancesMm[v], (beside.elastic.row(v) - surface_.points.row(v)).norm(), 1e-12);
-  EXPECT_NEAR(beside.apart.maxMm, kBallDrag, 0.5) << "a pose that stays at rest misses the patch by the drag";
+  EXPECT_GT(beside.apart.maxMm, 0.5 * kBallDrag) << "a pose that stays at rest misses the patch";
+  EXPECT_LT(beside.apart.maxMm, 1.2 * kBallDrag);
   EXPECT_LE(beside.apart.medianMm, beside.apart.p95Mm);
   EXPECT_LT(beside.apart.medianMm, 0.5 * kBallDrag);
 }
@@ -51,10 +52,17 @@ TEST_F(ElasticComparisonOfABall, HasTheDistanceOfEachVertex) {
 TEST_F(ElasticComparisonOfABall, IsNowhereApartFromThePoseThatElasticityMakes) {
   const elasticity::ElasticOrgan ball = organ();
   const Points elastic = besideElasticity(ball, question(), progress_).elastic;
-  ElasticQuestion again{.surface = surface_.points, .posed = elastic, .rest = rest_, .pose = pose_};
+  const ElasticQuestion again{.surface = surface_.points, .posed = elastic, .rest = rest_, .pose = pose_};
   EXPECT_LT(besideElasticity(ball, again, progress_).apart.maxMm, 1e-9);
-  again.gripSurface = true; // Its patches go where that surface goes: along the drag.
-  EXPECT_LT(besideElasticity(ball, again, progress_).apart.maxMm, 0.1 * kBallDrag);
+}
+
+TEST_F(ElasticComparisonOfABall, LetsPatchesMoveAsThePosedSurface) {
+  const Points shifted = surface_.points.rowwise() + Eigen::RowVector3d(1, -2, 0.5);
+  ElasticQuestion asked{.surface = surface_.points, .posed = shifted, .rest = rest_, .pose = pose_};
+  const elasticity::ElasticOrgan ball = organ();
+  EXPECT_GT(besideElasticity(ball, asked, progress_).apart.maxMm, 0.5);
+  asked.gripSurface = true;
+  EXPECT_LT(besideElasticity(ball, asked, progress_).apart.maxMm, 1e-6) << "it moves as a whole";
 }
 
 TEST_F(ElasticComparisonOfABall, NeedsAMovedHandle) {
