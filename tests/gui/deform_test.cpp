@@ -1,9 +1,11 @@
 #include "window_test.h"
 
+#include <QAction>
 #include <QLabel>
 #include <QTest>
 #include <QTreeWidget>
 
+#include "viscera/document/rig_commands.h"
 #include "viscera/geometry/volume.h"
 #include "window/style/language.h"
 
@@ -115,6 +117,29 @@ TEST_F(DeformMode, ResetPoseGoesBackToRestExactly) {
   key(Qt::Key_R, Qt::ControlModifier);
   EXPECT_TRUE(document::atRest(document().state()));
   EXPECT_EQ(points(), document().organs().front()->mesh->points);
+}
+
+TEST_F(DeformMode, TheElasticOrganIsAGhostAndColoursTheDistance) {
+  QAction& beside = *window().actions()["pose.elasticity"];
+  const auto& reason = find<QLabel>("elasticReason");
+  beside.trigger();
+  EXPECT_TRUE(window().viewModel().state().besideElasticity);
+  EXPECT_TRUE(reason.text().contains(QStringLiteral("Move a handle"))) << reason.text().toStdString();
+  EXPECT_FALSE(find<QLabel>("elasticLargest").isVisibleTo(reason.parentWidget()));
+  Points pose = document().pose();
+  pose(handle_, 0) += 5;
+  ASSERT_TRUE(window().workspace().perform(document::setPose(pose)));
+  ASSERT_TRUE(waitUntil([&] { return reason.text().isEmpty(); })) << reason.text().toStdString();
+  EXPECT_TRUE(find<QLabel>("elasticLargest").text().endsWith(QStringLiteral("mm")));
+  EXPECT_TRUE(window().picture().hasMoreThanMovies()) << "the ghost and the colours";
+  pose(handle_, 0) += 5;
+  ASSERT_TRUE(window().workspace().perform(document::setPose(pose)));
+  EXPECT_FALSE(window().picture().hasMoreThanMovies()) << "they belong to another pose";
+  EXPECT_FALSE(reason.text().isEmpty());
+  beside.trigger();
+  settle();
+  EXPECT_TRUE(reason.text().isEmpty());
+  EXPECT_FALSE(window().picture().hasMoreThanMovies());
 }
 
 TEST_F(DeformMode, ADragBesideTheHandlesTurnsTheCameraAndChangesNothing) {

@@ -1,7 +1,7 @@
 #include "cli/commands/all_commands.h"
 
-#include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <memory>
 #include <optional>
 #include <string>
@@ -17,6 +17,7 @@
 #include "viscera/deformation/tetrahedralise.h"
 #include "viscera/elasticity/elastic_organ.h"
 #include "viscera/elasticity/tissues.h"
+#include "viscera/live/elastic_comparison.h"
 #include "viscera/live/tissue_energy.h"
 #include "viscera/medical_io/surface_file.h"
 
@@ -27,25 +28,8 @@ constexpr const char* kHeld = "held";
 constexpr const char* kHandle = "handle";
 constexpr const char* kSurface = "surface";
 
-/// The value below which a part of the sorted numbers lies.
-double quantile(const std::vector<double>& sorted, double part) {
-  return sorted[static_cast<std::size_t>(part * static_cast<double>(sorted.size() - 1))];
-}
-
-/// How far the elastic organ's surface is from the one of the handles' pose.
-struct Difference {
-  double medianMm = 0, p95Mm = 0, maxMm = 0;
-};
-
-Difference differenceOf(const Points& elastic, const Points& posed) {
-  const Values distances = (elastic - posed).rowwise().norm();
-  std::vector<double> sorted(distances.begin(), distances.end());
-  std::sort(sorted.begin(), sorted.end());
-  return {quantile(sorted, 0.5), quantile(sorted, 0.95), sorted.back()};
-}
-
 /// Writes a difference as `differenceMm` and `differencePercentOfDrag` into `json`.
-void addDifference(const Difference& difference, double dragMm, nlohmann::ordered_json& json) {
+void addDifference(const live::SurfacesApart& difference, double dragMm, nlohmann::ordered_json& json) {
   const double perCent = 100 / dragMm;
   json["differenceMm"] = {
       {"median", difference.medianMm}, {"p95", difference.p95Mm}, {"max", difference.maxMm}};
@@ -55,7 +39,8 @@ void addDifference(const Difference& difference, double dragMm, nlohmann::ordere
 }
 
 /// The same for reading, after what is compared.
-void listDifference(const char* name, const Difference& difference, double dragMm, Listing& listing) {
+void listDifference(const char* name, const live::SurfacesApart& difference, double dragMm,
+                    Listing& listing) {
   const double perCent = 100 / dragMm;
   listing
       .add(name, fixed(difference.medianMm, 2) + " mm (median), 95 % below " + fixed(difference.p95Mm, 2) +
@@ -65,18 +50,37 @@ void listDifference(const char* name, const Difference& difference, double dragM
                               fixed(perCent * difference.maxMm, 1) + " %");
 }
 
-/// Lets the patches move as the posed surface does at their nodes, in place of as the handles do.
-void gripSurface(const elasticity::ElasticOrgan& organ, const Points& rest, const Points& posed,
-                 elasticity::Grips& grips) {
-  const Points& nodes = organ.body().mesh().nodes;
-  std::int32_t last = -1;
-  Eigen::Index vertex = 0;
-  for (elasticity::Prescribed& one : grips.prescribed) {
-    if (one.node != last)
-      (rest.rowwise() - nodes.row(one.node)).rowwise().squaredNorm().minCoeff(&vertex);
-    last = one.node;
-    one.displacementMm = posed(vertex, one.axis) - rest(vertex, one.axis);
-  }
+/// Where the tetrahedra get smaller: one entry for each mesh.
+void addMeshes(const live::MeshConvergence& convergence, double dragMm, nlohmann::ordered_json& json) {
+  const auto perCent = [dragMm](const live::SurfacesApart& apart) {
+    return nlohmann::ordered_json{{"median", 100 / dragMm * apart.medianMm},
+                                  {"p95", 100 / dragMm * apart.p95Mm},
+                                  {"max", 100 / dragMm * apart.maxMm}};
+  };
+  json["meshes"] = nlohmann::ordered_json::array();
+  for (const live::MeshOfSize& mesh : convergence.meshes)
+    json["meshes"].push_back({{"tetrahedra", mesh.tetrahedra},
+                              {"edgeMm", mesh.edgeMm},
+                              {"fromFinestPercentOfDrag", perCent(mesh.fromFinest)},
+                              {"differencePercentOfDrag", perCent(mesh.fromPose)},
+                              {"volumeRatioMin", mesh.smallestJacobian},
+                              {"seconds", mesh.seconds}});
+  json["order"] = nullptr;
+  if (std::isfinite(convergence.order))
+    json["order"] = convergence.order;
+}
+
+std::string listMeshes(const live::MeshConvergence& convergence, double dragMm) {
+  Listing listing;
+  for (const live::MeshOfSize& mesh : convergence.meshes)
+    listing.add(std::to_string(mesh.tetrahedra) + " tetrahedra",
+                "from the finest " + fixed(100 / dragMm * mesh.fromFinest.medianMm, 2) +
+                    " % of the drag (median), 95 % below " + fixed(100 / dragMm * mesh.fromFinest.p95Mm, 2) +
+                    " %; from the pose " + fixed(100 / dragMm * mesh.fromPose.medianMm, 2) + " %, " +
+                    fixed(100 / dragMm * mesh.fromPose.p95Mm, 2) + " %; " + fixed(mesh.seconds, 1) + " s");
+  if (std::isfinite(convergence.order))
+    listing.add("order", fixed(convergence.order, 1));
+  return listing.text();
 }
 
 /// `viscera elasticity`: the organ as an elastic body that the handles grip, beside the pose of the handles.
@@ -131,6 +135,13 @@ public:
         ->type_name("N")
         ->check(wholeBetween(50, 20'000))
         ->capture_default_str();
+    options
+        .add_option(
+            "--meshes", meshes_,
+            "Solve also with about these numbers of tetrahedra, two at least, and say how far each is "
+            "from the finest")
+        ->type_name("N")
+        ->check(wholeBetween(50, 20'000));
     options.add_option("-o,--output", output_, "Surface file for the organ as elasticity moves it")
         ->type_name("FILE");
   }
@@ -149,15 +160,26 @@ public:
       gripOptions.others = elasticity::GripOptions::Others::free;
     for (const std::string& label : hold_)
       gripOptions.holding.push_back(rowOfHandle(input.rig, label));
-    const elasticity::Grips grips =
-        elasticity::gripsOf(organ, input.handles.positions, input.pose, gripOptions);
-    const elasticity::StaticSolution solution = solved(input, organ, grips, posed, context);
-    const Points elastic = input.organ.mesh->points + organ.atSurface(solution.displacements);
-    tell(input, organ, grips, solution, differenceOf(elastic, posed), outcome);
+    live::ElasticQuestion question{.surface = input.organ.mesh->points,
+                                   .posed = posed,
+                                   .rest = input.handles.positions,
+                                   .pose = input.pose,
+                                   .grips = gripOptions,
+                                   .gripSurface = grips_ == kSurface,
+                                   .threads = context.threads};
+    const live::ElasticComparison beside = live::besideElasticity(organ, question, context.progress);
+    tell(input, organ, beside, outcome);
     if (follow_)
-      tellFollowed(input, organ, grips, *binding, elastic, outcome, context);
+      tellFollowed(input, organ, beside, *binding, gripOptions, outcome, context);
+    if (!meshes_.empty()) {
+      const live::MeshConvergence convergence =
+          live::meshConvergence(*input.organ.mesh, material(), meshes_, question, context.progress);
+      addMeshes(convergence, beside.grips.dragMm, outcome.json);
+      outcome.text += listMeshes(convergence, beside.grips.dragMm);
+    }
     if (!output_.empty()) {
-      medical_io::writeSurface(output_, {elastic, input.organ.mesh->triangles, input.organ.mesh->colors},
+      medical_io::writeSurface(output_,
+                               {beside.elastic, input.organ.mesh->triangles, input.organ.mesh->colors},
                                {.name = input.organ.name});
       outcome.json["file"] = output_;
     }
@@ -177,9 +199,10 @@ private:
     return std::make_shared<const elasticity::NeoHookean>(young, poisson_);
   }
 
-  void tell(const BoundInput& input, const elasticity::ElasticOrgan& organ, const elasticity::Grips& grips,
-            const elasticity::StaticSolution& solution, const Difference& difference,
-            Outcome& outcome) const {
+  void tell(const BoundInput& input, const elasticity::ElasticOrgan& organ,
+            const live::ElasticComparison& beside, Outcome& outcome) const {
+    const elasticity::Grips& grips = beside.grips;
+    const elasticity::StaticSolution& solution = beside.solution;
     outcome.json = {{"organ", input.organ.name},
                     {"system", input.system->id()},
                     {"tetrahedra", organ.body().mesh().tetrahedra.rows()},
@@ -188,7 +211,7 @@ private:
                     {"patches", {{"moved", grips.moved}, {"held", grips.held}}},
                     {"poisson", poisson_},
                     {"dragMm", grips.dragMm}};
-    addDifference(difference, grips.dragMm, outcome.json);
+    addDifference(beside.apart, grips.dragMm, outcome.json);
     outcome.json["volumeRatio"] = {{"min", solution.smallestJacobian}, {"max", solution.largestJacobian}};
     outcome.json["loadSteps"] = solution.loadSteps;
     outcome.json["iterations"] = solution.iterations;
@@ -197,7 +220,7 @@ private:
         .add("grips", std::to_string(grips.moved) + " moved, " +
                           (others_ == kHeld ? std::to_string(grips.held) + " held" : "all others free"))
         .add("largest drag", fixed(grips.dragMm, 2) + " mm");
-    listDifference("difference", difference, grips.dragMm, listing);
+    listDifference("difference", beside.apart, grips.dragMm, listing);
     listing.add("volume ratio",
                 fixed(solution.smallestJacobian, 3) + " to " + fixed(solution.largestJacobian, 3));
     if (stated())
@@ -228,21 +251,12 @@ private:
                                      fixed(stress.p95, 3) + ", at most " + fixed(stress.max, 3));
   }
 
-  /// The elastic organ beside a pose of its surface.
-  elasticity::StaticSolution solved(const BoundInput& input, const elasticity::ElasticOrgan& organ,
-                                    elasticity::Grips grips, const Points& posed,
-                                    CommandContext& context) const {
-    if (grips_ == kSurface)
-      gripSurface(organ, input.organ.mesh->points, posed, grips);
-    elasticity::SolveOptions solve;
-    solve.threads = context.threads;
-    return elasticity::solveStatic(organ.body(), {grips.prescribed, {}}, solve, context.progress);
-  }
-
   /// The pose in which the handles without a grip follow, beside elasticity.
   void tellFollowed(const BoundInput& input, const elasticity::ElasticOrgan& organ,
-                    const elasticity::Grips& grips, const coordinates::Binding& binding,
-                    const Points& elasticBefore, Outcome& outcome, CommandContext& context) const {
+                    const live::ElasticComparison& before, const coordinates::Binding& binding,
+                    const elasticity::GripOptions& gripOptions, Outcome& outcome,
+                    CommandContext& context) const {
+    const elasticity::Grips& grips = before.grips;
     const auto tissue = live::tissueEnergy({input.organ.mesh}, *input.system, input.handles,
                                            deformation::withTetgen(input.options), context.progress);
     const auto begin = std::chrono::steady_clock::now();
@@ -250,11 +264,18 @@ private:
     const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
     Points posed;
     binding.deform(relaxed.pose, posed, context.threads);
-    Points elastic = elasticBefore;
+    live::SurfacesApart difference = live::surfacesApart(before.elastic, posed);
     if (grips_ == kSurface) // Its patches are elsewhere.
-      elastic = input.organ.mesh->points +
-                organ.atSurface(solved(input, organ, grips, posed, context).displacements);
-    const Difference difference = differenceOf(elastic, posed);
+      difference = live::besideElasticity(organ,
+                                          {.surface = input.organ.mesh->points,
+                                           .posed = posed,
+                                           .rest = input.handles.positions,
+                                           .pose = input.pose,
+                                           .grips = gripOptions,
+                                           .gripSurface = true,
+                                           .threads = context.threads},
+                                          context.progress)
+                       .apart;
     nlohmann::ordered_json& json = outcome.json["leastEnergy"];
     json = {{"followingHandles", grips.loose.size()},
             {"witnesses", tissue->witnesses()},
@@ -278,6 +299,7 @@ private:
   std::vector<std::string> hold_;
   bool follow_ = false;
   elasticity::OrganOptions organOptions_;
+  std::vector<int> meshes_;
   std::string output_;
 };
 

@@ -23,7 +23,8 @@ bool compensates(const document::Rig& rig, document::HandleId id) {
 DeformMode::DeformMode(const ModeParts& parts, Actions& actions)
     : Mode(parts,
            {"deform", "deform", 3, tr("Deform"),
-            tr("Drag a handle and the organ follows; K locks the volume, T turns and scales, M mirrors")}) {
+            tr("Drag a handle and the organ follows; K locks the volume, T turns and scales, M mirrors")}),
+      ghost_(parts) {
   makePoseActions(actions);
   makeVolumeActions(actions);
   makeCompensate(actions);
@@ -92,6 +93,15 @@ void DeformMode::makeCompensate(Actions& actions) {
                             "second, the next ones a tenth of a second a step")},
                         &presentation::ViewState::freeHandlesFollow);
   parts_.view.addToggle(
+      actions, "pose.elasticity",
+      {tr("&Beside elasticity"),
+       nullptr,
+       {},
+       tr("Show the current organ as an elastic body that the moved handles grip, as a ghost, "
+          "and colour the organ by the distance from it; the other handles hold it. It takes "
+          "some seconds after each drag")},
+      &presentation::ViewState::besideElasticity);
+  parts_.view.addToggle(
       actions, "handles.exactly",
       {tr("Move e&xactly, others compensate"),
        nullptr,
@@ -149,7 +159,7 @@ void DeformMode::makeMirrorActions(Actions& actions) {
 }
 
 QWidget* DeformMode::makePage(const Actions& actions) {
-  return new DeformPage(parts_, actions);
+  return new DeformPage(parts_, actions, ghost_);
 }
 
 } // namespace viscera::app

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "window/deform/elastic_ghost.h"
 #include "window/modes/mode.h"
 #include "window/view/pose_editor.h"
 
@@ -14,7 +15,7 @@ public:
   DeformMode(const ModeParts& parts, Actions& actions);
 
   std::vector<const char*> actions() const override {
-    return {"handles.gizmo", "handles.follow", "handles.exactly", "handles.compensate"};
+    return {"handles.gizmo", "handles.follow", "handles.exactly", "handles.compensate", "pose.elasticity"};
   }
   QWidget* makePage(const Actions& actions) override;
   presentation::Shown shown() const override {
@@ -28,6 +29,8 @@ private:
   void makeVolumeActions(Actions& actions);
   void makeCompensate(Actions& actions);
   void makeMirrorActions(Actions& actions);
+
+  ElasticGhost ghost_;
 };
 
 } // namespace viscera::app

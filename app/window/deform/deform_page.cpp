@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "viscera/presentation/presenter.h"
+#include "window/deform/elastic_ghost.h"
 #include "window/handles/position_box.h"
 #include "window/style/language.h"
 #include "window/timeline/volume_monitor.h"
@@ -104,8 +105,9 @@ void VolumeBox::sync() {
   field_->setValue(volume.nowMl);
 }
 
-DeformPage::DeformPage(const ModeParts& parts, const Actions& actions, QWidget* parent)
-    : Page(parent), workspace_(parts.workspace), poses_(parts.poses), view_(parts.view) {
+DeformPage::DeformPage(const ModeParts& parts, const Actions& actions, const ElasticGhost& ghost,
+                       QWidget* parent)
+    : Page(parent), workspace_(parts.workspace), poses_(parts.poses), view_(parts.view), ghost_(ghost) {
   addSection(tr("Volume"));
   organ_ = addFact(tr("Organ"));
   organ_->setObjectName(QStringLiteral("deformOrgan"));
@@ -138,6 +140,7 @@ DeformPage::DeformPage(const ModeParts& parts, const Actions& actions, QWidget* 
   addCheck(actions["view.ghost"]);
   addCheck(actions["handles.influence"]);
   addButton(actions["play.compareSystems"]);
+  addElasticity(actions);
   finish();
   connect(&parts.volumes, &VolumeMonitor::updated, this, &DeformPage::sync);
   connect(&parts.volumes, &VolumeMonitor::shown, this, [this] {
@@ -145,6 +148,7 @@ DeformPage::DeformPage(const ModeParts& parts, const Actions& actions, QWidget* 
       sync();
   });
   connect(&view_, &ViewModel::changed, this, &DeformPage::syncHandles);
+  connect(&ghost_, &ElasticGhost::changed, this, &DeformPage::syncElasticity);
   subscriptions_.push_back(workspace_.onChange([this](const document::Change& change) {
     if (!change.interactive)
       sync();
@@ -159,6 +163,31 @@ DeformPage::DeformPage(const ModeParts& parts, const Actions& actions, QWidget* 
   }));
   sync();
   syncHandles();
+  syncElasticity();
+}
+
+void DeformPage::addElasticity(const Actions& actions) {
+  addSection(tr("Elasticity"));
+  addCheck(actions["pose.elasticity"]);
+  elasticMedian_ = addFact(tr("Median distance"));
+  elasticMedian_->setObjectName(QStringLiteral("elasticMedian"));
+  elasticLargest_ = addFact(tr("Largest distance"));
+  elasticLargest_->setObjectName(QStringLiteral("elasticLargest"));
+  elasticReason_ = addRemark({});
+  elasticReason_->setObjectName(QStringLiteral("elasticReason"));
+}
+
+/// A page without the switch has no lines of dashes.
+void DeformPage::syncElasticity() {
+  const auto& apart = ghost_.apart();
+  setFactShown(elasticMedian_, apart.has_value());
+  setFactShown(elasticLargest_, apart.has_value());
+  if (apart) {
+    elasticMedian_->setText(tr("%1 mm").arg(formatNumber(apart->medianMm, 2)));
+    elasticLargest_->setText(tr("%1 mm").arg(formatNumber(apart->maxMm, 2)));
+  }
+  elasticReason_->setText(ghost_.reason());
+  elasticReason_->setVisible(!ghost_.reason().isEmpty());
 }
 
 void DeformPage::addMirror() {

@@ -10,6 +10,7 @@ class QComboBox;
 
 namespace viscera::app {
 
+class ElasticGhost;
 class VolumeBox;
 
 /// The property page of the mode Deform: volume, lock and target, positions to type, compensating handles,
@@ -18,17 +19,22 @@ class DeformPage final : public Page {
   Q_OBJECT
 
 public:
-  DeformPage(const ModeParts& parts, const Actions& actions, QWidget* parent = nullptr);
+  /// All have to live longer.
+  DeformPage(const ModeParts& parts, const Actions& actions, const ElasticGhost& ghost,
+             QWidget* parent = nullptr);
 
 private:
   void addMirror();
+  void addElasticity(const Actions& actions);
   void sync();
   void syncMoved();
   void syncHandles();
+  void syncElasticity();
 
   Workspace& workspace_;
   PoseEditor& poses_;
   ViewModel& view_;
+  const ElasticGhost& ghost_;
   VolumeBox* volume_ = nullptr;
   QLabel* organ_ = nullptr;
   QLabel* now_ = nullptr;
@@ -38,6 +44,9 @@ private:
   QLabel* farthest_ = nullptr;
   QLabel* compensating_ = nullptr;
   QLabel* partners_ = nullptr;
+  QLabel* elasticMedian_ = nullptr;
+  QLabel* elasticLargest_ = nullptr;
+  QLabel* elasticReason_ = nullptr;
   QComboBox* mirror_ = nullptr;
   std::vector<Subscription> subscriptions_;
 };

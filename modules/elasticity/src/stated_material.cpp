@@ -25,8 +25,9 @@ double squareLessOne(double stretch) {
 } // namespace
 
 StatedMaterial materialOf(std::string_view tissue, double poisson) {
-  StatedMaterial material = ownMaterial(tissueNamed(tissue).youngKpa, poisson);
-  material.tissue = std::string(tissue);
+  const Tissue& known = tissueNamed(tissue);
+  StatedMaterial material = ownMaterial(known.youngKpa, poisson);
+  material.tissue = std::string(known.name);
   return material;
 }
 

@@ -413,6 +413,7 @@ void visitFields(Visit& visit, ViewState& view) {
   visit("valves", view.valves, "play.valves");
   visit("conduction", view.conduction, "view.conduction");
   visit.where(view.freeHandlesFollow, "freeHandlesFollow", view.freeHandlesFollow);
+  visit.where(view.besideElasticity, "besideElasticity", view.besideElasticity);
   visit("mirror", view.mirror);
   visit("heartSigns", view.heartSigns);
   visit("stress", view.stress);

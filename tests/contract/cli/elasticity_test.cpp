@@ -53,6 +53,18 @@ TEST_F(CliElasticity, ComparesThePoseThatFreeHandlesFollow) {
   EXPECT_LT(followed["differenceMm"]["p95"], result["differenceMm"]["p95"]) << "it comes nearer";
 }
 
+TEST_F(CliElasticity, SaysHowFarEachMeshIsFromTheFinest) {
+  const json result = runJson(elasticity({"--meshes", "400", "100"}));
+  ASSERT_EQ(result["meshes"].size(), 2U);
+  const json &coarse = result["meshes"][0], &fine = result["meshes"][1];
+  EXPECT_LT(coarse["tetrahedra"], fine["tetrahedra"]);
+  EXPECT_GT(coarse["fromFinestPercentOfDrag"]["max"], 0);
+  EXPECT_EQ(fine["fromFinestPercentOfDrag"]["max"], 0);
+  EXPECT_GT(fine["differencePercentOfDrag"]["max"], 0);
+  EXPECT_TRUE(result["order"].is_null()) << "two meshes have no order";
+  expectFailure(elasticity({"--meshes", "400"}), kUsage, "two sizes");
+}
+
 TEST_F(CliElasticity, HasPascalsOfAStatedMaterialOnly) {
   const json liver = runJson(elasticity({"--material", "liver"}));
   EXPECT_EQ(liver["material"]["doi"], "10.1002/jmri.24084");

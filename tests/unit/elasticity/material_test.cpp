@@ -7,6 +7,7 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
+#include "viscera/anatomy/organ_facts.h"
 #include "viscera/core/arrays.h"
 #include "viscera/core/error.h"
 #include "viscera/elasticity/tissues.h"
@@ -82,8 +83,14 @@ TEST(Tissues, HaveTheirSourcesAndAreFoundByName) {
   for (const Tissue& tissue : tissues()) {
     EXPECT_GT(tissue.youngKpa, 0);
     EXPECT_EQ(tissue.doi.substr(0, 3), "10.");
+    EXPECT_NO_THROW(anatomy::organ(tissue.organ)) << tissue.name;
+    EXPECT_EQ(tissueNamed(anatomy::organ(tissue.organ).title).name, tissue.name);
   }
   EXPECT_EQ(tissueNamed("liver").doi, "10.1002/jmri.24084");
+  EXPECT_EQ(tissueNamed("Leber").name, "liver");
+  EXPECT_EQ(tissueNamed("kidney_left").name, "kidney");
+  EXPECT_THROW(tissueNamed("liver tumour"), UsageError);
+  EXPECT_THROW(tissueNamed("left ventricle"), UsageError) << "blood";
   EXPECT_THROW(tissueNamed("hair"), UsageError);
 }
 

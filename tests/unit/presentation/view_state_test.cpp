@@ -102,6 +102,13 @@ TEST(ViewStateJson, FreeHandlesThatFollowComeBackAndAreLeftOutWhileTheyStay) {
   EXPECT_TRUE(viewFromJson(toJson(view)).freeHandlesFollow);
 }
 
+TEST(ViewStateJson, TheElasticGhostComesBackAndIsLeftOutWhileItIsOff) {
+  ViewState view;
+  EXPECT_FALSE(toJson(view).contains("besideElasticity")) << "older programs write the same";
+  view.besideElasticity = true;
+  EXPECT_TRUE(viewFromJson(toJson(view)).besideElasticity);
+}
+
 TEST(ViewStateJson, MotionsComeBackByTheirRecipes) {
   live::Landmarks landmarks;
   landmarks.points = {{"apex", Vec3(1, 2.5, -3)}, {"base", Vec3(0.1, 0, 7)}};

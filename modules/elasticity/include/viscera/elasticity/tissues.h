@@ -14,6 +14,7 @@ namespace viscera::elasticity {
 /// The stiffness of a healthy human tissue at small strains.
 struct Tissue {
   std::string_view name;    ///< "liver"
+  std::string_view organ;   ///< The id of its organ in the table of `anatomy`: "heart" of "myocardium".
   double youngKpa;          ///< Three times the shear modulus where that was measured.
   std::string_view measure; ///< What was measured, with its spread.
   std::string_view doi;     ///< Of the publication.
@@ -22,7 +23,9 @@ struct Tissue {
 /// The tissues whose stiffness is known here, by name.
 std::span<const Tissue> tissues();
 
-/// The tissue of that name. Throws `UsageError` that lists those that there are.
+/// The tissue of that name, else of the organ that the name means to `anatomy::partNamed`: "Leber" and
+/// "kidney_left" have one, lesions and the cavities of the heart have none. Throws `UsageError` that lists
+/// those that there are. O(length).
 const Tissue& tissueNamed(std::string_view name);
 
 /// The von Mises equivalent of the Cauchy stress of `material` at the deformation gradient `f`, kPa. The

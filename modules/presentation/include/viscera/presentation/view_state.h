@@ -174,6 +174,7 @@ struct ViewState {
   bool exactly =
       false; ///< Under a locked volume, moved handles go where they are sent, and others compensate.
   bool freeHandlesFollow = false; ///< Handles that are not dragged go where the tissue would take them.
+  bool besideElasticity = false;  ///< In Deform: the elastic organ under the same handles, as a ghost.
   Mirror mirror = Mirror::off;
   scene::LayoutParts layout{.regions = true}; ///< Regions, zones, super-regions of the groups.
   bool chartOfCycle = true;                   ///< The chart shows one cycle, else the last seconds.
