@@ -175,7 +175,9 @@ FileActions::Read FileActions::readAll(const std::vector<std::filesystem::path>&
                                        const std::shared_ptr<const document::ScanItem>& scan,
                                        Progress& progress) {
   Read read;
-  if (files.size() == 1 && medical_io::isScan(files[0]) && !medical_io::isLabelMap(files[0]))
+  std::error_code ignored;
+  const bool labels = std::filesystem::is_directory(files[0], ignored) && medical_io::isLabelMap(files[0]);
+  if (files.size() == 1 && medical_io::isScan(files[0]) && !labels)
     read.study = document::findStudy(files[0], progress);
   if (read.study)
     return read;

@@ -9,6 +9,8 @@
 #include "viscera/core/content_hash.h"
 #include "viscera/core/error.h"
 #include "viscera/core/phrase.h"
+#include "viscera/medical_io/image_file.h"
+#include "viscera/medical_io/scan.h"
 
 namespace viscera::document {
 namespace {
@@ -52,6 +54,37 @@ void addSlice(StudyHash& hash, const CineSlice& slice) {
     hash.add(number);
   for (const double fraction : slice.fractions)
     hash.add(fraction);
+}
+
+/// A normal farther from every axis of the patient is that of a plane of its own: one within 10 degrees is
+/// read well enough on the patient's axes.
+constexpr double kAxisCosine = 0.985;
+constexpr double kThickPixels = 2; ///< Slices thicker than so many of their pixels have no other view.
+
+constexpr float kBelowMr = -500; ///< Values of magnetic resonance are not negative.
+
+bool isOblique(const Vec3& normal) {
+  return normal.cwiseAbs().maxCoeff() < kAxisCosine;
+}
+
+/// Whether a file may have volumes over time in planes of their own, by its header.
+bool mayHaveOwnPlanes(const std::filesystem::path& file, Progress& progress) {
+  const std::vector<medical_io::ScanSeries> all = medical_io::listScans(file, progress);
+  if (all.size() != 1 || all.front().phases < 2 || all.front().size[2] < 2)
+    return false;
+  const medical_io::ScanSeries& scan = all.front();
+  const Vec3 normal = scan.indexToLps.linear().col(0).cross(scan.indexToLps.linear().col(1)).normalized();
+  const double pixel = std::max(scan.spacing[0], scan.spacing[1]);
+  const bool own = isOblique(normal) || (scan.modality != "CT" && scan.spacing[2] > kThickPixels * pixel);
+  return own && medical_io::imageContents(file, progress) == medical_io::ImageContents::values;
+}
+
+/// Whether images are of CT, by what the files say or, where they say nothing, by air at -1000.
+bool isOfCt(const CineStudy& study) {
+  if (!study.modality.empty() || study.slices.front().fractions.empty())
+    return study.modality == "CT";
+  const std::shared_ptr<const medical_io::CineImage> image = study.slices.front().image(0);
+  return (image->array() < kBelowMr).any();
 }
 
 } // namespace
@@ -106,13 +139,23 @@ StudyItem studyItem(CineStudy study, const std::filesystem::path& place) {
           std::move(hash)};
 }
 
+bool hasOwnPlanes(const CineStudy& study) {
+  if (study.slices.empty())
+    return false;
+  const CineSlice& first = study.slices.front();
+  const medical_io::CineGeometry& place = first.geometry;
+  const double pixel = std::max(place.betweenColumns, place.betweenRows);
+  return isOblique(place.normal()) || (place.thickness > kThickPixels * pixel && !isOfCt(study));
+}
+
 std::optional<StudyItem> findStudy(const std::filesystem::path& place, Progress& progress) {
   std::error_code ignored;
-  if (!std::filesystem::is_directory(place, ignored))
-    return std::nullopt;
+  const bool isFolder = std::filesystem::is_directory(place, ignored);
   try {
+    if (!isFolder && !mayHaveOwnPlanes(place, progress))
+      return std::nullopt;
     std::optional<CineStudy> study = medical_io::findCineStudy(place, progress);
-    if (!study || seriesOf(*study).size() < 2)
+    if (!study || (seriesOf(*study).size() < 2 && !hasOwnPlanes(*study)))
       return std::nullopt;
     return studyItem(std::move(*study), place);
   } catch (const Cancelled&) {

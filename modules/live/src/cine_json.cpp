@@ -9,6 +9,7 @@
 
 #include "viscera/core/json_reader.h"
 #include "viscera/document/stored_text.h"
+#include "viscera/live/contour_corrections.h"
 
 namespace viscera::live {
 namespace {
@@ -64,6 +65,8 @@ ordered_json requestJson(const CineRequest& request) {
     item["periodSeconds"] = *request.periodSeconds;
   item["leftOutSeries"] = request.leftOutSeries;
   item["firstPhase"] = request.firstPhase;
+  if (!request.corrections.empty())
+    item["corrections"] = toJson(request.corrections);
   return item;
 }
 
@@ -84,6 +87,7 @@ CineRequest requestFrom(const JsonReader& reader, const ordered_json& item, cons
     request.periodSeconds = reader.valueOf<double>(item, "periodSeconds", place);
   request.leftOutSeries = reader.valueOf<std::vector<int>>(item, "leftOutSeries", place);
   request.firstPhase = indexFrom(reader, item, "firstPhase", place);
+  request.corrections = correctionsFrom(reader, item, place);
   return request;
 }
 

@@ -22,7 +22,8 @@ constexpr double kFewAmber = 0.05; ///< Weight of all contours of a phase, on av
 constexpr double kApartAmberMm = 1.5, kApartRedMm = 2.5;
 constexpr double kWallChange = 0.1;   ///< Of the tissue's volume beyond those of the labels.
 constexpr double kEmptierPart = 0.03; ///< Of the volume at the end of diastole.
-constexpr double kMostPhases = 0.5;   ///< In which a plane may be of no use before it is said.
+constexpr double kMostPhases = 0.5;   ///< In which a plane may be of no use before it is red.
+constexpr double kSomePhases = 0.2;   ///< The same, amber.
 
 PlaneState stateOf(const PlaneShare& share, bool labelled, bool hasImage) {
   if (labelled)
@@ -59,12 +60,17 @@ void judgePlane(CinePlaneUse& use) {
     use.light = FitLight::amber;
     use.reason = "it shows no wall that could be followed";
   } else if (leaving > kMostPhases * shown) {
-    use.light = FitLight::amber;
+    use.light = FitLight::red;
     use.reason = phrase("its tissue leaves the plane: it arrives %1 mm from the next label",
                         inFixed(use.closureMm, 1));
   } else if (unlike > kMostPhases * shown) {
-    use.light = FitLight::amber;
+    use.light = FitLight::red;
     use.reason = "its images are hardly alike around the wall";
+  } else if (leaving + unlike > kSomePhases * shown) {
+    use.light = FitLight::amber;
+    use.reason = phrase("it counts little in %1 of %2 phases, in which its tissue leaves the plane or its "
+                        "images are unlike",
+                        static_cast<int>(leaving + unlike), static_cast<int>(shown));
   } else if (missing > 0) {
     use.light = FitLight::amber;
     use.reason =
@@ -329,6 +335,7 @@ CineTracker::CineTracker(std::shared_ptr<const LabelledStudy> study, const Track
   fitOptions.caps = joined.caps;
   fitOptions.keepVolumes = options.keepVolumes;
   fitOptions.fromOne = true;
+  fitOptions.witnesses = options.witnesses;
   runPart(progress, 0.08, 0.95, [&](Progress& part) {
     parts->fitter = std::make_unique<const tracking::CineFitter>(
         *parts->rig, labelledPhases(joined), joined.planes, joined.times, fitOptions, part, threads);

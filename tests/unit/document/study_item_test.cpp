@@ -10,6 +10,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "beating_labels.h"
 #include "cine_pictures.h"
 #include "session_scene.h"
 #include "viscera/core/error.h"
@@ -65,6 +66,68 @@ TEST(StudyItem, IsLookedForInFoldersWithTwoSeriesOrMore) {
   std::filesystem::create_directories(folder / "other");
   EXPECT_FALSE(findStudy(folder.put("other/a.txt", "no picture").parent_path(), progress));
   EXPECT_FALSE(findStudy(folder.path() / "heart" / "0_3_0_0.dcm", progress)) << "a file is no folder";
+}
+
+/// Five layers of grey values in four phases, as a file of volumes over time; `low` is the darkest, negative
+/// so that they are no labels.
+std::string greyOverTime(const Eigen::Affine3d& indexToLps, int low) {
+  std::vector<tests::LabelImage> phases;
+  for (int phase = 0; phase < 4; ++phase) {
+    tests::LabelImage& image = phases.emplace_back(tests::emptyLabels({12, 10, 5}));
+    image.indexToLps = indexToLps;
+    for (std::size_t v = 0; v < image.voxels.size(); ++v)
+      image.voxels[v] = static_cast<std::int16_t>(low + phase + static_cast<int>(37 * v % 1021));
+  }
+  return tests::nifti4d(phases, 0.2, 8);
+}
+
+TEST(StudyItem, IsLookedForInFilesOfVolumesInPlanesOfTheirOwn) {
+  const TemporaryFolder folder;
+  Progress progress;
+  const auto find = [&](const char* name, const Eigen::Affine3d& indexToLps, int low) {
+    return findStudy(folder.put(name, greyOverTime(indexToLps, low)), progress);
+  };
+  const Eigen::Affine3d thick(Eigen::Scaling(1.5, 1.5, 9.0)), cubes(Eigen::Scaling(2.0, 2.0, 2.0));
+  const Eigen::Affine3d tilted(Eigen::AngleAxisd(0.6, Vec3(1, 0.5, 0).normalized()));
+  const auto oblique = find("oblique.nii", tilted * thick, -20);
+  ASSERT_TRUE(oblique);
+  EXPECT_EQ(oblique->study->slices.size(), 5u);
+  EXPECT_EQ(oblique->study->stacks.size(), 1u);
+  EXPECT_EQ(seriesOf(*oblique->study).size(), 1u);
+  EXPECT_EQ(seriesOf(*oblique->study)[0].phases, 4u);
+  EXPECT_TRUE(identical(std::make_shared<const StudyItem>(readStudy(folder / "oblique.nii", progress)),
+                        std::make_shared<const StudyItem>(*oblique)))
+      << "as a session reads it";
+  EXPECT_TRUE(find("thick.nii", thick, -20));
+  EXPECT_FALSE(find("cubes.nii", cubes, -20));
+  EXPECT_FALSE(find("ct.nii", thick, -1024)) << "on the patient's axes it is seen well";
+  EXPECT_FALSE(findStudy(folder / "absent.nii", progress));
+}
+
+TEST(StudyItem, IsLookedForInAFolderWithOneSeriesOfObliqueSlices) {
+  const TemporaryFolder folder;
+  for (const char* inside : {"oblique", "even"})
+    std::filesystem::create_directories(folder / inside);
+  for (const bool isOblique : {true, false})
+    for (int slice = 0; slice < 3; ++slice) {
+      tests::CinePicture picture = tests::shortAxisPicture(3, 9.0 * slice, 860);
+      if (!isOblique) {
+        picture.row = Vec3::UnitX();
+        picture.column = Vec3::UnitY();
+        picture.corner = Vec3(0, 0, 3.0 * slice);
+        picture.thickness = 3;
+      }
+      picture.slice = slice;
+      for (picture.phase = 0; picture.phase < picture.phases; ++picture.phase)
+        folder.put((isOblique ? "oblique/" : "even/") + tests::cineFileName(picture),
+                   tests::dicomBytes(tests::cineElements(picture)));
+    }
+  Progress progress;
+  const auto found = findStudy(folder / "oblique", progress);
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->study->slices.size(), 3u);
+  EXPECT_EQ(seriesOf(*found->study).size(), 1u);
+  EXPECT_FALSE(findStudy(folder / "even", progress)) << "a scan with phases";
 }
 
 TEST(StudyItem, IsOneStepOfTheDocumentAndTakesThePlaceOfTheScan) {

@@ -22,6 +22,7 @@ MeasuredRecord imagesRecord(bool estimate = false) {
   images->request.periodSeconds = 0.8;
   images->request.leftOutSeries = {3};
   images->request.firstPhase = 1;
+  images->request.corrections = {{1, std::size_t{4}, std::nullopt, "RV", Points::Ones(3, 3)}};
   images->study = "0123456789abcdef";
   images->handles = 60;
   images->keepVolumes = false;
@@ -77,6 +78,7 @@ TEST(CineRecord, ComesBackFromASessionWithRequestPlanesAndVerdicts) {
   EXPECT_EQ(request.periodSeconds, 0.8);
   EXPECT_EQ(request.leftOutSeries, std::vector<int>{3});
   EXPECT_EQ(request.firstPhase, 1U);
+  EXPECT_EQ(request.corrections, record.images->request.corrections);
   EXPECT_EQ(back.images->study, "0123456789abcdef");
   EXPECT_FALSE(back.images->keepVolumes);
   const CineMotion& found = back.images->found;

@@ -6,12 +6,18 @@
 #include <memory>
 #include <utility>
 
+#include <Eigen/Cholesky>
+
 #include "cine_fit_parts.h"
+#include "fold_relief.h"
 #include "viscera/core/error.h"
 #include "viscera/core/phrase.h"
 
 namespace viscera::tracking {
 namespace {
+
+/// What a labelled pose costs beside the mean square of its surfaces' change, while folds are taken out.
+constexpr double kLabelBending = 6, kLabelHandles = 1e-4, kLabelFloor = 1e-7;
 
 void requireLabels(const std::vector<LabelledPhase>& labelled, const PhaseTimes& times, bool fromOne) {
   if (labelled.size() < (fromOne ? 1 : 2))
@@ -53,6 +59,21 @@ std::vector<LabelledPose> labelledPoses(const MotionRig& rig, const std::vector<
     poses.push_back({label.phase, one.poses[0], rig.vertices(one.poses[0])});
   }
   return poses;
+}
+
+/// Takes folds out of the labelled poses, whose volumes stay exact.
+void unfoldLabels(const MotionRig& rig, const WallStiffness& stiffness, bool keepVolumes,
+                  std::vector<LabelledPose>& poses) {
+  const Eigen::MatrixXd hold = stiffness.strain() + kLabelBending * stiffness.bending() +
+                               kLabelHandles * rig.bending() +
+                               kLabelFloor * Eigen::MatrixXd::Identity(rig.handles(), rig.handles());
+  const Eigen::MatrixXd surface = rig.weights().transpose() * rig.weights() / double(rig.weights().rows());
+  const Eigen::LLT<Eigen::MatrixXd> matrix(hold + surface);
+  for (LabelledPose& label : poses)
+    if (relieveFolds(
+            rig, stiffness, [&](const Points& gradient) { return Points(matrix.solve(gradient)); },
+            keepVolumes, label.pose))
+      label.vertices = rig.vertices(label.pose);
 }
 
 std::vector<FreePhase> freePhases(const std::vector<CineSegment>& segments) {
@@ -99,6 +120,8 @@ void fitFree(const CineFitter::Parts& parts, const FreePhase& place, CineFit& fi
   const Values volumes = parts.rig.volumesMl(parts.rig.vertices(pose)), wanted = parts.labels.within(volumes);
   if (parts.keepsVolumes() && wanted != volumes)
     fit.motion.volumes[phase] = images.giveVolumes(wanted, *parts.stiffness, pose);
+  if (parts.options.witnesses > 0 && !images.unfold(*parts.stiffness, parts.options.keepVolumes, pose))
+    heldBack[phase] = true;
   fit.planes[phase] = images.shares(pose);
   fit.motion.freeVolumesMl[phase] = volumes;
   fit.motion.poses[phase] = std::move(pose);
@@ -177,11 +200,12 @@ CineFitter::CineFitter(const MotionRig& rig, std::vector<LabelledPhase> labelled
   runPart(progress, 0, 0.05, [&](Progress& part) {
     p.poses = labelledPoses(rig, labelled, times, options, fit.motion, part, threads);
   });
+  runPart(progress, 0.05, 0.1, [&](Progress& part) {
+    p.stiffness = std::make_unique<const WallStiffness>(rig, p.outer, options.witnesses, part, threads);
+  });
+  unfoldLabels(rig, *p.stiffness, options.keepVolumes, p.poses);
   for (const LabelledPose& pose : p.poses)
     fit.motion.poses[pose.phase] = pose.pose;
-  runPart(progress, 0.05, 0.1, [&](Progress& part) {
-    p.stiffness = std::make_unique<const WallStiffness>(rig, p.outer, part, threads);
-  });
   runPart(progress, 0.1, 0.6, [&](Progress& part) {
     p.segments = cineSegments(rig, p.poses, planes, times, options.caps, part, threads);
   });

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <utility>
 
+#include "fold_relief.h"
 #include "nearest_place.h"
 #include "viscera/geometry/normals.h"
 
@@ -224,6 +225,14 @@ VolumeResidual CinePose::giveVolumes(const Values& wantedMl, const WallStiffness
   const System system = systemAt(pose, pose, stiffness);
   return solveVolumes(
       rig_, wantedMl, [&](const Points& gradient) { return system.solve(gradient); }, pose);
+}
+
+bool CinePose::unfold(const WallStiffness& stiffness, bool keepVolumes, Points& pose) const {
+  if (!isFolded(stiffness, pose))
+    return true;
+  const System system = systemAt(pose, pose, stiffness);
+  return relieveFolds(
+      rig_, stiffness, [&](const Points& gradient) { return system.solve(gradient); }, keepVolumes, pose);
 }
 
 std::vector<PlaneShare> CinePose::shares(const Points& pose) const {

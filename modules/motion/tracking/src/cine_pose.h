@@ -38,6 +38,9 @@ public:
   Points fitted(const Points& prior, const WallStiffness& stiffness, bool& heldBack) const;
   /// `pose` changed to such volumes of the surfaces, ml, at the least cost of its fit.
   VolumeResidual giveVolumes(const Values& wantedMl, const WallStiffness& stiffness, Points& pose) const;
+  /// `pose` changed as little as the images and the wall's stiffness let it so that no witness is folded, its
+  /// volumes kept; whether none is.
+  bool unfold(const WallStiffness& stiffness, bool keepVolumes, Points& pose) const;
   /// `pose`, or one nearer to `safe` where tissue would fold that does not fold there; whether it is that.
   static bool holdBack(const Points& safe, const WallStiffness& stiffness, Points& pose);
   /// What each plane contributed.

@@ -6,6 +6,7 @@
 
 #include <Eigen/Geometry>
 
+#include "tissue_witnesses.h"
 #include "viscera/coordinates/systems.h"
 #include "viscera/core/phrase.h"
 #include "viscera/core/text.h"
@@ -103,8 +104,8 @@ int opposedTriangles(const Triangles& triangles, const Points& fitted, const Sur
   return count;
 }
 
-TissueWitnesses::TissueWitnesses(const MotionRig& rig, std::size_t outer, int wanted, Progress& progress,
-                                 Threads threads) {
+deformation::WitnessMesh tissueWitnesses(const MotionRig& rig, std::size_t outer, int wanted,
+                                         Progress& progress, Threads threads) {
   std::vector<std::shared_ptr<const geometry::TriangleMesh>> cavities;
   for (std::size_t i = 0; i < rig.surfaces().size(); ++i)
     if (i != outer)
@@ -113,6 +114,12 @@ TissueWitnesses::TissueWitnesses(const MotionRig& rig, std::size_t outer, int wa
       deformation::gridWitnesses(rig.surfaces()[outer], wanted, progress, threads);
   if (!cavities.empty())
     mesh = deformation::withoutCavities(mesh, cavities, threads);
+  return mesh;
+}
+
+TissueWitnesses::TissueWitnesses(const MotionRig& rig, std::size_t outer, int wanted, Progress& progress,
+                                 Threads threads) {
+  const deformation::WitnessMesh mesh = tissueWitnesses(rig, outer, wanted, progress, threads);
   coordinates::BindOptions options;
   options.parameters.set("locality", rig.locality());
   options.parameters.set("softness", rig.softnessMm());

@@ -8,6 +8,7 @@
 
 #include <Eigen/LU>
 
+#include "tissue_witnesses.h"
 #include "viscera/coordinates/systems.h"
 #include "viscera/deformation/witness_gradients.h"
 #include "viscera/tracking/surface_distance.h"
@@ -92,7 +93,8 @@ WitnessGrid witnessGrid(const MotionRig& rig, std::size_t outer, Threads threads
 
 } // namespace
 
-WallStiffness::WallStiffness(const MotionRig& rig, std::size_t outer, Progress& progress, Threads threads) {
+WallStiffness::WallStiffness(const MotionRig& rig, std::size_t outer, int witnesses, Progress& progress,
+                             Threads threads) {
   const WitnessGrid grid = witnessGrid(rig, outer, threads);
   progress.throwIfCancelled();
   coordinates::BindOptions options;
@@ -125,25 +127,39 @@ WallStiffness::WallStiffness(const MotionRig& rig, std::size_t outer, Progress& 
     rows_[static_cast<std::size_t>(axis)] = gradients(tissue, Eigen::all);
   }
   strain_ = rig.bending() * strain_ * rig.bending(); // Affine motion is free.
+  for (Eigen::MatrixXd& rows : witnesses_)
+    rows.resize(0, n);
+  if (witnesses <= 0)
+    return;
+  const deformation::WitnessMesh mesh = tissueWitnesses(rig, outer, witnesses, progress, threads);
+  const auto fine = deformation::bindWitnesses(
+      *coordinates::sCelestial(), handles, Points(mesh.points.topRows(mesh.witnesses)), options, progress);
+  for (Eigen::Index axis = 0; axis < 3; ++axis) {
+    Eigen::MatrixXd& rows = witnesses_[static_cast<std::size_t>(axis)];
+    rows.resize(mesh.witnesses, n);
+    for (Eigen::Index i = 0; i < rows.rows(); ++i)
+      for (Eigen::Index handle = 0; handle < n; ++handle)
+        rows(i, handle) = fine->gradient(i, handle)[axis];
+  }
 }
 
-Values WallStiffness::ratios(const Points& pose) const {
-  const std::array<Points, 3> columns = {Points(rows_[0] * pose), Points(rows_[1] * pose),
-                                         Points(rows_[2] * pose)};
-  Values ratios(points());
+Values WallStiffness::ratiosOf(const Rows& rows, const Points& pose) {
+  const std::array<Points, 3> columns = {Points(rows[0] * pose), Points(rows[1] * pose),
+                                         Points(rows[2] * pose)};
+  Values ratios(rows[0].rows());
   for (Eigen::Index i = 0; i < ratios.size(); ++i)
     ratios[i] = columns[0].row(i).dot(columns[1].row(i).cross(columns[2].row(i)));
   return ratios;
 }
 
-Points WallStiffness::ratioGradient(const Points& pose, Eigen::Index point) const {
+Points WallStiffness::slopeOf(const Rows& rows, const Points& pose, Eigen::Index point) {
   // det F = f_x . (f_y x f_z) with f_a = sum_i (da w_i) h_i.
   std::array<Eigen::RowVector3d, 3> f;
   for (std::size_t axis = 0; axis < 3; ++axis)
-    f[axis] = rows_[axis].row(point) * pose;
+    f[axis] = rows[axis].row(point) * pose;
   Points gradient = Points::Zero(pose.rows(), 3);
   for (std::size_t axis = 0; axis < 3; ++axis)
-    gradient += rows_[axis].row(point).transpose() * f[(axis + 1) % 3].cross(f[(axis + 2) % 3]);
+    gradient += rows[axis].row(point).transpose() * f[(axis + 1) % 3].cross(f[(axis + 2) % 3]);
   return gradient;
 }
 

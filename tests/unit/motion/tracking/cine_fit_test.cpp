@@ -10,6 +10,7 @@
 #include "cine_files.h"
 #include "cine_phantom.h"
 #include "shared_organs.h"
+#include "smooth_error.h"
 #include "viscera/core/error.h"
 #include "viscera/geometry/plane_cut.h"
 #include "viscera/tracking/fit_quality.h"
@@ -370,6 +371,26 @@ TEST(FitCine, FindsARealRightVentricleBetweenTwoLabels) {
   // 1.4 and 4.5 % when this was written; the straight way between the labels has 4.9 and 10.3 %.
   EXPECT_LT(mean, 0.02 * trueMl(0));
   EXPECT_LT(worst, 0.06 * trueMl(0));
+
+  // Labels with an error of 5 mm folded tissue in ten phases: it does not, and volumes are those of the
+  // labels.
+  std::vector<LabelledPhase> wrong = {label(0), label(9)};
+  for (std::size_t i = 0; i < wrong.size(); ++i) {
+    geometry::TriangleMesh mesh = tidy.series.at(wrong[i].phase);
+    mesh.points += tests::smoothError(mesh.points, 5, 3 + static_cast<unsigned>(i));
+    wrong[i].targets.volumesMl =
+        Values::Constant(1, geometry::volume(mesh.points, mesh.triangles) / kMm3PerMl);
+    wrong[i].targets.distances = {
+        std::make_shared<const MeshDistance>(std::make_shared<const geometry::TriangleMesh>(mesh))};
+  }
+  const CineFit unfolded =
+      fitCine(rig, wrong, planes, PhaseTimes::even(25, 0.829), {.caps = {capTriangles(tidy)}}, progress);
+  const TissueWitnesses tissue(rig, 0, 3000, progress);
+  for (const Points& pose : unfolded.motion.poses)
+    EXPECT_EQ(tissue.foldedAt(pose), 0);
+  for (const LabelledPhase& each : wrong)
+    EXPECT_NEAR(rig.volumesMl(rig.vertices(unfolded.motion.poses[each.phase]))[0], each.targets.volumesMl[0],
+                1e-5);
 }
 
 } // namespace

@@ -48,10 +48,16 @@ bool identical(const std::shared_ptr<const StudyItem>& a, const std::shared_ptr<
 /// Makes a study of the document from one that was read, named by its modality and place.
 StudyItem studyItem(medical_io::CineStudy study, const std::filesystem::path& place);
 
-/// Reads a cine study for a document, without accessing one. None for what is no folder, and for a folder
-/// with less than two series over a heart's cycle: those are scans with phases. None also for images of
-/// several patients and others that cannot be read as a study: who reads them as scans says what is wrong.
-/// Throws `Cancelled`. O(files).
+/// Whether the planes of a study are its own: its first slice is oblique, more than 10 degrees from every
+/// axis of the patient, or, unless it is of CT, thicker than twice its pixels. On the patient's axes little
+/// would be seen of it. May decode a picture: throws `DataError` where that is damaged.
+bool hasOwnPlanes(const medical_io::CineStudy& study);
+
+/// Reads a cine study for a document, without accessing one: a folder with two series or more over a heart's
+/// cycle, or with one whose planes are its own, or a file of volumes over time with such
+/// planes. None for others: those are scans with phases. None also for images of several patients and others
+/// that cannot be read as a study: who reads them as scans says what is wrong. Throws `Cancelled`. O(files);
+/// for a file by its header where it is none.
 std::optional<StudyItem> findStudy(const std::filesystem::path& place, Progress& progress);
 
 /// Reads the study that a session names, of any number of series. Throws what `medical_io::readCineStudy`

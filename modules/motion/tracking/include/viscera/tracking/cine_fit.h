@@ -33,6 +33,9 @@ struct CineFitOptions {
   /// Whether one labelled phase of a loop is enough. What the images show of the others is an estimate then,
   /// volumes included: there is no second label at which tissue could be seen to have drifted.
   bool fromOne = false;
+  /// Points in the tissue, those of `TissueWitnesses`, at which no phase is folded where volumes can be kept
+  /// without: the pose changes as little as its fit lets it. 0: folds are not looked for.
+  int witnesses = 3000;
 };
 
 /// What one plane contributed to one phase.
