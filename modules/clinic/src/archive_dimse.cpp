@@ -112,7 +112,9 @@ public:
       throw wrongTitles(connection_);
     if (found == NET_EC_NoAcceptablePresentationContexts || found == DIMSE_NOVALIDPRESENTATIONCONTEXTID)
       throw notOffered(connection_, "this service");
-    if (text.find("certificate") != std::string::npos)
+    // DCMTK tells a failed handshake no better than this.
+    if (text.find("certificate") != std::string::npos ||
+        (opening && connection_.tls && found == DUL_PEERABORTEDASSOCIATION))
       throw untrusted(connection_);
     if (found == DIMSE_NODATAAVAILABLE || found == DUL_READTIMEOUT ||
         text.find("Timeout") != std::string::npos)

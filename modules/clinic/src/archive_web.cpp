@@ -282,6 +282,10 @@ private:
     char* made = curl_easy_escape(nullptr, text.c_str(), int(text.size()));
     std::string result = made != nullptr ? made : "";
     curl_free(made);
+    // Orthanc takes a wildcard for one only as it is, which a query of an address may hold.
+    for (const auto& [code, wildcard] : {std::pair{"%2A", "*"}, std::pair{"%3F", "?"}})
+      for (std::size_t at = result.find(code); at != std::string::npos; at = result.find(code))
+        result.replace(at, 3, wildcard);
     return result;
   }
 
