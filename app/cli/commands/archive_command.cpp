@@ -13,6 +13,7 @@
 
 #include "cli/listing.h"
 #include "viscera/clinic/archive.h"
+#include "viscera/clinic/key_ring.h"
 #include "viscera/core/error.h"
 
 namespace viscera::app::cli {
@@ -39,11 +40,14 @@ std::string askedPassword(const ArchiveConnection& connection) {
   return password;
 }
 
-std::string passwordFor(const ArchiveConnection& connection) {
-  if (connection.kind == ArchiveKind::dimse || connection.user.empty())
+/// From the environment, the system's key ring, or the terminal.
+std::string passwordFor(const ArchiveConnection& connection, Progress& progress) {
+  if (!clinic::wantsPassword(connection))
     return {};
-  const char* given = std::getenv("VISCERA_ARCHIVE_PASSWORD");
-  return given != nullptr ? given : askedPassword(connection);
+  if (const char* given = std::getenv("VISCERA_ARCHIVE_PASSWORD"))
+    return given;
+  const auto kept = clinic::systemKeyRing()->find(connection, progress);
+  return kept ? *kept : askedPassword(connection);
 }
 
 ordered_json connectionJson(const ArchiveConnection& one) {
@@ -81,8 +85,9 @@ public:
 
   void addOptions(CLI::App& options) override {
     options
-        .add_option("WHAT", what_,
-                    "list the archives; add or remove one; test it; query studies; get a series; send files")
+        .add_option(
+            "WHAT", what_,
+            "list the archives; add or remove one; test it; query studies; get a series or study; send files")
         ->required()
         ->check(CLI::IsMember({"list", "add", "remove", "test", "query", "get", "send"}));
     options.add_option("FILE", files_, "send: DICOM files");
@@ -98,13 +103,15 @@ public:
     options.add_option("--certificates", connection_.certificates, "add: trusted issuers (.pem)")
         ->type_name("FILE");
     options.add_option("--user", connection_.user, "add: user of DICOMweb")->type_name("NAME");
+    options.add_flag("--keep-password", keep_, "test: keep the password in the system's key ring");
     options.add_option("--patient-name", query_.patientName, "query: with * and ?")->type_name("PATTERN");
     options.add_option("--patient-id", query_.patientId, "query: with * and ?")->type_name("PATTERN");
     options.add_option("--from", query_.from, "query: first day of the study")->type_name("YYYYMMDD");
     options.add_option("--to", query_.to, "query: last day of the study")->type_name("YYYYMMDD");
     options.add_option("--modality", query_.modality, "query: CT, MR, ...")->type_name("M");
     options.add_option("--study", query_.studyUid, "query, get: UID of the study")->type_name("UID");
-    options.add_option("--series", series_, "get: UID of the series")->type_name("UID");
+    options.add_option("--series", series_, "get: UID of the series; without it, the whole study")
+        ->type_name("UID");
     options.add_option("-o,--output", output_, "get: folder to make")->type_name("DIR");
   }
 
@@ -116,7 +123,7 @@ public:
     if (connection_.name.empty())
       throw UsageError("no archive is named", "--connection", "viscera archive list shows them");
     if (what_ == "add" || what_ == "remove")
-      return changed(file, std::move(all));
+      return changed(file, std::move(all), context.progress);
     const auto found = std::find_if(all.begin(), all.end(), [this](const ArchiveConnection& one) {
       return one.name == connection_.name;
     });
@@ -128,14 +135,21 @@ public:
       return fetched(*found, context.progress);
     if (what_ == "send")
       return sent(*found, context.progress);
-    clinic::testArchive(*found, passwordFor(*found), context.progress);
+    return tested(*found, context.progress);
+  }
+
+private:
+  Outcome tested(const ArchiveConnection& archive, Progress& progress) const {
+    const std::string password = passwordFor(archive, progress);
+    clinic::testArchive(archive, password, progress);
     Outcome outcome;
-    outcome.json = {{"connection", found->name}, {"answers", true}};
+    if (keep_ && !password.empty() && !clinic::systemKeyRing()->keep(archive, password, progress))
+      outcome.warnings.push_back("There is no key ring that keeps the password");
+    outcome.json = {{"connection", archive.name}, {"answers", true}};
     outcome.text = "The archive answers.\n";
     return outcome;
   }
 
-private:
   static Outcome listed(const std::vector<ArchiveConnection>& all) {
     Outcome outcome;
     outcome.json["connections"] = ordered_json::array();
@@ -150,8 +164,14 @@ private:
     return outcome;
   }
 
-  Outcome changed(const std::filesystem::path& file, std::vector<ArchiveConnection> all) {
-    std::erase_if(all, [this](const ArchiveConnection& one) { return one.name == connection_.name; });
+  Outcome changed(const std::filesystem::path& file, std::vector<ArchiveConnection> all, Progress& progress) {
+    const auto isIt = [this](const ArchiveConnection& one) { return one.name == connection_.name; };
+    const auto found = std::find_if(all.begin(), all.end(), isIt);
+    if (what_ == "remove" && found == all.end())
+      throw UsageError("no archive has this name", connection_.name, "viscera archive list shows them");
+    if (what_ == "remove" && clinic::wantsPassword(*found))
+      clinic::systemKeyRing()->forget(*found, progress);
+    std::erase_if(all, isIt);
     if (what_ == "add") {
       connection_.kind = connection_.calledTitle.empty() ? ArchiveKind::dicomWeb : ArchiveKind::dimse;
       clinic::checkArchiveConnection(connection_);
@@ -164,7 +184,8 @@ private:
   Outcome queried(const ArchiveConnection& archive, Progress& progress) const {
     Outcome outcome;
     outcome.json["studies"] = ordered_json::array();
-    for (const auto& study : clinic::queryArchive(archive, passwordFor(archive), query_, progress)) {
+    for (const auto& study :
+         clinic::queryArchive(archive, passwordFor(archive, progress), query_, progress)) {
       outcome.json["studies"].push_back(studyJson(study));
       outcome.text += study.date + "  " + study.patientId + "  " + study.patientName + "  " +
                       study.modalities + "  " + study.description + "  " + study.studyUid + "\n";
@@ -177,20 +198,23 @@ private:
   }
 
   Outcome fetched(const ArchiveConnection& archive, Progress& progress) const {
-    if (query_.studyUid.empty() || series_.empty() || output_.empty())
-      throw UsageError("get needs --study, --series and -o", {}, "viscera archive query shows the UIDs");
-    const auto files =
-        clinic::retrieveSeries(archive, passwordFor(archive), query_.studyUid, series_, output_, progress);
+    if (query_.studyUid.empty() || output_.empty())
+      throw UsageError("get needs --study and -o", {}, "viscera archive query shows the UIDs");
+    const std::string password = passwordFor(archive, progress);
+    const std::size_t files =
+        series_.empty()
+            ? clinic::retrieveStudy(archive, password, query_.studyUid, output_, progress)
+            : clinic::retrieveSeries(archive, password, query_.studyUid, series_, output_, progress).size();
     Outcome outcome;
-    outcome.json = {{"folder", output_}, {"files", files.size()}};
-    outcome.text = std::to_string(files.size()) + " files in " + output_ + "\n";
+    outcome.json = {{"folder", output_}, {"files", files}};
+    outcome.text = std::to_string(files) + " files in " + output_ + "\n";
     return outcome;
   }
 
   Outcome sent(const ArchiveConnection& archive, Progress& progress) const {
     if (files_.empty())
       throw UsageError("no file is named", "send");
-    clinic::sendToArchive(archive, passwordFor(archive), {files_.begin(), files_.end()}, progress);
+    clinic::sendToArchive(archive, passwordFor(archive, progress), {files_.begin(), files_.end()}, progress);
     Outcome outcome;
     outcome.json = {{"connection", archive.name}, {"files", files_.size()}};
     outcome.text = std::to_string(files_.size()) + " files sent to " + archive.name + "\n";
@@ -198,6 +222,7 @@ private:
   }
 
   std::string what_, series_, output_;
+  bool keep_ = false;
   std::vector<std::string> files_;
   ArchiveConnection connection_;
   clinic::ArchiveQuery query_;

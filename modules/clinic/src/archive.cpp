@@ -7,11 +7,11 @@
 #include <system_error>
 
 #include "archive_parts.h"
+#include "viscera/medical_io/archive_origin.h"
 
 namespace viscera::clinic {
 namespace {
 
-constexpr int kUnavailable = 69;
 constexpr std::size_t kLongestTitle = 16;
 constexpr std::size_t kLongestUid = 64;
 
@@ -35,15 +35,18 @@ bool isTitle(const std::string& title) {
 /// A folder beside the target that takes its name when it is complete, and else is removed.
 class ArrivingFolder {
 public:
-  explicit ArrivingFolder(std::filesystem::path target) : target_(std::move(target)) {
+  ArrivingFolder(const std::filesystem::path& target, Existing existing)
+      : target_(std::filesystem::absolute(target).lexically_normal()) {
+    if (!target_.has_filename())
+      target_ = target_.parent_path();
     std::error_code failed;
-    if (std::filesystem::exists(target_, failed))
+    if (existing == Existing::refuse && std::filesystem::exists(target_, failed))
       throw CannotCreateError("The folder is there already", target_.string());
-    const std::filesystem::path parent = std::filesystem::absolute(target_).parent_path();
-    std::filesystem::create_directories(parent, failed);
-    arriving_ = parent / (".arriving-" + std::to_string(std::random_device()()));
+    std::filesystem::create_directories(target_.parent_path(), failed);
+    arriving_ = beside(".arriving-");
     if (!std::filesystem::create_directory(arriving_, failed))
       throw CannotCreateError("The folder cannot be made", target_.string());
+    std::filesystem::permissions(arriving_, std::filesystem::perms::owner_all, failed);
   }
   ~ArrivingFolder() {
     std::error_code ignored;
@@ -55,21 +58,59 @@ public:
 
   const std::filesystem::path& path() const { return arriving_; }
   void complete() {
-    std::error_code failed;
+    const std::filesystem::path before = beside(".before-");
+    std::error_code failed, none;
+    std::filesystem::rename(target_, before, none); // Most often there was none.
     std::filesystem::rename(arriving_, target_, failed);
-    if (failed)
+    if (failed) {
+      std::filesystem::rename(before, target_, none);
       throw cannotKeep(target_);
+    }
     arriving_.clear();
+    std::filesystem::remove_all(before, none);
   }
 
 private:
+  std::filesystem::path beside(const char* prefix) const {
+    return target_.parent_path() / (prefix + std::to_string(std::random_device()()));
+  }
+
   std::filesystem::path target_, arriving_;
 };
 
+struct SeriesPlace {
+  std::string studyUid, seriesUid;
+};
+
+/// The images of a series, and the note on where they came from, in a folder that is there.
+std::vector<std::filesystem::path> fetchInto(const std::filesystem::path& folder,
+                                             const ArchiveConnection& connection, const std::string& password,
+                                             const SeriesPlace& series, Progress& progress) {
+  channelTo(connection, password)->retrieve(series.studyUid, series.seriesUid, folder, progress);
+  progress.throwIfCancelled();
+  std::vector<std::filesystem::path> files;
+  for (const auto& entry : std::filesystem::directory_iterator(folder))
+    files.push_back(entry.path());
+  if (files.empty())
+    throw noSeries(connection);
+  medical_io::writeArchiveOrigin(folder, {connection.name, series.studyUid, series.seriesUid});
+  return files;
+}
+
 } // namespace
 
-ArchiveError::ArchiveError(Text what, const ArchiveConnection& connection, Text tryThis)
-    : Error(kUnavailable, std::move(what), placeOf(connection), std::move(tryThis)) {}
+ArchiveError::ArchiveError(Text what, const ArchiveConnection& connection, Text tryThis, int exitCode)
+    : Error(exitCode, std::move(what), placeOf(connection), std::move(tryThis)) {}
+
+ArchiveError unknownHost(const ArchiveConnection& connection) {
+  return {phrase("The address of the archive %1 is not known to the network", connection.name), connection,
+          "Check how its address is spelt"};
+}
+
+ArchiveError withoutTls(const ArchiveConnection& connection) {
+  return {phrase("There is no secure connection (TLS) to the archive %1", connection.name), connection,
+          "Ask its administrator whether this port takes TLS, and of which version"};
+}
 
 ArchiveError unreachable(const ArchiveConnection& connection) {
   return {phrase("The archive %1 cannot be reached", connection.name), connection,
@@ -89,7 +130,7 @@ ArchiveError wrongTitles(const ArchiveConnection& connection) {
 
 ArchiveError wrongPassword(const ArchiveConnection& connection) {
   return {phrase("The archive %1 refuses the user name or the password", connection.name), connection,
-          "Type both again"};
+          "Type both again", kPasswordRefused};
 }
 
 ArchiveError untrusted(const ArchiveConnection& connection) {
@@ -166,22 +207,47 @@ std::vector<ArchiveStudy> queryArchive(const ArchiveConnection& connection, cons
 std::vector<std::filesystem::path> retrieveSeries(const ArchiveConnection& connection,
                                                   const std::string& password, const std::string& studyUid,
                                                   const std::string& seriesUid,
-                                                  const std::filesystem::path& folder, Progress& progress) {
+                                                  const std::filesystem::path& folder, Progress& progress,
+                                                  Existing existing) {
   for (const std::string& uid : {studyUid, seriesUid})
     if (!isUid(uid))
       throw UsageError(misuse("'%1' is no UID", uid));
   progress.report(0, phrase("Ask the archive %1", connection.name));
-  ArrivingFolder arriving(folder);
-  channelTo(connection, password)->retrieve(studyUid, seriesUid, arriving.path(), progress);
-  progress.throwIfCancelled();
+  ArrivingFolder arriving(folder, existing);
   std::vector<std::filesystem::path> files;
-  for (const auto& entry : std::filesystem::directory_iterator(arriving.path()))
-    files.push_back(folder / entry.path().filename());
-  if (files.empty())
-    throw noSeries(connection);
+  for (const auto& file : fetchInto(arriving.path(), connection, password, {studyUid, seriesUid}, progress))
+    files.push_back(folder / file.filename());
   arriving.complete();
   std::sort(files.begin(), files.end());
   return files;
+}
+
+std::size_t retrieveStudy(const ArchiveConnection& connection, const std::string& password,
+                          const std::string& studyUid, const std::filesystem::path& folder,
+                          Progress& progress, Existing existing) {
+  if (!isUid(studyUid))
+    throw UsageError(misuse("'%1' is no UID", studyUid));
+  ArchiveQuery query;
+  query.studyUid = studyUid;
+  std::vector<std::string> series;
+  for (const ArchiveStudy& study : queryArchive(connection, password, query, progress))
+    for (const ArchiveSeries& one : study.series)
+      if (isUid(one.seriesUid))
+        series.push_back(one.seriesUid);
+  if (series.empty())
+    throw noSeries(connection);
+  ArrivingFolder arriving(folder, existing);
+  std::size_t images = 0;
+  for (std::size_t i = 0; i < series.size(); ++i)
+    runPart(progress, double(i) / double(series.size()), double(i + 1) / double(series.size()),
+            [&](Progress& part) {
+              const std::filesystem::path place = arriving.path() / series[i];
+              std::filesystem::create_directory(place);
+              images += fetchInto(place, connection, password, {studyUid, series[i]}, part).size();
+            });
+  medical_io::writeArchiveOrigin(arriving.path(), {connection.name, studyUid, {}});
+  arriving.complete();
+  return images;
 }
 
 void sendToArchive(const ArchiveConnection& connection, const std::string& password,

@@ -119,6 +119,8 @@ public:
     if (found == DIMSE_NODATAAVAILABLE || found == DUL_READTIMEOUT ||
         text.find("Timeout") != std::string::npos)
       throw silent(connection_);
+    if (opening && text.find("unknown host") != std::string::npos)
+      throw unknownHost(connection_);
     if (opening && found == DUL_REQUESTASSOCIATIONFAILED)
       throw unreachable(connection_);
     if (opening && text.find("TCP") != std::string::npos)

@@ -10,12 +10,16 @@
 /// What the two ways to an archive share.
 namespace viscera::clinic {
 
-/// Thrown where the archive is to blame, or the way to it. Exit code 69, a service that is not available.
+inline constexpr int kUnavailable = 69; ///< A service is not there, after sysexits.h.
+
+/// Thrown where the archive is to blame, or the way to it.
 struct ArchiveError : Error {
-  ArchiveError(Text what, const ArchiveConnection& connection, Text tryThis);
+  ArchiveError(Text what, const ArchiveConnection& connection, Text tryThis, int exitCode = kUnavailable);
 };
 
 /// The errors, each with what to try.
+ArchiveError unknownHost(const ArchiveConnection& connection);
+ArchiveError withoutTls(const ArchiveConnection& connection);
 ArchiveError unreachable(const ArchiveConnection& connection);
 ArchiveError silent(const ArchiveConnection& connection);
 ArchiveError wrongTitles(const ArchiveConnection& connection);

@@ -356,6 +356,7 @@ private:
       return;
     case CURLE_COULDNT_RESOLVE_HOST:
     case CURLE_COULDNT_RESOLVE_PROXY:
+      throw unknownHost(connection_);
     case CURLE_COULDNT_CONNECT:
     case CURLE_URL_MALFORMAT:
       throw unreachable(connection_);
@@ -364,9 +365,10 @@ private:
     case CURLE_PEER_FAILED_VERIFICATION:
     case CURLE_SSL_CACERT_BADFILE:
       throw untrusted(connection_);
+    case CURLE_SSL_CONNECT_ERROR:
+      throw withoutTls(connection_);
     case CURLE_UNSUPPORTED_PROTOCOL:
     case CURLE_WEIRD_SERVER_REPLY:
-    case CURLE_SSL_CONNECT_ERROR:
       throw strangeAnswer(connection_);
     default:
       throw cut(connection_);

@@ -2,24 +2,20 @@
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
-#include <fstream>
 #include <optional>
 #include <string>
 #include <thread>
 
-#include <arpa/inet.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <netinet/in.h>
-#include <spawn.h>
 #include <sys/resource.h>
-#include <sys/socket.h>
 
-#include "dicom_slices.h"
+#include "orthanc.h"
 #include "run_process.h"
-#include "temporary_folder.h"
 #include "viscera/clinic/archive.h"
+#include "viscera/clinic/key_ring.h"
 #include "viscera/core/error.h"
+#include "viscera/medical_io/archive_origin.h"
 
 /// A real archive (Orthanc) on this machine: what goes in comes back, and each broken connection is told in
 /// a sentence and leaves nothing.
@@ -29,61 +25,17 @@ namespace {
 using testing::HasSubstr;
 using testing::SizeIs;
 
-constexpr auto kOrthanc = "/usr/sbin/Orthanc";
-constexpr auto kWebPlugin = "/usr/share/orthanc/plugins/libOrthancDicomWeb.so";
-constexpr auto kArchivePassword = "s3cret-of-the-test";
-constexpr auto kArchivedStudy = "1.2.840.4711.7";
-
-/// A socket on a free loopback port.
-struct Listener {
-  int descriptor = -1, port = 0;
-  Listener() {
-    descriptor = ::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
-    sockaddr_in address{};
-    address.sin_family = AF_INET;
-    address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-    ::bind(descriptor, reinterpret_cast<const sockaddr*>(&address), sizeof address);
-    socklen_t size = sizeof address;
-    ::getsockname(descriptor, reinterpret_cast<sockaddr*>(&address), &size);
-    port = ntohs(address.sin_port);
-  }
-  ~Listener() { ::close(descriptor); }
-  Listener(const Listener&) = delete;
-  Listener& operator=(const Listener&) = delete;
-};
-
-int freePort() {
-  return Listener().port;
-}
-
-/// A program in the background, ended with the object.
-class Background {
-public:
-  explicit Background(const std::vector<std::string>& command) {
-    std::vector<char*> arguments;
-    for (const std::string& argument : command)
-      arguments.push_back(const_cast<char*>(argument.c_str()));
-    arguments.push_back(nullptr);
-    posix_spawn_file_actions_t actions;
-    posix_spawn_file_actions_init(&actions);
-    for (const int stream : {STDOUT_FILENO, STDERR_FILENO})
-      posix_spawn_file_actions_addopen(&actions, stream, "/dev/null", O_WRONLY, 0);
-    if (::posix_spawn(&process_, arguments[0], &actions, nullptr, arguments.data(), environ) != 0)
-      process_ = -1;
-    posix_spawn_file_actions_destroy(&actions);
-  }
-  ~Background() {
-    if (process_ <= 0)
-      return;
-    ::kill(process_, SIGKILL);
-    ::waitpid(process_, nullptr, 0);
-  }
-  Background(const Background&) = delete;
-  Background& operator=(const Background&) = delete;
-
-private:
-  pid_t process_ = -1;
-};
+using tests::Background;
+using tests::dimseTo;
+using tests::freePort;
+using tests::kArchivedSeries;
+using tests::kArchivedStudy;
+using tests::kArchivePassword;
+using tests::Listener;
+using tests::madeSeries;
+using tests::orthancIsThere;
+using tests::webAddress;
+using tests::webTo;
 
 /// Answers one caller after another with the same bytes, then hangs up.
 class CuttingServer {
@@ -118,30 +70,6 @@ private:
   std::thread thread_;
 };
 
-std::string webAddress(int port, const std::string& scheme = "http") {
-  return scheme + "://127.0.0.1:" + std::to_string(port) + "/dicom-web";
-}
-
-ArchiveConnection webTo(int port) {
-  ArchiveConnection web;
-  web.name = "Ward";
-  web.address = webAddress(port);
-  web.user = "nurse";
-  web.patienceSeconds = 5;
-  return web;
-}
-
-ArchiveConnection dimseTo(int port) {
-  ArchiveConnection dimse;
-  dimse.name = "Ward";
-  dimse.kind = ArchiveKind::dimse;
-  dimse.address = "127.0.0.1";
-  dimse.port = port;
-  dimse.calledTitle = "WARD";
-  dimse.patienceSeconds = 5;
-  return dimse;
-}
-
 /// What `work` says is wrong; empty: nothing.
 template <class Work>
 std::string complaint(const Work& work) {
@@ -154,25 +82,6 @@ std::string complaint(const Work& work) {
   return {};
 }
 
-/// Eight slices of a series, each with its own values.
-std::vector<std::filesystem::path> madeSeries(const tests::TemporaryFolder& folder) {
-  tests::LabelImage image = tests::emptyLabels({64, 48, 8});
-  for (std::size_t i = 0; i < image.voxels.size(); ++i)
-    image.voxels[i] = std::int16_t(i % 977);
-  std::vector<std::filesystem::path> files;
-  for (int k = 0; k < image.size[2]; ++k) {
-    tests::DicomElements slice = tests::dicomSlice(image, k, "1.2.840.4711.7.1");
-    slice[0x00080005] = "CSISO_IR 100";
-    slice[0x00080020] = "DA20240301";
-    slice[0x00081030] = "LOAbdomen";
-    slice[0x00100010] = "PNM\xFCller^Jane"; // Latin-1.
-    slice[0x00100020] = "LOPID0815";
-    slice[0x0020000D] = std::string("UI") + kArchivedStudy;
-    files.push_back(folder.put("slice" + std::to_string(k), tests::dicomBytes(slice)));
-  }
-  return files;
-}
-
 /// The data set behind the file's own head, where pixels and identifiers are.
 std::string pixelsOf(const std::filesystem::path& file) {
   const std::string bytes = tests::contentsOf(file);
@@ -181,127 +90,106 @@ std::string pixelsOf(const std::filesystem::path& file) {
 
 class Archive : public testing::Test {
 protected:
-  static void SetUpTestSuite() {
-    if (!std::filesystem::exists(kOrthanc) || !std::filesystem::exists(kWebPlugin))
-      return;
-    folder_.emplace();
-    dimsePort_ = freePort();
-    webPort_ = freePort();
-    const std::string store = (*folder_ / "store").string();
-    folder_->put("orthanc.json", R"({"Name": "Ward", "DicomAet": "WARD", "DicomCheckCalledAet": true,
-      "DicomPort": )" + std::to_string(dimsePort_) +
-                                     R"(, "HttpPort": )" + std::to_string(webPort_) +
-                                     R"(, "StorageDirectory": ")" + store + R"(", "IndexDirectory": ")" +
-                                     store +
-                                     R"(", "RemoteAccessAllowed": false, "AuthenticationEnabled": true,
-      "RegisteredUsers": {"nurse": ")" +
-                                     kArchivePassword + R"("}, "Plugins": [")" + kWebPlugin +
-                                     R"("], "DicomWeb": {"Enable": true, "Root": "/dicom-web/"},
-      "DicomAlwaysAllowEcho": true, "DicomAlwaysAllowStore": true, "DicomAlwaysAllowFind": true,
-      "DicomAlwaysAllowGet": true})");
-    archive_.emplace(std::vector<std::string>{kOrthanc, (*folder_ / "orthanc.json").string()});
-    Progress quiet;
-    for (int tries = 0; tries < 100; ++tries) {
-      if (complaint([&] { testArchive(webTo(webPort_), kArchivePassword, quiet); }).empty())
-        return;
-      std::this_thread::sleep_for(std::chrono::milliseconds(100));
-    }
-  }
-  static void TearDownTestSuite() {
-    archive_.reset();
-    folder_.reset();
-  }
   void SetUp() override {
-    if (folder_)
-      return;
-    if (std::getenv("CI") != nullptr)
-      FAIL() << "there is no Orthanc with its plugin for DICOMweb";
-    GTEST_SKIP() << "there is no Orthanc with its plugin for DICOMweb";
+    if (!orthancIsThere() && std::getenv("CI") == nullptr)
+      GTEST_SKIP() << "there is no Orthanc with its plugin for DICOMweb";
+    ASSERT_TRUE(orthancIsThere()) << "continuous integration must have Orthanc and its plugin for DICOMweb";
+    archive_.emplace();
+    ASSERT_TRUE(archive_->answers());
   }
+  ArchiveConnection web() const { return webTo(archive_->webPort); }
+  ArchiveConnection dimse() const { return dimseTo(archive_->dimsePort); }
 
-  /// What comes back by both ways is what was sent.
-  void expectBack() {
-    for (const ArchiveConnection& way : {webTo(webPort_), dimseTo(dimsePort_)}) {
-      ArchiveQuery query;
-      query.patientId = "PID08*";
-      query.from = "20240201";
-      query.to = "20240331";
-      query.studyUid = kArchivedStudy;
-      const auto studies = queryArchive(way, kArchivePassword, query, progress_);
-      ASSERT_THAT(studies, SizeIs(1));
-      EXPECT_EQ(studies[0].patientName, "M\xC3\xBCller^Jane");
-      EXPECT_EQ(studies[0].patientId, "PID0815");
-      EXPECT_EQ(studies[0].date, "20240301");
-      EXPECT_EQ(studies[0].description, "Abdomen");
-      ASSERT_THAT(studies[0].series, SizeIs(1));
-      EXPECT_EQ(studies[0].series[0].modality, "CT");
-      EXPECT_EQ(studies[0].series[0].description, "Abdomen 5.0");
-      const std::filesystem::path into = own_ / ("got" + std::to_string(++fetched_));
-      const auto files = retrieveSeries(way, kArchivePassword, studies[0].studyUid,
-                                        studies[0].series[0].seriesUid, into, progress_);
-      ASSERT_THAT(files, SizeIs(8));
-      for (int k = 0; k < 8; ++k) {
-        const auto file = into / ("1.2.840.4711.7.1." + std::to_string(k + 1) + ".dcm");
-        EXPECT_EQ(pixelsOf(file), pixelsOf(own_ / ("slice" + std::to_string(k)))) << file;
-        EXPECT_THAT(tests::contentsOf(file), HasSubstr("M\xFCller^Jane"));
-      }
+  /// What comes back by one way is what was sent.
+  void expectBack(const ArchiveConnection& way, const std::string& study = kArchivedStudy) {
+    ArchiveQuery query;
+    query.patientId = "PID08*";
+    query.from = "20240201";
+    query.to = "20240331";
+    query.studyUid = study;
+    const auto studies = queryArchive(way, kArchivePassword, query, progress_);
+    ASSERT_THAT(studies, SizeIs(1));
+    EXPECT_EQ(studies[0].patientName, "M\xC3\xBCller^Jane");
+    EXPECT_EQ(studies[0].patientId, "PID0815");
+    EXPECT_EQ(studies[0].date, "20240301");
+    EXPECT_EQ(studies[0].description, "Abdomen");
+    ASSERT_THAT(studies[0].series, SizeIs(1));
+    EXPECT_EQ(studies[0].series[0].modality, "CT");
+    EXPECT_EQ(studies[0].series[0].description, "Abdomen 5.0");
+    const std::filesystem::path into = own_ / ("got" + std::to_string(++fetched_));
+    const auto files = retrieveSeries(way, kArchivePassword, studies[0].studyUid,
+                                      studies[0].series[0].seriesUid, into, progress_);
+    ASSERT_THAT(files, SizeIs(8));
+    for (int k = 0; k < 8; ++k) {
+      const auto file = into / (study + ".1." + std::to_string(k + 1) + ".dcm");
+      EXPECT_EQ(pixelsOf(file), pixelsOf(own_ / ("slice" + std::to_string(k)))) << file;
+      EXPECT_THAT(tests::contentsOf(file), HasSubstr("M\xFCller^Jane"));
     }
+    const auto origin = medical_io::readArchiveOrigin(into);
+    ASSERT_TRUE(origin);
+    EXPECT_EQ(origin->archive, "Ward");
+    EXPECT_EQ(origin->seriesUid, study + ".1");
+    query.patientId = "PID09*";
+    EXPECT_THAT(queryArchive(way, kArchivePassword, query, progress_), SizeIs(0));
   }
 
-  static std::optional<tests::TemporaryFolder> folder_;
-  static std::optional<Background> archive_;
-  static int dimsePort_, webPort_;
+  /// Nothing but the slices that were sent is in the folder of the test.
+  void expectNothingKept() const {
+    for (const auto& entry : std::filesystem::directory_iterator(own_.path()))
+      EXPECT_THAT(entry.path().filename().string(), testing::StartsWith("slice"));
+  }
+
+  std::string fetching(const ArchiveConnection& way, Progress& progress, const std::string& series) const {
+    return complaint(
+        [&] { retrieveSeries(way, kArchivePassword, kArchivedStudy, series, own_ / "part", progress); });
+  }
+
+  std::optional<tests::Orthanc> archive_;
   tests::TemporaryFolder own_;
   Progress progress_;
   int fetched_ = 0;
 };
 
-std::optional<tests::TemporaryFolder> Archive::folder_;
-std::optional<Background> Archive::archive_;
-int Archive::dimsePort_ = 0;
-int Archive::webPort_ = 0;
-
-TEST_F(Archive, GivesBackWhatCStoreBrought) {
-  testArchive(dimseTo(dimsePort_), {}, progress_);
-  sendToArchive(dimseTo(dimsePort_), {}, madeSeries(own_), progress_);
-  expectBack();
+TEST_F(Archive, GivesBackWhatCStoreAndStowBrought) {
+  testArchive(dimse(), {}, progress_);
+  sendToArchive(dimse(), {}, madeSeries(own_), progress_);
+  expectBack(web());
+  expectBack(dimse());
+  sendToArchive(web(), kArchivePassword, madeSeries(own_, "1.2.840.4711.8"), progress_);
+  expectBack(dimse(), "1.2.840.4711.8");
+  // A study has each of its series in a folder; what was there gives way.
+  const auto study = own_ / "study";
+  std::filesystem::create_directory(study);
+  EXPECT_THROW(retrieveStudy(web(), kArchivePassword, kArchivedStudy, study, progress_), CannotCreateError);
+  own_.put("study/old", "");
+  EXPECT_EQ(retrieveStudy(web(), kArchivePassword, kArchivedStudy, study, progress_, Existing::replace), 8U);
+  EXPECT_TRUE(std::filesystem::exists(study / kArchivedSeries / medical_io::kArchiveOriginFile));
+  EXPECT_FALSE(std::filesystem::exists(study / "old"));
+  // The password is in no file that was written.
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(own_.path()))
+    if (entry.is_regular_file())
+      EXPECT_THAT(tests::contentsOf(entry.path()), testing::Not(HasSubstr(kArchivePassword)));
 }
 
-TEST_F(Archive, GivesBackWhatStowBrought) {
-  sendToArchive(webTo(webPort_), kArchivePassword, madeSeries(own_), progress_);
-  expectBack();
-}
-
-TEST_F(Archive, SaysThatPasswordOrTitleIsWrong) {
-  EXPECT_THAT(complaint([&] { testArchive(webTo(webPort_), "wrong", progress_); }),
+TEST_F(Archive, SaysWhatIsWrongAndKeepsNothing) {
+  sendToArchive(dimse(), {}, madeSeries(own_), progress_);
+  EXPECT_THAT(complaint([&] { testArchive(web(), "wrong", progress_); }),
               HasSubstr("refuses the user name or the password"));
-  ArchiveConnection other = dimseTo(dimsePort_);
+  ArchiveConnection other = dimse();
   other.calledTitle = "KITCHEN";
   EXPECT_THAT(complaint([&] { testArchive(other, {}, progress_); }), HasSubstr("it is called KITCHEN"));
-}
-
-TEST_F(Archive, KeepsNothingOfASeriesThatDoesNotFitOnTheDisk) {
-  sendToArchive(dimseTo(dimsePort_), {}, madeSeries(own_), progress_);
   rlimit before{};
   ::getrlimit(RLIMIT_FSIZE, &before);
   const auto handler = std::signal(SIGXFSZ, SIG_IGN);
-  for (const ArchiveConnection& way : {webTo(webPort_), dimseTo(dimsePort_)}) {
+  for (const ArchiveConnection& way : {web(), dimse()}) {
+    EXPECT_THAT(fetching(way, progress_, "1.2.99.1"), HasSubstr("no such series"));
+    expectNothingKept();
     const rlimit small{3000, before.rlim_max};
     ::setrlimit(RLIMIT_FSIZE, &small);
-    const std::string said = complaint([&] {
-      retrieveSeries(way, kArchivePassword, kArchivedStudy, "1.2.840.4711.7.1", own_ / "full", progress_);
-    });
+    const std::string said = fetching(way, progress_, kArchivedSeries);
     ::setrlimit(RLIMIT_FSIZE, &before);
     EXPECT_THAT(said, HasSubstr("Is the disk full?"));
-    for (const auto& entry : std::filesystem::directory_iterator(own_.path()))
-      EXPECT_THAT(entry.path().filename().string(), testing::StartsWith("slice"));
-  }
-  std::signal(SIGXFSZ, handler);
-}
-
-TEST_F(Archive, LeavesNothingOfACancelledRetrieval) {
-  sendToArchive(dimseTo(dimsePort_), {}, madeSeries(own_), progress_);
-  for (const ArchiveConnection& way : {webTo(webPort_), dimseTo(dimsePort_)}) {
+    expectNothingKept();
     std::atomic<Progress*> job = nullptr;
     Progress stopped([&](double, const Text& step) {
       if (step.english() != "Ask the archive Ward")
@@ -309,20 +197,11 @@ TEST_F(Archive, LeavesNothingOfACancelledRetrieval) {
     });
     job = &stopped;
     EXPECT_THROW(
-        retrieveSeries(way, kArchivePassword, kArchivedStudy, "1.2.840.4711.7.1", own_ / "part", stopped),
+        retrieveSeries(way, kArchivePassword, kArchivedStudy, kArchivedSeries, own_ / "part", stopped),
         Cancelled);
-    for (const auto& entry : std::filesystem::directory_iterator(own_.path()))
-      EXPECT_THAT(entry.path().filename().string(), testing::StartsWith("slice"));
+    expectNothingKept();
   }
-}
-
-TEST_F(Archive, SaysThatThereIsNoSuchSeries) {
-  for (const ArchiveConnection& way : {webTo(webPort_), dimseTo(dimsePort_)})
-    EXPECT_THAT(complaint([&] {
-                  retrieveSeries(way, kArchivePassword, "1.2.99", "1.2.99.1", own_ / "none", progress_);
-                }),
-                HasSubstr("no such series"));
-  EXPECT_FALSE(std::filesystem::exists(own_ / "none"));
+  std::signal(SIGXFSZ, handler);
 }
 
 TEST(BrokenArchive, SaysThatNobodyListens) {
@@ -330,6 +209,23 @@ TEST(BrokenArchive, SaysThatNobodyListens) {
   const int port = freePort();
   for (const ArchiveConnection& way : {webTo(port), dimseTo(port)})
     EXPECT_THAT(complaint([&] { testArchive(way, {}, progress); }), HasSubstr("cannot be reached"));
+}
+
+TEST(BrokenArchive, SaysThatTheAddressIsUnknown) {
+  Progress progress;
+  ArchiveConnection web = webTo(80), dimse = dimseTo(104);
+  web.address = "http://archive.invalid/dicom-web"; // A name that belongs to nobody (RFC 2606).
+  dimse.address = "archive.invalid";
+  for (const ArchiveConnection& way : {web, dimse})
+    EXPECT_THAT(complaint([&] { testArchive(way, {}, progress); }), HasSubstr("not known to the network"));
+}
+
+TEST(BrokenArchive, SaysThatThereIsNoTls) {
+  Progress progress;
+  const CuttingServer server("HTTP/1.1 400 Bad Request\r\n\r\n");
+  ArchiveConnection web = webTo(server.port());
+  web.address = webAddress(server.port(), "https");
+  EXPECT_THAT(complaint([&] { testArchive(web, {}, progress); }), HasSubstr("no secure connection"));
 }
 
 TEST(BrokenArchive, SaysThatTheConnectionWasCut) {
@@ -386,6 +282,39 @@ TEST(BrokenArchive, SaysThatTheCertificateIsNotTrusted) {
   EXPECT_THAT(complaint([&] { testArchive(dimse, {}, progress); }), HasSubstr("is not trusted"));
   web.certificates = certificate; // Now it is; what answers is a page for people.
   EXPECT_THAT(complaint([&] { testArchive(web, {}, progress); }), HasSubstr("is not DICOM"));
+}
+
+TEST(KeyRing, KeepsAPasswordThroughTheProgramOfTheDesktop) {
+  const tests::TemporaryFolder folder;
+  const std::string script = "#!/bin/sh\n"
+                             "cd '" +
+                             folder.path().string() +
+                             "'\n"
+                             "echo \"$@\" >> calls\n"
+                             "case $1 in\n"
+                             "store) cat > kept ;;\n"
+                             "lookup) cat kept ;;\n"
+                             "clear) rm kept ;;\n"
+                             "esac\n";
+  const auto tool = folder.put("secret-tool", script);
+  std::filesystem::permissions(tool, std::filesystem::perms::owner_all);
+  const std::string path = std::getenv("PATH") != nullptr ? std::getenv("PATH") : "";
+  ::setenv("PATH", (folder.path().string() + ":" + path).c_str(), 1);
+  ::setenv("DBUS_SESSION_BUS_ADDRESS", "unix:path=/nowhere", 1);
+  Progress progress;
+  const auto ring = systemKeyRing();
+  EXPECT_TRUE(ring->isThere());
+  EXPECT_FALSE(ring->find(webTo(80), progress));
+  EXPECT_TRUE(ring->keep(webTo(80), kArchivePassword, progress));
+  EXPECT_EQ(ring->find(webTo(80), progress), kArchivePassword);
+  ring->forget(webTo(80), progress);
+  EXPECT_FALSE(ring->find(webTo(80), progress));
+  const std::string calls = tests::contentsOf(folder / "calls");
+  EXPECT_THAT(calls, HasSubstr("lookup application viscera address " + webAddress(80) + " user nurse"));
+  EXPECT_THAT(calls, testing::Not(HasSubstr(kArchivePassword))) << "Everyone sees arguments of programs.";
+  ::setenv("PATH", path.c_str(), 1);
+  ::unsetenv("DBUS_SESSION_BUS_ADDRESS");
+  EXPECT_FALSE(noKeyRing()->find(webTo(80), progress));
 }
 
 TEST(ArchiveConnections, AreKeptWithoutAPassword) {

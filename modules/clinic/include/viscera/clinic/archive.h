@@ -48,17 +48,33 @@ struct ArchiveStudy {
   std::vector<ArchiveSeries> series; ///< Only where the query has a `studyUid`.
 };
 
+/// The exit code of the error by which an archive refuses user and password, after sysexits.h. Of all other
+/// errors between program and archive it is 69.
+inline constexpr int kPasswordRefused = 77;
+
 /// The studies that match, as the archive lists them. Throws `ArchiveError`, `Cancelled`.
 std::vector<ArchiveStudy> queryArchive(const ArchiveConnection& connection, const std::string& password,
                                        const ArchiveQuery& query, Progress& progress);
 
-/// Fetches one series into `folder`, which must not exist; one file an image, named by the image's UID. The
-/// folder appears when the series is complete, and not at all after an error or when cancelled. Returns the
-/// files, sorted. Throws `ArchiveError`, `CannotCreateError` (a full disk), `Cancelled`.
+/// What to do with a folder that is there already.
+enum class Existing { refuse, replace };
+
+/// Fetches one series into `folder`; one file an image, named by the image's UID, and one that notes where
+/// they came from (`medical_io::ArchiveOrigin`). The folder appears when the series is complete; after an
+/// error, or when cancelled, all is as it was. Only the user may read it. Returns the images, sorted. Throws
+/// `ArchiveError`, `CannotCreateError` (a full disk, or the folder is there and shall not be replaced),
+/// `Cancelled`.
 std::vector<std::filesystem::path> retrieveSeries(const ArchiveConnection& connection,
                                                   const std::string& password, const std::string& studyUid,
                                                   const std::string& seriesUid,
-                                                  const std::filesystem::path& folder, Progress& progress);
+                                                  const std::filesystem::path& folder, Progress& progress,
+                                                  Existing existing = Existing::refuse);
+
+/// Fetches all series of a study, each into a folder of its own in `folder`, as `retrieveSeries` does.
+/// Returns the number of images. Throws as that does; what was complete by then stays in no case.
+std::size_t retrieveStudy(const ArchiveConnection& connection, const std::string& password,
+                          const std::string& studyUid, const std::filesystem::path& folder,
+                          Progress& progress, Existing existing = Existing::refuse);
 
 /// Stores DICOM files in the archive, as they are. Throws `ArchiveError` (also when the archive keeps only a
 /// part of them), `NoInputError`, `DataError` for a file that is no DICOM, `Cancelled`.
