@@ -25,15 +25,24 @@ int wholeAt(const nlohmann::json& object, const char* key, int otherwise) {
   return found != object.end() && found->is_number_integer() ? found->get<int>() : otherwise;
 }
 
+/// The user's folder for this program: below the one that the variable names, or the one in the home folder.
+std::filesystem::path userFolder(const char* variable, const char* inHome) {
+  const char* given = std::getenv(variable);
+  const char* home = std::getenv("HOME");
+  std::filesystem::path folder = given != nullptr ? given : "";
+  if (!folder.is_absolute())
+    folder = std::filesystem::path(home != nullptr ? home : ".") / inHome;
+  return folder / "viscera";
+}
+
 } // namespace
 
 std::filesystem::path archiveConnectionsFile() {
-  const char* config = std::getenv("XDG_CONFIG_HOME");
-  const char* home = std::getenv("HOME");
-  std::filesystem::path folder = config != nullptr ? config : "";
-  if (!folder.is_absolute())
-    folder = std::filesystem::path(home != nullptr ? home : ".") / ".config";
-  return folder / "viscera" / "archives.json";
+  return userFolder("XDG_CONFIG_HOME", ".config") / "archives.json";
+}
+
+std::filesystem::path archiveFolder() {
+  return userFolder("XDG_CACHE_HOME", ".cache") / "archive";
 }
 
 std::vector<ArchiveConnection> readArchiveConnections(const std::filesystem::path& file) {

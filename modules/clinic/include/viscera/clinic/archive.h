@@ -86,6 +86,8 @@ void testArchive(const ArchiveConnection& connection, const std::string& passwor
 
 /// `$XDG_CONFIG_HOME/viscera/archives.json`
 std::filesystem::path archiveConnectionsFile();
+/// Where fetched images are kept for the window: `$XDG_CACHE_HOME/viscera/archive`
+std::filesystem::path archiveFolder();
 /// None where the file is not there. Throws `DataError` for a damaged one.
 std::vector<ArchiveConnection> readArchiveConnections(const std::filesystem::path& file);
 /// Makes the folder where it is missing. Throws `CannotCreateError`.
