@@ -102,7 +102,8 @@ ordered_json sessionScanJson(const ScanItem& item, bool inside, const fs::path& 
 }
 
 void forgetFolders(ordered_json& scan) {
-  scan.erase("archive"); // Its UIDs lead to the patient.
+  if (scan.contains("image"))
+    scan.erase("archive"); // It is not needed, and its UIDs lead to the patient.
   if (!scan.contains("absolute"))
     return;
   const std::string name = lastNameOf(scan.at("absolute").get<std::string>()).generic_string();
