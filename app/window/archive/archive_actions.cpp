@@ -54,8 +54,8 @@ void ArchiveActions::show() {
   if (!dialog_) {
     dialog_ = new ArchiveDialog(client_, settings_.value(kChosenKey).toString(), window_);
     dialog_->setAttribute(Qt::WA_DeleteOnClose);
-    connect(dialog_, &ArchiveDialog::openWanted, this, &ArchiveActions::fetch);
-    connect(dialog_, &ArchiveDialog::archiveChosen, this,
+    connect(dialog_.data(), &ArchiveDialog::openWanted, this, &ArchiveActions::fetch);
+    connect(dialog_.data(), &ArchiveDialog::archiveChosen, this,
             [this](const QString& name) { settings_.setValue(kChosenKey, name); });
   }
   dialog_->show();

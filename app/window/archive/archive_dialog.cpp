@@ -36,7 +36,7 @@ constexpr const char* kModalities[] = {"CT", "MR", "US", "XA", "PT", "NM", "SEG"
 constexpr double kPerMille = 1000;
 
 /// "Doe^Jane" as a list shows it.
-QString shownName(const std::string& name) {
+QString patientShown(const std::string& name) {
   QString shown = text(name);
   const int family = shown.indexOf(QLatin1Char('^'));
   if (family >= 0)
@@ -72,7 +72,7 @@ QString shownDay(const std::string& day) {
   return date.isValid() ? date.toString(Qt::ISODate) : text(day);
 }
 
-QPushButton* makeButton(const QString& title, const QString& tip, const char* name) {
+QPushButton* makeDialogButton(const QString& title, const QString& tip, const char* name) {
   auto* button = new QPushButton(title);
   button->setToolTip(tip);
   button->setObjectName(QLatin1String(name));
@@ -112,11 +112,11 @@ ArchiveDialog::ArchiveDialog(ArchiveClient& client, const QString& chosen, QWidg
   said_->setObjectName(QStringLiteral("archiveSaid"));
   makeList();
   auto* buttons = new QDialogButtonBox;
-  open_ = makeButton(tr("Open"), tr("Fetch what is chosen and open it"), "archiveOpen");
+  open_ = makeDialogButton(tr("Open"), tr("Fetch what is chosen and open it"), "archiveOpen");
   buttons->addButton(open_, QDialogButtonBox::ActionRole);
   buttons->addButton(tr("Close"), QDialogButtonBox::RejectRole)->setAutoDefault(false);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
-  connect(open_, &QPushButton::clicked, this, &ArchiveDialog::open);
+  connect(open_, &QPushButton::clicked, this, &ArchiveDialog::openChosen);
   auto* column = makeLayout<QVBoxLayout>(this, 12, {16, 16, 16, 16});
   column->addLayout(makeArchives());
   column->addLayout(makeQuery());
@@ -135,10 +135,11 @@ QLayout* ArchiveDialog::makeArchives() {
   archives_->setObjectName(QStringLiteral("archiveList"));
   archives_->setAccessibleName(tr("Archive"));
   archives_->setToolTip(tr("The archive to search"));
-  auto* add = makeButton(tr("Add..."), tr("Name another archive"), "archiveAdd");
-  edit_ = makeButton(tr("Edit..."), tr("Change the address and the titles of this archive"), "archiveEdit");
-  remove_ = makeButton(tr("Remove"), tr("Forget this archive and its password"), "archiveRemove");
-  test_ = makeButton(tr("Test"), tr("Ask whether the archive answers"), "archiveTest");
+  auto* add = makeDialogButton(tr("Add..."), tr("Name another archive"), "archiveAdd");
+  edit_ =
+      makeDialogButton(tr("Edit..."), tr("Change the address and the titles of this archive"), "archiveEdit");
+  remove_ = makeDialogButton(tr("Remove"), tr("Forget this archive and its password"), "archiveRemove");
+  test_ = makeDialogButton(tr("Test"), tr("Ask whether the archive answers"), "archiveTest");
   connect(add, &QPushButton::clicked, this, [this] { edit(true); });
   connect(edit_, &QPushButton::clicked, this, [this] { edit(false); });
   connect(remove_, &QPushButton::clicked, this, &ArchiveDialog::remove);
@@ -160,7 +161,7 @@ QLayout* ArchiveDialog::makeQuery() {
   for (const char* modality : kModalities)
     modality_->addItem(QLatin1String(modality), QLatin1String(modality));
   modality_->setToolTip(tr("Only studies with images of this kind"));
-  search_ = makeButton(tr("Search"), tr("List the studies that match (Return)"), "archiveSearch");
+  search_ = makeDialogButton(tr("Search"), tr("List the studies that match (Return)"), "archiveSearch");
   search_->setDefault(true);
   connect(search_, &QPushButton::clicked, this, &ArchiveDialog::search);
   auto* grid = makeLayout<QGridLayout>(nullptr);
@@ -203,14 +204,14 @@ void ArchiveDialog::makeList() {
   connect(list_, &QTreeWidget::itemSelectionChanged, this, &ArchiveDialog::sync);
   connect(list_, &QTreeWidget::itemDoubleClicked, this, [this](const QTreeWidgetItem* item) {
     if (item->parent())
-      open();
+      openChosen();
   });
 }
 
 QLayout* ArchiveDialog::makeProgress() {
   progress_->setObjectName(QStringLiteral("archiveProgress"));
   progress_->setRange(0, int(kPerMille));
-  cancel_ = makeButton(tr("Cancel"), tr("Stop; nothing incomplete is kept"), "archiveCancel");
+  cancel_ = makeDialogButton(tr("Cancel"), tr("Stop; nothing incomplete is kept"), "archiveCancel");
   connect(cancel_, &QPushButton::clicked, this, [this] {
     client_.cancel();
     say(tr("Cancelled. Nothing was kept."));
@@ -327,8 +328,8 @@ void ArchiveDialog::showStudies(const std::vector<clinic::ArchiveStudy>& studies
   list_->clear();
   for (const clinic::ArchiveStudy& study : studies) {
     auto* item =
-        new QTreeWidgetItem(list_, {shownName(study.patientName), text(study.patientId), shownDay(study.date),
-                                    text(study.modalities), text(study.description)});
+        new QTreeWidgetItem(list_, {patientShown(study.patientName), text(study.patientId),
+                                    shownDay(study.date), text(study.modalities), text(study.description)});
     item->setData(0, kStudyUid, text(study.studyUid));
     item->setChildIndicatorPolicy(QTreeWidgetItem::ShowIndicator);
   }
@@ -372,7 +373,7 @@ void ArchiveDialog::showSeries(const std::string& studyUid,
   }
 }
 
-void ArchiveDialog::open() {
+void ArchiveDialog::openChosen() {
   const QTreeWidgetItem* item = list_->currentItem();
   const clinic::ArchiveConnection* searched = present();
   if (!item || !searched || item->data(0, kStudyUid).toString().isEmpty())

@@ -59,7 +59,7 @@ private:
   void showStudies(const std::vector<clinic::ArchiveStudy>& studies);
   void fetchSeries(QTreeWidgetItem* item);
   void showSeries(const std::string& studyUid, const std::vector<clinic::ArchiveStudy>& studies);
-  void open();
+  void openChosen();
   void sync();
   void syncProgress();
   /// Writes the list, and chooses this one of it.

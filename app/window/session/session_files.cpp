@@ -31,16 +31,16 @@ bool isMissingFile(const document::SurfaceFinding& surface) {
 }
 
 /// What an archive has of a session that misses its images.
-struct Lost {
+struct LostImages {
   medical_io::ArchiveOrigin origin;
   std::string name; ///< Of the file or folder.
 };
 
-std::optional<Lost> lostToArchive(const document::SessionContents& contents) {
+std::optional<LostImages> lostToArchive(const document::SessionContents& contents) {
   for (const nlohmann::ordered_json* record : {&contents.missingScan, &contents.missingStudy})
     if (auto origin = document::archiveOriginOf(*record))
-      return Lost{std::move(*origin),
-                  std::filesystem::path(record->value("absolute", std::string())).filename().string()};
+      return LostImages{std::move(*origin),
+                        std::filesystem::path(record->value("absolute", std::string())).filename().string()};
   return std::nullopt;
 }
 
