@@ -75,6 +75,7 @@ use_own_environment() {
 }
 
 mapfile -t packages < <(packages_to_build && packages_to_test)
+keep_orthanc_still
 install_packages "${packages[@]}"
 if [ "${1:-}" = --fuzz ]; then
   [[ ${2:-} =~ ^[0-9]+$ ]] || fail "Say for how many seconds each fuzzer is to run: ./test.sh --fuzz 60" 64

@@ -331,7 +331,8 @@ int runCommandLine(int argc, const char* const* argv, std::ostream& out, std::os
         bindCommand,      deformCommand,   stressCommand,     elasticityCommand, playCommand,
         circulateCommand, trackCommand,    strainCommand,     lessonCommand,     segmentCommand,
         probeCommand,     warpCommand,     measureCommand,    phantomCommand,    renderCommand,
-        reportCommand,    commandsCommand, propertiesCommand, reproduceCommand,  referenceCommand}) {
+        reportCommand,    commandsCommand, propertiesCommand, reproduceCommand,  referenceCommand,
+        archiveCommand}) {
     const auto& command = commands.emplace_back(make());
     CLI::App* options = app.add_subcommand(command->name(), command->summary());
     if (optionsAreNeeded(*command, argc, argv)) {

@@ -22,17 +22,19 @@ constexpr std::pair<const char*, const char*> kExitCodes[] = {
     {"69", "Something that the command needs is not installed."},
     {"70", "An internal error. Please report it."},
     {"73", "A file cannot be written."},
+    {"77", "An archive refuses the user name or the password."},
     {"130", "Ctrl+C ended the command. Nothing half-written is left."},
 };
 
 constexpr std::pair<const char*, const char*> kEnvironment[] = {
+    {"VISCERA_ARCHIVE_PASSWORD", "The password of the archive that viscera archive speaks with."},
     {"VISCERA_PLUGIN_PATH", "Folders or files with plugins, separated by colons."},
     {"VISCERA_SAMPLE_ORGANS", "The folder with the definitions of the sample organs."},
     {"VISCERA_TETGEN_WORKER", "The program that fills organs with tetrahedra."},
     {"VISCERA_VECTOR_BITS",
      "The widest vectors that inner loops may use: 128, 256 or 512 bits; else the processor's widest."},
     {"XDG_CONFIG_HOME, XDG_STATE_HOME, XDG_CACHE_HOME",
-     "Below them, in a folder viscera: settings, recovery files, generated surfaces."},
+     "Below them, in a folder viscera: settings and archives, recovery files, generated surfaces and fetched series."},
 };
 
 /// Text as roff prints it: a hyphen that can be copied, no line that begins with a request.

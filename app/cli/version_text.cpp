@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <QtGlobal>
+#include <curl/curlver.h>
 #include <expat.h>
 #include <lz4.h>
 #include <lzma.h>
@@ -38,6 +39,7 @@ std::string versionText() {
   add("XZ", LZMA_VERSION_STRING);
   add("Expat", dotted(XML_MAJOR_VERSION, XML_MINOR_VERSION, XML_MICRO_VERSION));
   add("OpenSSL", OPENSSL_VERSION_STR);
+  add("curl", LIBCURL_VERSION);
   add("Fontconfig", VISCERA_FONTCONFIG_VERSION);
   add("GLEW", VISCERA_GLEW_VERSION);
   add("nlohmann JSON",

@@ -12,6 +12,7 @@
 #include <QStackedWidget>
 #include <QStatusBar>
 
+#include "window/archive/archive_actions.h"
 #include "window/deform/deform_mode.h"
 #include "window/export/export_actions.h"
 #include "window/export/lesson_export.h"
@@ -85,6 +86,9 @@ MainWindow::MainWindow(Settings& settings, coordinates::Registry registry, live:
   scans_->addTo(actions_);
   new PatientOffer(
       workspace_, *files_, *scans_, [this] { return imports_->isOpen(); }, this);
+  archive_ = new ArchiveActions(
+      workspace_, settings_, [this](const QStringList& files) { files_->open(files); }, this);
+  archive_->addTo(actions_);
   exports_->addTo(actions_);
   (new WarpExport(workspace_, settings_, this))->addTo(actions_);
   lessons_ = new LessonExport({workspace_, playback_, *picture_, view_, settings_}, this);
@@ -192,6 +196,12 @@ void MainWindow::makeSession() {
   sessions_ = new SessionFiles(workspace_, playback_, *sessionView_, settings_, this);
   sessions_->addTo(actions_);
   (new ReportExport({workspace_, playback_, *sessionView_, *sessions_, settings_}, this))->addTo(actions_);
+  connect(sessions_, &SessionFiles::fetchWanted, this,
+          [this](const medical_io::ArchiveOrigin& origin, const QString& name, const QString& session) {
+            archive_->fetchAgain(origin, name.toStdString(), [this, session](const QString& folder) {
+              sessions_->open(session, folder);
+            });
+          });
   files_->setSessionOpener([this](const QString& file) { sessions_->open(file); });
 }
 

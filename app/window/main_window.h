@@ -21,6 +21,7 @@
 
 namespace viscera::app {
 
+class ArchiveActions;
 class ArrivingSurfaces;
 class BindingMessages;
 class ExploreMode;
@@ -66,6 +67,7 @@ public:
   ImportController& imports() { return *imports_; }
   ExportActions& exports() { return *exports_; }
   LessonExport& lessons() { return *lessons_; }
+  ArchiveActions& archive() { return *archive_; }
   SampleLoader& samples() { return *samples_; }
   SessionFiles& sessions() { return *sessions_; }
   StressMode& stress() { return *stress_; }
@@ -124,6 +126,7 @@ private:
   HandlePlacer placer_;
   FileActions* files_;
   ExportActions* exports_;
+  ArchiveActions* archive_ = nullptr;
   LessonExport* lessons_ = nullptr;
   SampleLoader* samples_;
   ScanActions* scans_;

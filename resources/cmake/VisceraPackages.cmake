@@ -81,7 +81,7 @@ endmacro()
 
 viscera_package(PROGRAM viscera SECTION science
   DEPENDS "libviscera0 (= ${version}), viscera-common (= ${version}), viscera-tetgen (= ${version}), libgl1-mesa-dri, libqt5svg5"
-  RECOMMENDS "qttranslations5-l10n" # Qt's own words, such as Cancel, in the window's languages.
+  RECOMMENDS "qttranslations5-l10n, libsecret-tools" # Qt's own words in the window's languages; the key ring.
   SUMMARY "organs deformed by handles, without a cage"
   TEXT "Viscera shows segmented organs, puts handles around them and deforms them, while it measures their volume. It plays a beating heart, peristalsis and breathing, reads scans and label maps, and does on the command line what its window does.")
 viscera_package(LIBRARY libviscera0 SECTION libs CONTROL "${packages}/triggers" "${PROJECT_BINARY_DIR}/shlibs"

@@ -6,7 +6,7 @@
 packages_to_build() {
   printf '%s\n' cmake ninja-build g++ ccache \
     libeigen3-dev libboost-dev libqhull-dev libtet1.5-dev nlohmann-json3-dev libcli11-dev zlib1g-dev libbz2-dev liblz4-dev liblzma-dev libexpat1-dev \
-    libssl-dev libdcmtk-dev libopenjp2-7-dev \
+    libssl-dev libcurl4-openssl-dev libdcmtk-dev libopenjp2-7-dev \
     libvtk9-dev libvtk9-qt-dev qtbase5-dev libqt5svg5-dev qttools5-dev-tools \
     libegl-dev libgl-dev libegl1 libgl1-mesa-dri libfontconfig-dev fonts-dejavu-core \
     pybind11-dev python3-dev python3-numpy
@@ -19,7 +19,7 @@ packages_to_run_if_there() {
 
 packages_to_test() {
   printf '%s\n' libgtest-dev libgmock-dev libbenchmark-dev libcgal-dev libavcodec-dev \
-    calculix-ccx dicom3tools xvfb xauth xdotool poppler-utils python3 python3-jsonschema chromium \
+    calculix-ccx dicom3tools orthanc orthanc-dicomweb openssl xvfb xauth xdotool poppler-utils python3 python3-jsonschema chromium \
     python3-scipy python3-matplotlib python3-meshio python3-vtk9 python3-mpi4py openmpi-bin libopenmpi-dev
 }
 
@@ -85,6 +85,17 @@ install_packages() {
     apt update
     apt install --no-install-recommends "${missing[@]}" || fail "apt-get could not install: ${missing[*]}" 69
   fi
+}
+
+# The tests start an archive (Orthanc) of their own on free ports. That of the package, on the standard ones, is not started
+# on a machine that gets it only for them: `systemctl unmask orthanc` gives it back.
+keep_orthanc_still() {
+  [ -d /run/systemd/system ] || return 0
+  local -a missing as_root=()
+  find_missing orthanc
+  [ "${#missing[@]}" -gt 0 ] || return 0
+  [ "$(id -u)" -eq 0 ] || as_root=(sudo)
+  "${as_root[@]}" systemctl mask orthanc.service >&2 || say "Going on; the archive of the package may start."
 }
 
 # Those of the packages named that apt-get's lists know.

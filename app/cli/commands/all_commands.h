@@ -32,5 +32,6 @@ std::unique_ptr<Command> reproduceCommand();
 std::unique_ptr<Command> reportCommand();
 std::unique_ptr<Command> commandsCommand();
 std::unique_ptr<Command> referenceCommand();
+std::unique_ptr<Command> archiveCommand();
 
 } // namespace viscera::app::cli

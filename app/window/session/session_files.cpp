@@ -30,6 +30,20 @@ bool isMissingFile(const document::SurfaceFinding& surface) {
   return surface.state == document::SurfaceFinding::State::missing && !surface.source.starts_with("sample:");
 }
 
+/// What an archive has of a session that misses its images.
+struct LostImages {
+  medical_io::ArchiveOrigin origin;
+  std::string name; ///< Of the file or folder.
+};
+
+std::optional<LostImages> lostToArchive(const document::SessionContents& contents) {
+  for (const nlohmann::ordered_json* record : {&contents.missingScan, &contents.missingStudy})
+    if (auto origin = document::archiveOriginOf(*record))
+      return LostImages{std::move(*origin),
+                        std::filesystem::path(record->value("absolute", std::string())).filename().string()};
+  return std::nullopt;
+}
+
 QDateTime dateOf(const document::Recovery& recovery) {
   const auto age = std::filesystem::file_time_type::clock::now() - recovery.written;
   return QDateTime::currentDateTime().addSecs(-std::chrono::duration_cast<std::chrono::seconds>(age).count());
@@ -279,6 +293,10 @@ void SessionFiles::sayWarnings(const document::OpenedSession& session, const QSt
   if (warnings.size() > shown)
     lines.push_back(tr("And %n more.", nullptr, static_cast<int>(warnings.size() - shown)));
   Message message{Message::Severity::warning, lines.join(QLatin1Char('\n')), {}, 0};
+  if (const auto lost = missing ? lostToArchive(session.contents) : std::nullopt)
+    message.offers.push_back({tr("Fetch it from %1").arg(text(lost->origin.archive)), [this, lost, file] {
+                                Q_EMIT fetchWanted(lost->origin, text(lost->name), file);
+                              }});
   if (missing)
     message.offers.push_back({tr("Look for files..."), [this, file] { lookForFiles(file); }});
   workspace_.say(message);

@@ -11,6 +11,7 @@
 
 #include "viscera/document/autosave.h"
 #include "viscera/document/session_file.h"
+#include "viscera/medical_io/archive_origin.h"
 #include "window/session/session_view.h"
 #include "window/work/actions.h"
 #include "window/work/settings.h"
@@ -81,6 +82,9 @@ Q_SIGNALS:
   /// The session's file or its saved state has changed.
   void changed();
   void recentFilesChanged();
+  /// The user wants to have fetched what the session in this file misses: a file or folder of that name.
+  void fetchWanted(const viscera::medical_io::ArchiveOrigin& origin, const QString& name,
+                   const QString& session);
   /// Another document was opened.
   void opened();
 

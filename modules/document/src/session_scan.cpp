@@ -29,7 +29,38 @@ std::string timeHashIn(SessionReader& reader, const ordered_json& item) {
   return reader.optionalText(time, "hash", "scan.time");
 }
 
+std::string wordsOf(const ordered_json& object, const char* key) {
+  const auto found = object.find(key);
+  return found != object.end() && found->is_string() ? found->get<std::string>() : std::string();
+}
+
 } // namespace
+
+std::optional<medical_io::ArchiveOrigin> archiveOriginOf(const ordered_json& record) {
+  const auto found = record.is_object() ? record.find("archive") : record.end();
+  if (!record.is_object() || found == record.end() || !found->is_object() ||
+      wordsOf(*found, "name").empty() || wordsOf(*found, "study").empty())
+    return std::nullopt;
+  return medical_io::ArchiveOrigin{wordsOf(*found, "name"), wordsOf(*found, "study"),
+                                   wordsOf(*found, "series")};
+}
+
+void addArchiveOrigin(ordered_json& record, const fs::path& place) {
+  std::error_code ignored;
+  const auto origin =
+      medical_io::readArchiveOrigin(fs::is_directory(place, ignored) ? place : place.parent_path());
+  if (!origin)
+    return;
+  record["archive"] = {{"name", origin->archive}, {"study", origin->studyUid}};
+  if (!origin->seriesUid.empty())
+    record["archive"]["series"] = origin->seriesUid;
+}
+
+Text lostImages(const ordered_json& record, const Text& otherwise) {
+  const auto origin = archiveOriginOf(record);
+  return origin ? phrase("the images are not there any more (the archive %1 has them)", origin->archive)
+                : otherwise;
+}
 
 std::optional<fs::path> findImage(const fs::path& relative, const fs::path& absolute, const fs::path& folder,
                                   const std::vector<fs::path>& alsoIn) {
@@ -55,6 +86,8 @@ ordered_json sessionScanJson(const ScanItem& item, bool inside, const fs::path& 
     json["relative"] = absolute.lexically_relative(folder).generic_string();
     json["absolute"] = absolute.generic_string();
   }
+  if (!item.file.empty())
+    addArchiveOrigin(json, item.file);
   if (!item.series.empty())
     json["series"] = item.series;
   if (item.phase != 0)
@@ -69,6 +102,8 @@ ordered_json sessionScanJson(const ScanItem& item, bool inside, const fs::path& 
 }
 
 void forgetFolders(ordered_json& scan) {
+  if (scan.contains("image"))
+    scan.erase("archive"); // It is not needed, and its UIDs lead to the patient.
   if (!scan.contains("absolute"))
     return;
   const std::string name = lastNameOf(scan.at("absolute").get<std::string>()).generic_string();
@@ -78,8 +113,8 @@ void forgetFolders(ordered_json& scan) {
 
 void readSessionScan(SessionReader& reader, const ordered_json& item, const fs::path& folder,
                      const std::vector<fs::path>& alsoIn, OpenedSession& opened, Progress& progress) {
-  reader.takeObject(item, {"name", "relative", "absolute", "series", "phase", "time", "hash", "image"},
-                    "scan");
+  reader.takeObject(
+      item, {"name", "relative", "absolute", "series", "phase", "time", "hash", "archive", "image"}, "scan");
   const std::string name = reader.textOf(item, "name", "scan");
   const bool inside = item.contains("image");
   const auto placeOf = [&](const char* key) -> fs::path {
@@ -113,8 +148,9 @@ void readSessionScan(SessionReader& reader, const ordered_json& item, const fs::
   };
   const auto file = findImage(relative, absolute, folder, alsoIn);
   if (!file)
-    return missing(phrase("the scan %1 is not there any more (put it beside the session and open that again)",
-                          absolute.string()));
+    return missing(lostImages(
+        item, phrase("the scan %1 is not there any more (put it beside the session and open that again)",
+                     absolute.string())));
   try {
     ScanItem scan =
         explainingShortMemory(file->string(), [&] { return openScanFile(*file, options, progress); });

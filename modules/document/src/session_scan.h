@@ -26,6 +26,12 @@ std::optional<std::filesystem::path> findImage(const std::filesystem::path& rela
                                                const std::filesystem::path& folder,
                                                const std::vector<std::filesystem::path>& alsoIn);
 
+/// Adds to the record of a scan or study the archive that its images came from, where they did.
+void addArchiveOrigin(nlohmann::ordered_json& record, const std::filesystem::path& place);
+
+/// What to say of images that are gone: that the record's archive has them, `otherwise` without one.
+Text lostImages(const nlohmann::ordered_json& record, const Text& otherwise);
+
 /// Removes the folders from the paths in a scan's record, so that only the name of its file or folder stays.
 void forgetFolders(nlohmann::ordered_json& scan);
 

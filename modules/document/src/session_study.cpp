@@ -19,6 +19,7 @@ ordered_json sessionStudyJson(const StudyItem& item, const fs::path& folder) {
   ordered_json json{{"name", item.name},
                     {"relative", absolute.lexically_relative(folder).generic_string()},
                     {"absolute", absolute.generic_string()}};
+  addArchiveOrigin(json, item.place);
   if (!item.study->studyUid.empty())
     json["uid"] = item.study->studyUid;
   if (!item.hash.empty())
@@ -28,7 +29,7 @@ ordered_json sessionStudyJson(const StudyItem& item, const fs::path& folder) {
 
 void readSessionStudy(SessionReader& reader, const ordered_json& item, const fs::path& folder,
                       const std::vector<fs::path>& alsoIn, OpenedSession& opened, Progress& progress) {
-  reader.takeObject(item, {"name", "relative", "absolute", "uid", "hash"}, "study");
+  reader.takeObject(item, {"name", "relative", "absolute", "uid", "hash", "archive"}, "study");
   const std::string name = reader.textOf(item, "name", "study");
   const fs::path relative = reader.textOf(item, "relative", "study");
   const fs::path absolute = reader.textOf(item, "absolute", "study");
@@ -40,9 +41,9 @@ void readSessionStudy(SessionReader& reader, const ordered_json& item, const fs:
   };
   const std::optional<fs::path> place = findImage(relative, absolute, folder, alsoIn);
   if (!place)
-    return missing(
-        phrase("the study %1 is not there any more (put it beside the session and open that again)",
-               absolute.string()));
+    return missing(lostImages(
+        item, phrase("the study %1 is not there any more (put it beside the session and open that again)",
+                     absolute.string())));
   try {
     StudyItem study = explainingShortMemory(place->string(), [&] { return readStudy(*place, progress); });
     study.name = name;

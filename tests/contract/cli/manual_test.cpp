@@ -54,7 +54,8 @@ std::string nameOfLibrary(const std::string& file) {
       {"liblz4.*", "LZ4"},
       {"liblzma.*", "XZ"},
       {"libexpat.*", "Expat"},
-      {"libcrypto.*", "OpenSSL"},
+      {"lib(crypto|ssl).*", "OpenSSL"},
+      {"libcurl.*", "curl"},
       {"libfontconfig.*", "Fontconfig"},
       {"libGLEW.*", "GLEW"},
       {"lib[gi]?omp.*", "OpenMP"}};

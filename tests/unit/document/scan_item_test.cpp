@@ -21,6 +21,7 @@
 #include "viscera/core/error.h"
 #include "viscera/document/open_files.h"
 #include "viscera/document/scan_fit.h"
+#include "viscera/medical_io/archive_origin.h"
 #include "viscera/medical_io/image_file.h"
 
 namespace viscera::document {
@@ -343,6 +344,36 @@ TEST(ScanItem, ThatIsGoneIsNamedAndStaysInTheSession) {
   folder.put("ct.nii", "no scan at all");
   EXPECT_THAT(tests::readBack(folder / "s.viscera").warnings.front().english(),
               HasSubstr("cannot be opened"));
+}
+
+TEST(ScanItem, FromAnArchiveNamesItAndIsFoundWhereItIsFetchedAgain) {
+  TemporaryFolder folder;
+  std::filesystem::create_directories(folder / "fetched");
+  folder.put("fetched/ct.nii", scanFile());
+  medical_io::writeArchiveOrigin(folder / "fetched", {"Ward", "1.2.3", "1.2.3.4"});
+  Progress progress;
+  SessionContents contents;
+  contents.state.scan =
+      std::make_shared<const ScanItem>(openScanFile(folder / "fetched/ct.nii", {}, progress));
+  tests::write(folder / "s.viscera", contents);
+  std::filesystem::rename(folder / "fetched", folder / "again");
+  OpenedSession without = tests::readBack(folder / "s.viscera");
+  ASSERT_EQ(without.warnings.size(), 1u);
+  EXPECT_THAT(without.warnings.front().english(), HasSubstr("the archive Ward has them"));
+  const auto origin = archiveOriginOf(without.contents.missingScan);
+  ASSERT_TRUE(origin);
+  EXPECT_EQ(origin->archive, "Ward");
+  EXPECT_EQ(origin->studyUid, "1.2.3");
+  EXPECT_EQ(origin->seriesUid, "1.2.3.4");
+  const OpenedSession opened =
+      readSession(folder / "s.viscera", sample_organs::standardLibrary(), progress, {folder / "again"});
+  EXPECT_TRUE(opened.contents.state.scan);
+  EXPECT_TRUE(opened.warnings.empty());
+  contents.state.scan = opened.contents.state.scan;
+  contents.embedSurfaces = contents.embedScan = true;
+  tests::write(folder / "inside.viscera", contents);
+  EXPECT_THAT(contentsOf(folder / "inside.viscera"), testing::Not(HasSubstr("1.2.3.4")))
+      << "Its UIDs lead to the patient.";
 }
 
 TEST(ScanItem, IsLookedForInOtherFoldersAndMayBeOneOfThem) {

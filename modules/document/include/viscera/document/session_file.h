@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,6 +11,7 @@
 #include "viscera/core/phrase.h"
 #include "viscera/core/progress.h"
 #include "viscera/document/document.h"
+#include "viscera/medical_io/archive_origin.h"
 #include "viscera/sample_organs/sample_organ.h"
 
 /// Reads and writes session files (`.viscera`, docs/session_format.md), which hold everything that is needed
@@ -73,6 +75,9 @@ struct OpenedSession {
   std::vector<Text> warnings;           ///< What a user should know: missing, changed and moved files,
                                         ///< keys of the file that nothing is known about.
 };
+
+/// The archive that has the images of a `missingScan` or `missingStudy`; none where they came from none.
+std::optional<medical_io::ArchiveOrigin> archiveOriginOf(const nlohmann::ordered_json& record);
 
 /// Whether the name ends like a session file (.viscera).
 bool isSessionFile(const std::filesystem::path& file);
