@@ -129,8 +129,9 @@ TEST_F(FromTheArchive, ASeriesIsFoundFetchedOpenedAndFetchedAgainForItsSession) 
   ASSERT_TRUE(waitUntil([&] { return saved; }));
   for (const auto& folder : {home_.path(), std::filesystem::path(path({}).toStdString())})
     for (const auto& entry : std::filesystem::recursive_directory_iterator(folder))
-      if (entry.is_regular_file())
+      if (entry.is_regular_file()) {
         EXPECT_THAT(contentsOf(entry.path()), testing::Not(testing::HasSubstr(kArchivePassword)));
+      }
   std::filesystem::remove_all(clinic::archiveFolder());
   window().sessions().open(session);
   ASSERT_TRUE(waitUntil([&] { return offer(QStringLiteral("Fetch it from Ward")) != nullptr; }))

@@ -167,8 +167,9 @@ TEST_F(Archive, GivesBackWhatCStoreAndStowBrought) {
   EXPECT_FALSE(std::filesystem::exists(study / "old"));
   // The password is in no file that was written.
   for (const auto& entry : std::filesystem::recursive_directory_iterator(own_.path()))
-    if (entry.is_regular_file())
+    if (entry.is_regular_file()) {
       EXPECT_THAT(tests::contentsOf(entry.path()), testing::Not(HasSubstr(kArchivePassword)));
+    }
 }
 
 TEST_F(Archive, SaysWhatIsWrongAndKeepsNothing) {
