@@ -25,7 +25,7 @@ constexpr const char* kPython = "/usr/bin/python3";
 constexpr const char* kChromium = "/usr/lib/chromium/chromium";
 constexpr const char* kFirefox = "/usr/bin/firefox-esr";
 constexpr std::size_t kMostBytes = 1'572'864;       ///< 1.5 MiB
-constexpr std::size_t kMostOpenedBytes = 1'800'000; ///< With walls and conduction system.
+constexpr std::size_t kMostOpenedBytes = 1'800'000; ///< With walls, conduction system, 60 handles.
 constexpr Eigen::Index kDragged = 8;                ///< A handle.
 constexpr Eigen::Index kVertices = 120;             ///< That are compared.
 
@@ -192,8 +192,9 @@ TEST_F(LessonPage, OfEachReadyLessonIsWhatTheProgramShows) {
 TEST_F(LessonPage, OfAHeartOpensItAndLightsItsConductionSystem) {
   const viscera::tests::TemporaryFolder folder;
   const std::filesystem::path page = folder.path() / "heart.html";
-  const auto made = viscera::test::runProcess(
-      {VISCERA_PROGRAM, "lesson", "heartbeat", "--cut", "--conduction", "-o", page.string(), "--json"});
+  const auto made =
+      viscera::test::runProcess({VISCERA_PROGRAM, "lesson", "heartbeat", "--cut", "--conduction", "--handles",
+                                 "60", "-o", page.string(), "--json"});
   ASSERT_EQ(made.exitCode, 0) << made.err;
   EXPECT_LE(std::filesystem::file_size(page), kMostOpenedBytes);
   EXPECT_LE(ordered_json::parse(made.out)["largestErrorMm"], 0.05);

@@ -25,14 +25,29 @@ function integers({at, count, width, stride}) {
   }
   return out;
 }
+/** Fields over some vertices from their differences to the mean of the neighbours before, or to the vertex before. */
+function overMesh(array, count, components) {
+  const out = integers(array), first = new Uint32Array(count + 1), pair = take => { for (let t = 0; t < organTriangles.length; t += 3) for (let a = 0; a < 3; ++a) for (let b = 0; b < 3; ++b) if (organTriangles[t + b] < organTriangles[t + a]) take(organTriangles[t + a], organTriangles[t + b]); };
+  pair(v => ++first[v + 1]);
+  for (let v = 0; v < count; ++v) first[v + 1] += first[v];
+  const next = first.slice(), before = new Uint32Array(first[count]);
+  pair((v, other) => { before[next[v]++] = other; });
+  for (let field = 0; field < out.length; field += count * components)
+    for (let v = 0; v < count; ++v) for (let c = 0, n = first[v + 1] - first[v]; c < components; ++c) {
+      let sum = 0;
+      for (let i = first[v]; i < first[v + 1]; ++i) sum += out[field + components * before[i] + c];
+      out[field + components * v + c] += n ? Math.floor(sum / n + 0.5) : v ? out[field + components * (v - 1) + c] : 0;
+    }
+  return Float32Array.from(out, x => x * array.step);
+}
 const numbers = array => array.step === 0 ? new Float32Array(bytes.slice(array.at, array.at + 4 * array.count).buffer) : Float32Array.from(integers(array), v => v * array.step);
 const {surfaces, arrays, motion, measurements, slides} = lesson;
 const handles = lesson.handles.map((label, i) => ({label, vertex: lesson.vertices + i, pull: [0, 0, 0]}));
-const rest = numbers(arrays.rest), modes = motion ? numbers(arrays.motion) : [], courses = motion ? numbers(arrays.course) : [];
+const organTriangles = integers(arrays.triangles), rest = numbers(arrays.rest), modes = motion ? overMesh(arrays.motion, rest.length / 3, 3) : [], courses = motion ? numbers(arrays.course) : [];
 // Beside the surfaces and handles, and carried by their vertices: the inner walls of a heart that can be cut open, then its conduction system.
 const {tissue, conduction} = lesson, inner = arrays.inner ? numbers(arrays.inner) : [], carriers = arrays.inner ? integers(arrays.carriers) : [], carried = arrays.inner ? numbers(arrays.carried) : [];
 const firstInner = lesson.vertices + handles.length, faceVertices = firstInner + inner.length / 3, allVertices = faceVertices + (tissue ? 4 : 0); // The face of a cut is a square.
-const organTriangles = integers(arrays.triangles), triangles = tissue ? withTissue(organTriangles) : Uint32Array.from(organTriangles), weights = handles.length ? numbers(arrays.weights) : [];
+const triangles = tissue ? withTissue(organTriangles) : Uint32Array.from(organTriangles), weights = handles.length ? overMesh(arrays.weights, lesson.vertices, 1) : [];
 const painted = integers(arrays.colors), colors = new Uint8Array(4 * allVertices);
 for (let i = 0; i < lesson.vertices; ++i) for (let c = 0; c < 3; ++c) colors[4 * i + c] = painted[3 * i + c];
 if (tissue) integers(arrays.innerColors).forEach((x, i) => { const at = 4 * (firstInner + Math.floor(i / 3)); colors[at + i % 3] = x; colors[at + 3] = 255; });

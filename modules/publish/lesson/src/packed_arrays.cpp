@@ -60,7 +60,7 @@ PackedArray ArrayPacker::add(const std::vector<std::int32_t>& values, int stride
   return array;
 }
 
-PackedArray ArrayPacker::add(const std::vector<double>& values, int stride, double step) {
+std::vector<std::int32_t> wholeSteps(const std::vector<double>& values, double step) {
   std::vector<std::int32_t> whole(values.size());
   for (std::size_t i = 0; i < values.size(); ++i) {
     const double steps = std::round(values[i] / step);
@@ -69,7 +69,11 @@ PackedArray ArrayPacker::add(const std::vector<double>& values, int stride, doub
                       "check the size of the organ, and its motion");
     whole[i] = static_cast<std::int32_t>(steps);
   }
-  PackedArray array = add(whole, stride);
+  return whole;
+}
+
+PackedArray ArrayPacker::add(const std::vector<double>& values, int stride, double step) {
+  PackedArray array = add(wholeSteps(values, step), stride);
   array.step = step;
   return array;
 }

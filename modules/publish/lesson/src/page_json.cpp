@@ -6,6 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "mesh_differences.h"
 #include "page_strings.h"
 
 namespace viscera::lesson {
@@ -13,7 +14,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-constexpr int kVersion = 1;
+constexpr int kVersion = 2;
 constexpr double kStrainRange = 30;      ///< Per cent at the ends of the bull's eye's colours.
 constexpr double kShownOfDiagonal = 0.4; ///< The radius of what the page shows.
 
@@ -241,6 +242,16 @@ void addCarried(const Lesson& lesson, ArrayPacker& packer, ordered_json& arrays)
   arrays["left"] = jsonOf(packer.add(tissue.left, 1));
 }
 
+/// Fields over all vertices, or over the first of them.
+ordered_json overMesh(const Lesson& lesson, Eigen::Index vertices, int components,
+                      const std::vector<double>& fields, double step, ArrayPacker& packer) {
+  const std::vector<std::int32_t> differences =
+      MeshDifferences(lesson.triangles, vertices).of(wholeSteps(fields, step), components);
+  PackedArray array = packer.add(differences, static_cast<int>(differences.size())); // As they are.
+  array.step = step;
+  return jsonOf(array);
+}
+
 ordered_json arraysJson(const Lesson& lesson, ArrayPacker& packer) {
   ordered_json arrays;
   arrays["rest"] = jsonOf(packer.add(inOrder(lesson.rest), 3, kStepMm));
@@ -254,14 +265,15 @@ ordered_json arraysJson(const Lesson& lesson, ArrayPacker& packer) {
         for (const Table* table : {&course.values, &course.slopes})
           for (const double value : table->row(i))
             courses.push_back(static_cast<float>(value));
-    arrays["motion"] = jsonOf(packer.add(modes, 3, kStepMm));
+    arrays["motion"] = overMesh(lesson, lesson.rest.rows(), 3, modes, kStepMm, packer);
     arrays["course"] = jsonOf(packer.addFloats(courses));
   }
   arrays["triangles"] = jsonOf(packer.add(inOrder(lesson.triangles), 3));
   std::vector<std::int32_t> colors(lesson.colors.data(), lesson.colors.data() + lesson.colors.size());
   arrays["colors"] = jsonOf(packer.add(colors, 3));
   if (!lesson.handleLabels.empty())
-    arrays["weights"] = jsonOf(packer.add(inOrder(lesson.weights), 1, kWeightStep));
+    arrays["weights"] =
+        overMesh(lesson, lesson.vertexCount(), 1, inOrder(lesson.weights), kWeightStep, packer);
   if (lesson.tissue || lesson.conduction)
     addCarried(lesson, packer, arrays);
   return arrays;

@@ -13,6 +13,7 @@
 #include <nlohmann/json.hpp>
 
 #include "build_paths.h"
+#include "mesh_differences.h"
 #include "page_json.h"
 #include "page_strings.h"
 #include "temporary_folder.h"
@@ -164,9 +165,19 @@ TEST(Page, HoldsWhatTheLessonHolds) {
     ASSERT_EQ(triangles[static_cast<std::size_t>(i)], lesson.triangles.data()[i]);
   EXPECT_EQ(array("motion").size(), lesson.modes.size() * rest.size());
   EXPECT_EQ(array("course").size(), 2 * lesson.modes.size() * lesson.instants()) << "values and slopes";
-  const std::vector<double> weights = array("weights");
+  const auto overMesh = [&](const char* name, Eigen::Index vertices, int components) {
+    std::vector<std::int32_t> steps;
+    for (const double value : array(name))
+      steps.push_back(
+          static_cast<std::int32_t>(std::lround(value / json["arrays"][name]["step"].get<double>())));
+    return MeshDifferences(lesson.triangles, vertices).undone(steps, components);
+  };
+  const std::vector<std::int32_t> weights = overMesh("weights", lesson.vertexCount(), 1);
   for (Eigen::Index i = 0; i < lesson.weights.size(); ++i)
-    ASSERT_NEAR(weights[static_cast<std::size_t>(i)], lesson.weights.data()[i], kWeightStep);
+    ASSERT_NEAR(weights[static_cast<std::size_t>(i)] * kWeightStep, lesson.weights.data()[i], kWeightStep);
+  const std::vector<std::int32_t> modes = overMesh("motion", lesson.rest.rows(), 3);
+  for (std::size_t i = 0; i < modes.size(); ++i)
+    ASSERT_NEAR(modes[i] * kStepMm, lesson.modes[i / rest.size()].data()[i % rest.size()], kStepMm);
   EXPECT_THAT(page, Not(HasSubstr(VISCERA_SOURCE_DIR)));
   EXPECT_THAT(page, Not(HasSubstr("description")));
 }

@@ -19,6 +19,10 @@ struct PackedArray {
   double step = 1; ///< A number is an integer times this.
 };
 
+/// `values` as whole numbers of steps, rounded. Throws `DataError` for a number that is not finite or too
+/// large for 32 bits. O(values).
+std::vector<std::int32_t> wholeSteps(const std::vector<double>& values, double step);
+
 /// Packs arrays one behind the other into one sequence of bytes.
 class ArrayPacker {
 public:
