@@ -327,12 +327,12 @@ int runCommandLine(int argc, const char* const* argv, std::ostream& out, std::os
   std::vector<std::unique_ptr<Command>> commands;
   Command* chosen = nullptr;
   for (const auto make :
-       {infoCommand,      systemsCommand,  sampleCommand,     convertCommand,    handlesCommand,
-        bindCommand,      deformCommand,   stressCommand,     elasticityCommand, playCommand,
-        circulateCommand, trackCommand,    strainCommand,     lessonCommand,     segmentCommand,
-        probeCommand,     warpCommand,     measureCommand,    phantomCommand,    renderCommand,
-        reportCommand,    commandsCommand, propertiesCommand, reproduceCommand,  referenceCommand,
-        archiveCommand}) {
+       {infoCommand,      systemsCommand, sampleCommand,   convertCommand,    handlesCommand,
+        bindCommand,      deformCommand,  stressCommand,   elasticityCommand, playCommand,
+        circulateCommand, trackCommand,   strainCommand,   lessonCommand,     segmentCommand,
+        probeCommand,     warpCommand,    measureCommand,  phantomCommand,    renderCommand,
+        reportCommand,    dicomCommand,   commandsCommand, propertiesCommand, reproduceCommand,
+        referenceCommand, archiveCommand}) {
     const auto& command = commands.emplace_back(make());
     CLI::App* options = app.add_subcommand(command->name(), command->summary());
     if (optionsAreNeeded(*command, argc, argv)) {

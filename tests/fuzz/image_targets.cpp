@@ -9,6 +9,7 @@
 #include "old_image_files.h"
 #include "packed_bytes.h"
 #include "packed_dicom.h"
+#include "structure_sets.h"
 #include "viscera/core/error.h"
 #include "viscera/medical_io/label_map.h"
 #include "viscera/medical_io/label_series.h"
@@ -104,6 +105,21 @@ void readAnyLabels(Bytes bytes) {
   checkLabels(medical_io::readLabelMap(scratchFile("a" + endings[choice.kind], choice.rest), progress));
 }
 
+/// Squares on three slices, the middle one with a hole, and a point.
+std::string structureSeed() {
+  const auto square = [](double half, double z) {
+    Points corners(4, 3);
+    corners << -half, -half, z, half, -half, z, half, half, z, -half, half, z;
+    return tests::DrawnContour{corners};
+  };
+  Points point(1, 3);
+  point << 1, 2, 3;
+  const tests::DrawnStructure organ{
+      .number = 1, .name = "Liver", .contours = {square(4, 0), square(4, 2), square(2, 2), square(4, 4)}};
+  const tests::DrawnStructure mark{.number = 2, .name = "Mark", .contours = {{point, "POINT"}}};
+  return tests::dicomBytes(tests::structureElements({organ, mark}));
+}
+
 std::vector<std::string> labelSeeds() {
   std::vector<std::string> out;
   for (const tests::GoodFile& file : tests::goodFiles()) {
@@ -128,6 +144,7 @@ std::vector<std::string> labelSeeds() {
        {tests::dicomBytes(elements), tests::dicomElements(elements),
         tests::packedDicom(tests::dicomBytes(elements), "rle"), tests::rleBits(organs, {}, false)})
     out.push_back(chosen(kImageEndings.size(), bytes));
+  out.push_back(chosen(kImageEndings.size(), structureSeed()));
   return out;
 }
 

@@ -30,6 +30,7 @@ std::unique_ptr<Command> renderCommand();
 std::unique_ptr<Command> propertiesCommand();
 std::unique_ptr<Command> reproduceCommand();
 std::unique_ptr<Command> reportCommand();
+std::unique_ptr<Command> dicomCommand();
 std::unique_ptr<Command> commandsCommand();
 std::unique_ptr<Command> referenceCommand();
 std::unique_ptr<Command> archiveCommand();
