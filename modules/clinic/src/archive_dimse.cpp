@@ -2,6 +2,8 @@
 #include <array>
 #include <fstream>
 
+#include <netdb.h>
+
 #include "dicom_object.h"
 
 #include <dcmtk/dcmnet/diutil.h>
@@ -72,6 +74,15 @@ std::string valueOf(DcmItem& item, const DcmTagKey& key) {
   return item.findAndGetOFStringArray(key, text).good() ? std::string(text.c_str()) : std::string();
 }
 
+/// Whether the network knows a machine of that name; DCMTK does not tell.
+bool hasAddress(const std::string& host) {
+  addrinfo* found = nullptr;
+  if (::getaddrinfo(host.c_str(), nullptr, nullptr, &found) != 0)
+    return false;
+  ::freeaddrinfo(found);
+  return true;
+}
+
 /// DCMTK's association with what a series needs that arrives.
 class Association : public DcmSCU {
 public:
@@ -119,12 +130,9 @@ public:
     if (found == DIMSE_NODATAAVAILABLE || found == DUL_READTIMEOUT ||
         text.find("Timeout") != std::string::npos)
       throw silent(connection_);
-    if (opening && text.find("unknown host") != std::string::npos)
-      throw unknownHost(connection_);
-    if (opening && found == DUL_REQUESTASSOCIATIONFAILED)
-      throw unreachable(connection_);
-    if (opening && text.find("TCP") != std::string::npos)
-      throw unreachable(connection_);
+    if (opening && (found == DUL_REQUESTASSOCIATIONFAILED || text.find("TCP") != std::string::npos ||
+                    text.find("unknown host") != std::string::npos))
+      throw hasAddress(connection_.address) ? unreachable(connection_) : unknownHost(connection_);
     throw cut(connection_);
   }
 
