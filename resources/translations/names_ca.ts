@@ -8135,9 +8135,233 @@
         <source>export a segmentation of each phase</source>
         <translation>exporteu una segmentació de cada fase</translation>
     </message>
+    <message>
+        <source>The archive %1 cannot be reached</source>
+        <translation>No es pot accedir a l&apos;arxiu %1</translation>
+    </message>
+    <message>
+        <source>Check its address and port, and whether it runs</source>
+        <translation>Comproveu-ne l&apos;adreça i el port, i si funciona</translation>
+    </message>
+    <message>
+        <source>The archive %1 does not answer</source>
+        <translation>L&apos;arxiu %1 no respon</translation>
+    </message>
+    <message>
+        <source>Try again; the archive or the network may be slow</source>
+        <translation>Torneu-ho a provar; l&apos;arxiu o la xarxa poden ser lents</translation>
+    </message>
+    <message>
+        <source>The archive %1 refuses the titles: it is called %2, and this program %3</source>
+        <translation>L&apos;arxiu %1 rebutja els títols: se l&apos;anomena %2, i aquest programa %3</translation>
+    </message>
+    <message>
+        <source>Ask its administrator for its title, and to allow that of this program</source>
+        <translation>Demaneu-ne el títol a l&apos;administrador, i que permeti el d&apos;aquest programa</translation>
+    </message>
+    <message>
+        <source>The archive %1 refuses the user name or the password</source>
+        <translation>L&apos;arxiu %1 rebutja l&apos;usuari o la contrasenya</translation>
+    </message>
+    <message>
+        <source>Type both again</source>
+        <translation>Torneu-los a escriure</translation>
+    </message>
+    <message>
+        <source>The certificate of the archive %1 is not trusted</source>
+        <translation>El certificat de l&apos;arxiu %1 no és de confiança</translation>
+    </message>
+    <message>
+        <source>Name the file with its issuer&apos;s certificate in the connection</source>
+        <translation>Indiqueu a la connexió el fitxer amb el certificat del seu emissor</translation>
+    </message>
+    <message>
+        <source>The connection to the archive %1 was cut</source>
+        <translation>S&apos;ha tallat la connexió amb l&apos;arxiu %1</translation>
+    </message>
+    <message>
+        <source>Try again; nothing incomplete is kept</source>
+        <translation>Torneu-ho a provar; no es guarda res incomplet</translation>
+    </message>
+    <message>
+        <source>The answer of the archive %1 is not DICOM</source>
+        <translation>La resposta de l&apos;arxiu %1 no és DICOM</translation>
+    </message>
+    <message>
+        <source>Check its address</source>
+        <translation>Comproveu-ne l&apos;adreça</translation>
+    </message>
+    <message>
+        <source>The archive %1 refuses: %2</source>
+        <translation>L&apos;arxiu %1 rebutja: %2</translation>
+    </message>
+    <message>
+        <source>Ask its administrator</source>
+        <translation>Pregunteu a l&apos;administrador</translation>
+    </message>
+    <message>
+        <source>The archive %1 does not offer %2</source>
+        <translation>L&apos;arxiu %1 no ofereix %2</translation>
+    </message>
+    <message>
+        <source>The archive %1 has not kept %2 of %3 files</source>
+        <translation>L&apos;arxiu %1 no ha desat %2 de %3 fitxers</translation>
+    </message>
+    <message>
+        <source>The archive %1 has no such series</source>
+        <translation>L&apos;arxiu %1 no té aquesta sèrie</translation>
+    </message>
+    <message>
+        <source>What was received cannot be written</source>
+        <translation>No es pot escriure el que s&apos;ha rebut</translation>
+    </message>
+    <message>
+        <source>Is the disk full?</source>
+        <translation>El disc és ple?</translation>
+    </message>
+    <message>
+        <source>Ask the archive %1</source>
+        <translation>Consultar l&apos;arxiu %1</translation>
+    </message>
+    <message>
+        <source>Receive image %1</source>
+        <translation>Rebre la imatge %1</translation>
+    </message>
+    <message>
+        <source>Send image %1</source>
+        <translation>Enviar la imatge %1</translation>
+    </message>
+    <message>
+        <source>The folder is there already</source>
+        <translation>La carpeta ja existeix</translation>
+    </message>
+    <message>
+        <source>The folder cannot be made</source>
+        <translation>No es pot crear la carpeta</translation>
+    </message>
+    <message>
+        <source>The file is no DICOM file</source>
+        <translation>El fitxer no és DICOM</translation>
+    </message>
+    <message>
+        <source>The certificates cannot be read</source>
+        <translation>No es poden llegir els certificats</translation>
+    </message>
+    <message>
+        <source>It is no list of archives</source>
+        <translation>No és una llista d&apos;arxius</translation>
+    </message>
+    <message>
+        <source>this service</source>
+        <translation>aquest servei</translation>
+    </message>
+    <message>
+        <source>The address of the archive %1 is not known to the network</source>
+        <translation>La xarxa no coneix l&apos;adreça de l&apos;arxiu %1</translation>
+    </message>
+    <message>
+        <source>Check how its address is spelt</source>
+        <translation>Comproveu com està escrita l&apos;adreça</translation>
+    </message>
+    <message>
+        <source>There is no secure connection (TLS) to the archive %1</source>
+        <translation>No hi ha connexió segura (TLS) amb l&apos;arxiu %1</translation>
+    </message>
+    <message>
+        <source>Ask its administrator whether this port takes TLS, and of which version</source>
+        <translation>Pregunteu al seu administrador si aquest port admet TLS, i de quina versió</translation>
+    </message>
+    <message>
+        <source>the images are not there any more (the archive %1 has them)</source>
+        <translation>les imatges ja no hi són (l&apos;arxiu %1 les té)</translation>
+    </message>
+    <message>
+        <source>There is no key ring that keeps the password</source>
+        <translation>No hi ha cap anell de claus que desi la contrasenya</translation>
+    </message>
+    <message>
+        <source>it counts little in %1 of %2 phases, in which its tissue leaves the plane or its images are unlike</source>
+        <translation>compta poc en %1 de %2 fases, en què el seu teixit surt del pla o les seves imatges no s&apos;assemblen</translation>
+    </message>
+    <message>
+        <source>%1 is left out: its surface is open</source>
+        <translation>%1 s&apos;omet: la superfície és oberta</translation>
+    </message>
+    <message>
+        <source>the scan&apos;s DICOM files are not there: the objects get a study of their own</source>
+        <translation>els fitxers DICOM de la imatge no hi són: els objectes reben un estudi propi</translation>
+    </message>
+    <message>
+        <source>The report names the patient or the files, and identity is to be removed</source>
+        <translation>L&apos;informe anomena el pacient o els fitxers, i cal treure&apos;n la identitat</translation>
+    </message>
+    <message>
+        <source>leave the report out, or make one without the patient</source>
+        <translation>deixeu fora l’informe o feu-ne un sense el pacient</translation>
+    </message>
+    <message>
+        <source>The report holds the patient&apos;s name or number</source>
+        <translation>L&apos;informe conté el nom o el número del pacient</translation>
+    </message>
+    <message>
+        <source>leave the report out</source>
+        <translation>deixeu fora l&apos;informe</translation>
+    </message>
+    <message>
+        <source>No DICOM object is chosen</source>
+        <translation>No s&apos;ha triat cap objecte DICOM</translation>
+    </message>
+    <message>
+        <source>choose one at least</source>
+        <translation>trieu-ne almenys un</translation>
+    </message>
+    <message>
+        <source>There is no organ to write</source>
+        <translation>No hi ha cap òrgan per escriure</translation>
+    </message>
+    <message>
+        <source>There is no organ with a closed surface to write as DICOM</source>
+        <translation>No hi ha cap òrgan de superfície tancada per escriure com a DICOM</translation>
+    </message>
+    <message>
+        <source>close it first</source>
+        <translation>tanqueu-la primer</translation>
+    </message>
+    <message>
+        <source>The number of phases is 0 to 200</source>
+        <translation>El nombre de fases és de 0 a 200</translation>
+    </message>
+    <message>
+        <source>the file is there already</source>
+        <translation>el fitxer ja existeix</translation>
+    </message>
+    <message>
+        <source>choose an empty folder</source>
+        <translation>trieu una carpeta buida</translation>
+    </message>
+    <message>
+        <source>there is no such series</source>
+        <translation>no existeix aquesta sèrie</translation>
+    </message>
+    <message>
+        <source>one mesh says nothing about the others</source>
+        <translation>una malla no diu res de les altres</translation>
+    </message>
+    <message>
+        <source>give two sizes at least</source>
+        <translation>indiqueu almenys dues mides</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app</name>
+    <message>
+        <source>Fetching from %1</source>
+        <translation>S&apos;està obtenint de %1</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>Data</translation>
+    </message>
     <message>
         <source>%1 (estimate)</source>
         <translation>%1 (estimació)</translation>

@@ -8135,9 +8135,233 @@
         <source>export a segmentation of each phase</source>
         <translation>eine Segmentierung je Phase exportieren</translation>
     </message>
+    <message>
+        <source>The archive %1 cannot be reached</source>
+        <translation>Das Archiv %1 ist nicht erreichbar</translation>
+    </message>
+    <message>
+        <source>Check its address and port, and whether it runs</source>
+        <translation>Prüfen Sie Adresse und Port, und ob es läuft</translation>
+    </message>
+    <message>
+        <source>The archive %1 does not answer</source>
+        <translation>Das Archiv %1 antwortet nicht</translation>
+    </message>
+    <message>
+        <source>Try again; the archive or the network may be slow</source>
+        <translation>Versuchen Sie es noch einmal; Archiv oder Netz sind vielleicht langsam</translation>
+    </message>
+    <message>
+        <source>The archive %1 refuses the titles: it is called %2, and this program %3</source>
+        <translation>Das Archiv %1 lehnt die Titel ab: es wird %2 genannt, dieses Programm %3</translation>
+    </message>
+    <message>
+        <source>Ask its administrator for its title, and to allow that of this program</source>
+        <translation>Fragen Sie den Verwalter nach dem Titel, und lassen Sie den dieses Programms zu</translation>
+    </message>
+    <message>
+        <source>The archive %1 refuses the user name or the password</source>
+        <translation>Das Archiv %1 lehnt Benutzernamen oder Passwort ab</translation>
+    </message>
+    <message>
+        <source>Type both again</source>
+        <translation>Geben Sie beide noch einmal ein</translation>
+    </message>
+    <message>
+        <source>The certificate of the archive %1 is not trusted</source>
+        <translation>Dem Zertifikat des Archivs %1 wird nicht vertraut</translation>
+    </message>
+    <message>
+        <source>Name the file with its issuer&apos;s certificate in the connection</source>
+        <translation>Nennen Sie in der Verbindung die Datei mit dem Zertifikat seines Ausstellers</translation>
+    </message>
+    <message>
+        <source>The connection to the archive %1 was cut</source>
+        <translation>Die Verbindung zum Archiv %1 ist abgerissen</translation>
+    </message>
+    <message>
+        <source>Try again; nothing incomplete is kept</source>
+        <translation>Versuchen Sie es noch einmal; Unvollständiges bleibt nicht</translation>
+    </message>
+    <message>
+        <source>The answer of the archive %1 is not DICOM</source>
+        <translation>Die Antwort des Archivs %1 ist kein DICOM</translation>
+    </message>
+    <message>
+        <source>Check its address</source>
+        <translation>Prüfen Sie die Adresse</translation>
+    </message>
+    <message>
+        <source>The archive %1 refuses: %2</source>
+        <translation>Das Archiv %1 lehnt ab: %2</translation>
+    </message>
+    <message>
+        <source>Ask its administrator</source>
+        <translation>Fragen Sie den Verwalter</translation>
+    </message>
+    <message>
+        <source>The archive %1 does not offer %2</source>
+        <translation>Das Archiv %1 bietet %2 nicht an</translation>
+    </message>
+    <message>
+        <source>The archive %1 has not kept %2 of %3 files</source>
+        <translation>Das Archiv %1 hat %2 von %3 Dateien nicht behalten</translation>
+    </message>
+    <message>
+        <source>The archive %1 has no such series</source>
+        <translation>Das Archiv %1 hat keine solche Serie</translation>
+    </message>
+    <message>
+        <source>What was received cannot be written</source>
+        <translation>Das Empfangene kann nicht geschrieben werden</translation>
+    </message>
+    <message>
+        <source>Is the disk full?</source>
+        <translation>Ist die Platte voll?</translation>
+    </message>
+    <message>
+        <source>Ask the archive %1</source>
+        <translation>Archiv %1 fragen</translation>
+    </message>
+    <message>
+        <source>Receive image %1</source>
+        <translation>Bild %1 empfangen</translation>
+    </message>
+    <message>
+        <source>Send image %1</source>
+        <translation>Bild %1 senden</translation>
+    </message>
+    <message>
+        <source>The folder is there already</source>
+        <translation>Den Ordner gibt es schon</translation>
+    </message>
+    <message>
+        <source>The folder cannot be made</source>
+        <translation>Der Ordner lässt sich nicht anlegen</translation>
+    </message>
+    <message>
+        <source>The file is no DICOM file</source>
+        <translation>Die Datei ist keine DICOM-Datei</translation>
+    </message>
+    <message>
+        <source>The certificates cannot be read</source>
+        <translation>Die Zertifikate lassen sich nicht lesen</translation>
+    </message>
+    <message>
+        <source>It is no list of archives</source>
+        <translation>Es ist keine Liste von Archiven</translation>
+    </message>
+    <message>
+        <source>this service</source>
+        <translation>diesen Dienst</translation>
+    </message>
+    <message>
+        <source>The address of the archive %1 is not known to the network</source>
+        <translation>Die Adresse des Archivs %1 ist dem Netz nicht bekannt</translation>
+    </message>
+    <message>
+        <source>Check how its address is spelt</source>
+        <translation>Prüfen Sie, wie die Adresse geschrieben ist</translation>
+    </message>
+    <message>
+        <source>There is no secure connection (TLS) to the archive %1</source>
+        <translation>Es gibt keine sichere Verbindung (TLS) zum Archiv %1</translation>
+    </message>
+    <message>
+        <source>Ask its administrator whether this port takes TLS, and of which version</source>
+        <translation>Fragen Sie den Verwalter, ob dieser Port TLS annimmt und in welcher Version</translation>
+    </message>
+    <message>
+        <source>the images are not there any more (the archive %1 has them)</source>
+        <translation>die Bilder sind nicht mehr da (das Archiv %1 hat sie)</translation>
+    </message>
+    <message>
+        <source>There is no key ring that keeps the password</source>
+        <translation>Es gibt keinen Schlüsselbund, der das Passwort behält</translation>
+    </message>
+    <message>
+        <source>it counts little in %1 of %2 phases, in which its tissue leaves the plane or its images are unlike</source>
+        <translation>sie zählt in %1 von %2 Phasen wenig, in denen ihr Gewebe die Ebene verlässt oder ihre Bilder einander nicht gleichen</translation>
+    </message>
+    <message>
+        <source>%1 is left out: its surface is open</source>
+        <translation>%1 wird ausgelassen: die Oberfläche ist offen</translation>
+    </message>
+    <message>
+        <source>the scan&apos;s DICOM files are not there: the objects get a study of their own</source>
+        <translation>die DICOM-Dateien der Aufnahme sind nicht da: Die Objekte bekommen eine eigene Studie</translation>
+    </message>
+    <message>
+        <source>The report names the patient or the files, and identity is to be removed</source>
+        <translation>Der Bericht nennt den Patienten oder die Dateien, und die Identität soll entfernt werden</translation>
+    </message>
+    <message>
+        <source>leave the report out, or make one without the patient</source>
+        <translation>den Bericht weglassen oder einen ohne den Patienten anfertigen</translation>
+    </message>
+    <message>
+        <source>The report holds the patient&apos;s name or number</source>
+        <translation>Der Bericht enthält Namen oder Nummer des Patienten</translation>
+    </message>
+    <message>
+        <source>leave the report out</source>
+        <translation>lassen Sie den Bericht weg</translation>
+    </message>
+    <message>
+        <source>No DICOM object is chosen</source>
+        <translation>Es ist kein DICOM-Objekt gewählt</translation>
+    </message>
+    <message>
+        <source>choose one at least</source>
+        <translation>wählen Sie mindestens eines</translation>
+    </message>
+    <message>
+        <source>There is no organ to write</source>
+        <translation>Es gibt kein Organ zu schreiben</translation>
+    </message>
+    <message>
+        <source>There is no organ with a closed surface to write as DICOM</source>
+        <translation>Es gibt kein Organ mit geschlossener Oberfläche, das als DICOM geschrieben werden kann</translation>
+    </message>
+    <message>
+        <source>close it first</source>
+        <translation>schließen Sie sie zuerst</translation>
+    </message>
+    <message>
+        <source>The number of phases is 0 to 200</source>
+        <translation>Die Zahl der Phasen ist 0 bis 200</translation>
+    </message>
+    <message>
+        <source>the file is there already</source>
+        <translation>die Datei ist schon da</translation>
+    </message>
+    <message>
+        <source>choose an empty folder</source>
+        <translation>wählen Sie einen leeren Ordner</translation>
+    </message>
+    <message>
+        <source>there is no such series</source>
+        <translation>eine solche Serie gibt es nicht</translation>
+    </message>
+    <message>
+        <source>one mesh says nothing about the others</source>
+        <translation>ein Netz sagt nichts über die anderen</translation>
+    </message>
+    <message>
+        <source>give two sizes at least</source>
+        <translation>geben Sie mindestens zwei Größen an</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app</name>
+    <message>
+        <source>Fetching from %1</source>
+        <translation>Wird von %1 geholt</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>Datum</translation>
+    </message>
     <message>
         <source>%1 (estimate)</source>
         <translation>%1 (Schätzung)</translation>

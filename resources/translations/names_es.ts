@@ -8135,9 +8135,233 @@
         <source>export a segmentation of each phase</source>
         <translation>exporte una segmentación de cada fase</translation>
     </message>
+    <message>
+        <source>The archive %1 cannot be reached</source>
+        <translation>No se puede acceder al archivo %1</translation>
+    </message>
+    <message>
+        <source>Check its address and port, and whether it runs</source>
+        <translation>Compruebe su dirección y su puerto, y si funciona</translation>
+    </message>
+    <message>
+        <source>The archive %1 does not answer</source>
+        <translation>El archivo %1 no responde</translation>
+    </message>
+    <message>
+        <source>Try again; the archive or the network may be slow</source>
+        <translation>Inténtelo de nuevo; el archivo o la red pueden ser lentos</translation>
+    </message>
+    <message>
+        <source>The archive %1 refuses the titles: it is called %2, and this program %3</source>
+        <translation>El archivo %1 rechaza los títulos: se le llama %2, y a este programa %3</translation>
+    </message>
+    <message>
+        <source>Ask its administrator for its title, and to allow that of this program</source>
+        <translation>Pregunte a su administrador por el título, y que permita el de este programa</translation>
+    </message>
+    <message>
+        <source>The archive %1 refuses the user name or the password</source>
+        <translation>El archivo %1 rechaza el usuario o la contraseña</translation>
+    </message>
+    <message>
+        <source>Type both again</source>
+        <translation>Escríbalos de nuevo</translation>
+    </message>
+    <message>
+        <source>The certificate of the archive %1 is not trusted</source>
+        <translation>El certificado del archivo %1 no es de confianza</translation>
+    </message>
+    <message>
+        <source>Name the file with its issuer&apos;s certificate in the connection</source>
+        <translation>Indique en la conexión el archivo con el certificado de su emisor</translation>
+    </message>
+    <message>
+        <source>The connection to the archive %1 was cut</source>
+        <translation>Se cortó la conexión con el archivo %1</translation>
+    </message>
+    <message>
+        <source>Try again; nothing incomplete is kept</source>
+        <translation>Inténtelo de nuevo; no se guarda nada incompleto</translation>
+    </message>
+    <message>
+        <source>The answer of the archive %1 is not DICOM</source>
+        <translation>La respuesta del archivo %1 no es DICOM</translation>
+    </message>
+    <message>
+        <source>Check its address</source>
+        <translation>Compruebe su dirección</translation>
+    </message>
+    <message>
+        <source>The archive %1 refuses: %2</source>
+        <translation>El archivo %1 rechaza: %2</translation>
+    </message>
+    <message>
+        <source>Ask its administrator</source>
+        <translation>Pregunte a su administrador</translation>
+    </message>
+    <message>
+        <source>The archive %1 does not offer %2</source>
+        <translation>El archivo %1 no ofrece %2</translation>
+    </message>
+    <message>
+        <source>The archive %1 has not kept %2 of %3 files</source>
+        <translation>El archivo %1 no ha guardado %2 de %3 ficheros</translation>
+    </message>
+    <message>
+        <source>The archive %1 has no such series</source>
+        <translation>El archivo %1 no tiene esa serie</translation>
+    </message>
+    <message>
+        <source>What was received cannot be written</source>
+        <translation>No se puede escribir lo recibido</translation>
+    </message>
+    <message>
+        <source>Is the disk full?</source>
+        <translation>¿Está lleno el disco?</translation>
+    </message>
+    <message>
+        <source>Ask the archive %1</source>
+        <translation>Consultar el archivo %1</translation>
+    </message>
+    <message>
+        <source>Receive image %1</source>
+        <translation>Recibir la imagen %1</translation>
+    </message>
+    <message>
+        <source>Send image %1</source>
+        <translation>Enviar la imagen %1</translation>
+    </message>
+    <message>
+        <source>The folder is there already</source>
+        <translation>La carpeta ya existe</translation>
+    </message>
+    <message>
+        <source>The folder cannot be made</source>
+        <translation>No se puede crear la carpeta</translation>
+    </message>
+    <message>
+        <source>The file is no DICOM file</source>
+        <translation>El fichero no es DICOM</translation>
+    </message>
+    <message>
+        <source>The certificates cannot be read</source>
+        <translation>No se pueden leer los certificados</translation>
+    </message>
+    <message>
+        <source>It is no list of archives</source>
+        <translation>No es una lista de archivos</translation>
+    </message>
+    <message>
+        <source>this service</source>
+        <translation>este servicio</translation>
+    </message>
+    <message>
+        <source>The address of the archive %1 is not known to the network</source>
+        <translation>La red no conoce la dirección del archivo de imágenes %1</translation>
+    </message>
+    <message>
+        <source>Check how its address is spelt</source>
+        <translation>Compruebe cómo está escrita la dirección</translation>
+    </message>
+    <message>
+        <source>There is no secure connection (TLS) to the archive %1</source>
+        <translation>No hay conexión segura (TLS) con el archivo de imágenes %1</translation>
+    </message>
+    <message>
+        <source>Ask its administrator whether this port takes TLS, and of which version</source>
+        <translation>Pregunte a su administrador si este puerto admite TLS y en qué versión</translation>
+    </message>
+    <message>
+        <source>the images are not there any more (the archive %1 has them)</source>
+        <translation>las imágenes ya no están (el archivo de imágenes %1 las tiene)</translation>
+    </message>
+    <message>
+        <source>There is no key ring that keeps the password</source>
+        <translation>No hay depósito de claves que guarde la contraseña</translation>
+    </message>
+    <message>
+        <source>it counts little in %1 of %2 phases, in which its tissue leaves the plane or its images are unlike</source>
+        <translation>cuenta poco en %1 de %2 fases, en las que su tejido sale del plano o sus imágenes no se parecen</translation>
+    </message>
+    <message>
+        <source>%1 is left out: its surface is open</source>
+        <translation>%1 se omite: su superficie está abierta</translation>
+    </message>
+    <message>
+        <source>the scan&apos;s DICOM files are not there: the objects get a study of their own</source>
+        <translation>los archivos DICOM de la imagen no están: los objetos reciben un estudio propio</translation>
+    </message>
+    <message>
+        <source>The report names the patient or the files, and identity is to be removed</source>
+        <translation>El informe nombra al paciente o los archivos, y la identidad debe quitarse</translation>
+    </message>
+    <message>
+        <source>leave the report out, or make one without the patient</source>
+        <translation>deje fuera el informe o haga uno sin el paciente</translation>
+    </message>
+    <message>
+        <source>The report holds the patient&apos;s name or number</source>
+        <translation>El informe contiene el nombre o el número del paciente</translation>
+    </message>
+    <message>
+        <source>leave the report out</source>
+        <translation>deje fuera el informe</translation>
+    </message>
+    <message>
+        <source>No DICOM object is chosen</source>
+        <translation>No se ha elegido ningún objeto DICOM</translation>
+    </message>
+    <message>
+        <source>choose one at least</source>
+        <translation>elija al menos uno</translation>
+    </message>
+    <message>
+        <source>There is no organ to write</source>
+        <translation>No hay ningún órgano que escribir</translation>
+    </message>
+    <message>
+        <source>There is no organ with a closed surface to write as DICOM</source>
+        <translation>No hay ningún órgano de superficie cerrada que escribir como DICOM</translation>
+    </message>
+    <message>
+        <source>close it first</source>
+        <translation>ciérrela primero</translation>
+    </message>
+    <message>
+        <source>The number of phases is 0 to 200</source>
+        <translation>El número de fases es de 0 a 200</translation>
+    </message>
+    <message>
+        <source>the file is there already</source>
+        <translation>el archivo ya existe</translation>
+    </message>
+    <message>
+        <source>choose an empty folder</source>
+        <translation>elija una carpeta vacía</translation>
+    </message>
+    <message>
+        <source>there is no such series</source>
+        <translation>no existe tal serie</translation>
+    </message>
+    <message>
+        <source>one mesh says nothing about the others</source>
+        <translation>una malla no dice nada de las demás</translation>
+    </message>
+    <message>
+        <source>give two sizes at least</source>
+        <translation>indique al menos dos tamaños</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app</name>
+    <message>
+        <source>Fetching from %1</source>
+        <translation>Trayendo de %1</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>Fecha</translation>
+    </message>
     <message>
         <source>%1 (estimate)</source>
         <translation>%1 (estimación)</translation>

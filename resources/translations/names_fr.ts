@@ -8135,9 +8135,233 @@
         <source>export a segmentation of each phase</source>
         <translation>exportez une segmentation de chaque phase</translation>
     </message>
+    <message>
+        <source>The archive %1 cannot be reached</source>
+        <translation>L&apos;archive %1 est injoignable</translation>
+    </message>
+    <message>
+        <source>Check its address and port, and whether it runs</source>
+        <translation>Vérifiez son adresse et son port, et s&apos;il fonctionne</translation>
+    </message>
+    <message>
+        <source>The archive %1 does not answer</source>
+        <translation>L&apos;archive %1 ne répond pas</translation>
+    </message>
+    <message>
+        <source>Try again; the archive or the network may be slow</source>
+        <translation>Réessayez ; l&apos;archive ou le réseau est peut-être lent</translation>
+    </message>
+    <message>
+        <source>The archive %1 refuses the titles: it is called %2, and this program %3</source>
+        <translation>L&apos;archive %1 refuse les titres : elle est appelée %2, et ce programme %3</translation>
+    </message>
+    <message>
+        <source>Ask its administrator for its title, and to allow that of this program</source>
+        <translation>Demandez son titre à son administrateur, et d&apos;autoriser celui de ce programme</translation>
+    </message>
+    <message>
+        <source>The archive %1 refuses the user name or the password</source>
+        <translation>L&apos;archive %1 refuse le nom d&apos;utilisateur ou le mot de passe</translation>
+    </message>
+    <message>
+        <source>Type both again</source>
+        <translation>Saisissez-les à nouveau</translation>
+    </message>
+    <message>
+        <source>The certificate of the archive %1 is not trusted</source>
+        <translation>Le certificat de l&apos;archive %1 n&apos;est pas de confiance</translation>
+    </message>
+    <message>
+        <source>Name the file with its issuer&apos;s certificate in the connection</source>
+        <translation>Indiquez dans la connexion le fichier du certificat de son émetteur</translation>
+    </message>
+    <message>
+        <source>The connection to the archive %1 was cut</source>
+        <translation>La connexion à l&apos;archive %1 a été coupée</translation>
+    </message>
+    <message>
+        <source>Try again; nothing incomplete is kept</source>
+        <translation>Réessayez ; rien d&apos;incomplet n&apos;est gardé</translation>
+    </message>
+    <message>
+        <source>The answer of the archive %1 is not DICOM</source>
+        <translation>La réponse de l&apos;archive %1 n&apos;est pas du DICOM</translation>
+    </message>
+    <message>
+        <source>Check its address</source>
+        <translation>Vérifiez son adresse</translation>
+    </message>
+    <message>
+        <source>The archive %1 refuses: %2</source>
+        <translation>L&apos;archive %1 refuse : %2</translation>
+    </message>
+    <message>
+        <source>Ask its administrator</source>
+        <translation>Demandez à son administrateur</translation>
+    </message>
+    <message>
+        <source>The archive %1 does not offer %2</source>
+        <translation>L&apos;archive %1 n&apos;offre pas %2</translation>
+    </message>
+    <message>
+        <source>The archive %1 has not kept %2 of %3 files</source>
+        <translation>L&apos;archive %1 n&apos;a pas gardé %2 fichiers sur %3</translation>
+    </message>
+    <message>
+        <source>The archive %1 has no such series</source>
+        <translation>L&apos;archive %1 n&apos;a pas cette série</translation>
+    </message>
+    <message>
+        <source>What was received cannot be written</source>
+        <translation>Ce qui a été reçu ne peut pas être écrit</translation>
+    </message>
+    <message>
+        <source>Is the disk full?</source>
+        <translation>Le disque est-il plein ?</translation>
+    </message>
+    <message>
+        <source>Ask the archive %1</source>
+        <translation>Interroger l&apos;archive %1</translation>
+    </message>
+    <message>
+        <source>Receive image %1</source>
+        <translation>Recevoir l&apos;image %1</translation>
+    </message>
+    <message>
+        <source>Send image %1</source>
+        <translation>Envoyer l&apos;image %1</translation>
+    </message>
+    <message>
+        <source>The folder is there already</source>
+        <translation>Le dossier existe déjà</translation>
+    </message>
+    <message>
+        <source>The folder cannot be made</source>
+        <translation>Le dossier ne peut pas être créé</translation>
+    </message>
+    <message>
+        <source>The file is no DICOM file</source>
+        <translation>Le fichier n&apos;est pas un fichier DICOM</translation>
+    </message>
+    <message>
+        <source>The certificates cannot be read</source>
+        <translation>Les certificats ne peuvent pas être lus</translation>
+    </message>
+    <message>
+        <source>It is no list of archives</source>
+        <translation>Ce n&apos;est pas une liste d&apos;archives</translation>
+    </message>
+    <message>
+        <source>this service</source>
+        <translation>ce service</translation>
+    </message>
+    <message>
+        <source>The address of the archive %1 is not known to the network</source>
+        <translation>L&apos;adresse de l&apos;archive %1 est inconnue du réseau</translation>
+    </message>
+    <message>
+        <source>Check how its address is spelt</source>
+        <translation>Vérifiez l&apos;orthographe de l&apos;adresse</translation>
+    </message>
+    <message>
+        <source>There is no secure connection (TLS) to the archive %1</source>
+        <translation>Pas de connexion sécurisée (TLS) avec l&apos;archive %1</translation>
+    </message>
+    <message>
+        <source>Ask its administrator whether this port takes TLS, and of which version</source>
+        <translation>Demandez à son administrateur si ce port accepte TLS, et dans quelle version</translation>
+    </message>
+    <message>
+        <source>the images are not there any more (the archive %1 has them)</source>
+        <translation>les images ne sont plus là (l&apos;archive %1 les a)</translation>
+    </message>
+    <message>
+        <source>There is no key ring that keeps the password</source>
+        <translation>Il n&apos;y a pas de trousseau qui conserve le mot de passe</translation>
+    </message>
+    <message>
+        <source>it counts little in %1 of %2 phases, in which its tissue leaves the plane or its images are unlike</source>
+        <translation>il compte peu dans %1 phases sur %2, où son tissu quitte le plan ou ses images ne se ressemblent pas</translation>
+    </message>
+    <message>
+        <source>%1 is left out: its surface is open</source>
+        <translation>%1 est laissé de côté : sa surface est ouverte</translation>
+    </message>
+    <message>
+        <source>the scan&apos;s DICOM files are not there: the objects get a study of their own</source>
+        <translation>les fichiers DICOM de l&apos;examen ne sont pas là : les objets reçoivent une étude à eux</translation>
+    </message>
+    <message>
+        <source>The report names the patient or the files, and identity is to be removed</source>
+        <translation>Le rapport nomme le patient ou les fichiers, et l&apos;identité doit être retirée</translation>
+    </message>
+    <message>
+        <source>leave the report out, or make one without the patient</source>
+        <translation>laisser le rapport de côté, ou en faire un sans le patient</translation>
+    </message>
+    <message>
+        <source>The report holds the patient&apos;s name or number</source>
+        <translation>Le rapport contient le nom ou le numéro du patient</translation>
+    </message>
+    <message>
+        <source>leave the report out</source>
+        <translation>laissez le rapport de côté</translation>
+    </message>
+    <message>
+        <source>No DICOM object is chosen</source>
+        <translation>Aucun objet DICOM n&apos;est choisi</translation>
+    </message>
+    <message>
+        <source>choose one at least</source>
+        <translation>choisissez-en au moins un</translation>
+    </message>
+    <message>
+        <source>There is no organ to write</source>
+        <translation>Il n&apos;y a pas d&apos;organe à écrire</translation>
+    </message>
+    <message>
+        <source>There is no organ with a closed surface to write as DICOM</source>
+        <translation>Il n&apos;y a pas d&apos;organe à surface fermée à écrire en DICOM</translation>
+    </message>
+    <message>
+        <source>close it first</source>
+        <translation>fermez-la d&apos;abord</translation>
+    </message>
+    <message>
+        <source>The number of phases is 0 to 200</source>
+        <translation>Le nombre de phases est de 0 à 200</translation>
+    </message>
+    <message>
+        <source>the file is there already</source>
+        <translation>le fichier existe déjà</translation>
+    </message>
+    <message>
+        <source>choose an empty folder</source>
+        <translation>choisissez un dossier vide</translation>
+    </message>
+    <message>
+        <source>there is no such series</source>
+        <translation>cette série n&apos;existe pas</translation>
+    </message>
+    <message>
+        <source>one mesh says nothing about the others</source>
+        <translation>un maillage ne dit rien des autres</translation>
+    </message>
+    <message>
+        <source>give two sizes at least</source>
+        <translation>donnez au moins deux tailles</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app</name>
+    <message>
+        <source>Fetching from %1</source>
+        <translation>Récupération depuis %1</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>Date</translation>
+    </message>
     <message>
         <source>%1 (estimate)</source>
         <translation>%1 (estimation)</translation>

@@ -447,6 +447,202 @@ N: noms, H: tiradors, X: paret, R: restableix, T: clar o fosc, Inici: principi</
     </message>
 </context>
 <context>
+    <name>viscera::app::ArchiveActions</name>
+    <message>
+        <source>From the &amp;archive...</source>
+        <translation>De l&apos;&amp;arxiu...</translation>
+    </message>
+    <message>
+        <source>Search a hospital&apos;s archive (PACS) for a patient and open a series</source>
+        <translation>Cerca un pacient a l&apos;arxiu d&apos;un hospital (PACS) i obre&apos;n una sèrie</translation>
+    </message>
+    <message>
+        <source>No archive is called %1 here. Add it, then open the session again.</source>
+        <translation>Cap arxiu no es diu %1 aquí. Afegiu-lo i torneu a obrir la sessió.</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::ArchiveClient</name>
+    <message>
+        <source>Forgetting the password</source>
+        <translation>S&apos;està oblidant la contrasenya</translation>
+    </message>
+    <message>
+        <source>Testing %1</source>
+        <translation>S&apos;està provant %1</translation>
+    </message>
+    <message>
+        <source>Searching %1</source>
+        <translation>S&apos;està cercant a %1</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::ArchiveDialog</name>
+    <message>
+        <source>The beginning of the name; * stands for any letters</source>
+        <translation>El començament del nom; * val per lletres qualssevol</translation>
+    </message>
+    <message>
+        <source>The beginning of the number of the patient</source>
+        <translation>El començament del número del pacient</translation>
+    </message>
+    <message>
+        <source>The first day of the study, as 2024-03-01</source>
+        <translation>El primer dia de l&apos;estudi, com ara 2024-03-01</translation>
+    </message>
+    <message>
+        <source>The last day of the study, as 2024-03-31</source>
+        <translation>L&apos;últim dia de l&apos;estudi, com ara 2024-03-31</translation>
+    </message>
+    <message>
+        <source>From the archive</source>
+        <translation>De l&apos;arxiu</translation>
+    </message>
+    <message>
+        <source>Fetch what is chosen and open it</source>
+        <translation>Obtén el que s&apos;ha triat i obre-ho</translation>
+    </message>
+    <message>
+        <source>Archive</source>
+        <translation>Arxiu</translation>
+    </message>
+    <message>
+        <source>The archive to search</source>
+        <translation>L&apos;arxiu on se cerca</translation>
+    </message>
+    <message>
+        <source>Add...</source>
+        <translation>Afegeix...</translation>
+    </message>
+    <message>
+        <source>Name another archive</source>
+        <translation>Anomena un altre arxiu</translation>
+    </message>
+    <message>
+        <source>Edit...</source>
+        <translation>Edita...</translation>
+    </message>
+    <message>
+        <source>Change the address and the titles of this archive</source>
+        <translation>Canvia l&apos;adreça i els títols d&apos;aquest arxiu</translation>
+    </message>
+    <message>
+        <source>Forget this archive and its password</source>
+        <translation>Oblida aquest arxiu i la seva contrasenya</translation>
+    </message>
+    <message>
+        <source>Test</source>
+        <translation>Prova</translation>
+    </message>
+    <message>
+        <source>Ask whether the archive answers</source>
+        <translation>Pregunta si l&apos;arxiu respon</translation>
+    </message>
+    <message>
+        <source>Any</source>
+        <translation>Qualsevol</translation>
+    </message>
+    <message>
+        <source>Only studies with images of this kind</source>
+        <translation>Només estudis amb imatges d&apos;aquest tipus</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>Cerca</translation>
+    </message>
+    <message>
+        <source>List the studies that match (Return)</source>
+        <translation>Llista els estudis que coincideixen (Retorn)</translation>
+    </message>
+    <message>
+        <source>Patient&apos;s name</source>
+        <translation>Nom del pacient</translation>
+    </message>
+    <message>
+        <source>Patient&apos;s number</source>
+        <translation>Número del pacient</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>Des de</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>Fins a</translation>
+    </message>
+    <message>
+        <source>Modality</source>
+        <translation>Modalitat</translation>
+    </message>
+    <message>
+        <source>YYYY-MM-DD</source>
+        <translation>AAAA-MM-DD</translation>
+    </message>
+    <message>
+        <source>Studies and series</source>
+        <translation>Estudis i sèries</translation>
+    </message>
+    <message>
+        <source>Description</source>
+        <translation>Descripció</translation>
+    </message>
+    <message>
+        <source>Images</source>
+        <translation>Imatges</translation>
+    </message>
+    <message>
+        <source>Stop; nothing incomplete is kept</source>
+        <translation>Atura; no es conserva res incomplet</translation>
+    </message>
+    <message>
+        <source>Cancelled. Nothing was kept.</source>
+        <translation>Cancel·lat. No s&apos;ha conservat res.</translation>
+    </message>
+    <message>
+        <source>No archive is named yet. Add one: its address, and for the classic services its title.</source>
+        <translation>Encara no hi ha cap arxiu. Afegiu-ne un: la seva adreça i, per als serveis clàssics, el seu títol.</translation>
+    </message>
+    <message>
+        <source>Remove the archive?</source>
+        <translation>Voleu eliminar l&apos;arxiu?</translation>
+    </message>
+    <message>
+        <source>Forget %1 and its password?</source>
+        <translation>Voleu oblidar %1 i la seva contrasenya?</translation>
+    </message>
+    <message>
+        <source>%1 answers.</source>
+        <translation>%1 respon.</translation>
+    </message>
+    <message>
+        <source>%1 is no day. Write it as 2024-03-01.</source>
+        <translation>%1 no és un dia. Escriviu-lo com a 2024-03-01.</translation>
+    </message>
+    <message>
+        <source>No study matches.</source>
+        <translation>Cap estudi no coincideix.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n studies. Open one to see its series.</source>
+        <translation>
+            <numerusform>%n estudi. Desplegueu-lo per veure&apos;n les sèries.</numerusform>
+            <numerusform>%n estudis. Desplegueu-ne un per veure&apos;n les sèries.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Series %1</source>
+        <translation>Sèrie %1</translation>
+    </message>
+    <message>
+        <source>This study has no series.</source>
+        <translation>Aquest estudi no té sèries.</translation>
+    </message>
+    <message>
+        <source>Open the study</source>
+        <translation>Obre l&apos;estudi</translation>
+    </message>
+</context>
+<context>
     <name>viscera::app::AxisPicker</name>
     <message>
         <source>Axes of the heart, from which segments count: set by clicks</source>
@@ -782,6 +978,125 @@ N: noms, H: tiradors, X: paret, R: restableix, T: clar o fosc, Inici: principi</
     </message>
 </context>
 <context>
+    <name>viscera::app::ConnectionDialog</name>
+    <message>
+        <source>Secure connection (TLS)</source>
+        <translation>Connexió segura (TLS)</translation>
+    </message>
+    <message>
+        <source>Add an archive</source>
+        <translation>Afegeix un arxiu</translation>
+    </message>
+    <message>
+        <source>Edit an archive</source>
+        <translation>Edita un arxiu</translation>
+    </message>
+    <message>
+        <source>DICOMweb</source>
+        <translation>DICOMweb</translation>
+    </message>
+    <message>
+        <source>Classic DICOM services (DIMSE)</source>
+        <translation>Serveis DICOM clàssics (DIMSE)</translation>
+    </message>
+    <message>
+        <source>The name under which you choose the archive</source>
+        <translation>El nom amb què trieu l&apos;arxiu</translation>
+    </message>
+    <message>
+        <source>Leave it empty where the archive asks for no password</source>
+        <translation>Deixeu-ho buit si l&apos;arxiu no demana contrasenya</translation>
+    </message>
+    <message>
+        <source>The title (AE title) of the archive, at most 16 characters</source>
+        <translation>El títol (AE title) de l&apos;arxiu, 16 caràcters com a màxim</translation>
+    </message>
+    <message>
+        <source>The title by which the archive knows this program</source>
+        <translation>El títol amb què l&apos;arxiu coneix aquest programa</translation>
+    </message>
+    <message>
+        <source>How long the archive may be silent</source>
+        <translation>Quant de temps pot callar l&apos;arxiu</translation>
+    </message>
+    <message>
+        <source>Address</source>
+        <translation>Adreça</translation>
+    </message>
+    <message>
+        <source>User</source>
+        <translation>Usuari</translation>
+    </message>
+    <message>
+        <source>Port</source>
+        <translation>Port</translation>
+    </message>
+    <message>
+        <source>Title of the archive</source>
+        <translation>Títol de l&apos;arxiu</translation>
+    </message>
+    <message>
+        <source>Title of this program</source>
+        <translation>Títol d&apos;aquest programa</translation>
+    </message>
+    <message>
+        <source>Trusted certificates</source>
+        <translation>Certificats de confiança</translation>
+    </message>
+    <message>
+        <source>Patience</source>
+        <translation>Paciència</translation>
+    </message>
+    <message>
+        <source>Those of the system</source>
+        <translation>Els del sistema</translation>
+    </message>
+    <message>
+        <source>A file with the certificate of the archive&apos;s issuer (.pem)</source>
+        <translation>Un fitxer amb el certificat de l&apos;emissor de l&apos;arxiu (.pem)</translation>
+    </message>
+    <message>
+        <source>Choose...</source>
+        <translation>Tria...</translation>
+    </message>
+    <message>
+        <source>Choose the file with the certificates</source>
+        <translation>Tria el fitxer amb els certificats</translation>
+    </message>
+    <message>
+        <source>Certificates (*.pem *.crt);;All files (*)</source>
+        <translation>Certificats (*.pem *.crt);;Tots els fitxers (*)</translation>
+    </message>
+    <message>
+        <source>Give the archive a name.</source>
+        <translation>Doneu un nom a l&apos;arxiu.</translation>
+    </message>
+    <message>
+        <source>Another archive has this name.</source>
+        <translation>Un altre arxiu té aquest nom.</translation>
+    </message>
+    <message>
+        <source>Type the address of the archive.</source>
+        <translation>Escriviu l&apos;adreça de l&apos;arxiu.</translation>
+    </message>
+    <message>
+        <source>The address of DICOMweb begins with http:// or https://.</source>
+        <translation>L&apos;adreça de DICOMweb comença per http:// o https://.</translation>
+    </message>
+    <message>
+        <source>The address holds no user and no password.</source>
+        <translation>L&apos;adreça no conté ni usuari ni contrasenya.</translation>
+    </message>
+    <message>
+        <source>A title has 1 to 16 plain characters.</source>
+        <translation>Un títol té d&apos;1 a 16 caràcters simples.</translation>
+    </message>
+    <message>
+        <source>Images travel readable for others in the network, and so does a password.</source>
+        <translation>Les imatges viatgen llegibles per a altres a la xarxa, i també una contrasenya.</translation>
+    </message>
+</context>
+<context>
     <name>viscera::app::ContourCorrector</name>
     <message>
         <source>Only contours of a motion that was found in images can be corrected.</source>
@@ -997,6 +1312,14 @@ N: noms, H: tiradors, X: paret, R: restableix, T: clar o fosc, Inici: principi</
         <source>Handles that you do not drag go to where the elastic energy of the organs&apos; tissue is least; locked handles hold it, else it moves as a whole. Locked volumes stay exact. The first drag takes about a second, the next ones a tenth of a second a step</source>
         <translation>Els tiradors que no arrossegueu van on l&apos;energia elàstica del teixit dels òrgans és mínima; els bloquejats el subjecten, si no es mou en bloc. Els volums bloquejats es mantenen exactes. El primer arrossegament triga aproximadament un segon, els següents una dècima de segon per pas</translation>
     </message>
+    <message>
+        <source>&amp;Beside elasticity</source>
+        <translation>&amp;Al costat de l’elasticitat</translation>
+    </message>
+    <message>
+        <source>Show the current organ as an elastic body that the moved handles grip, as a ghost, and colour the organ by the distance from it; the other handles hold it. It takes some seconds after each drag</source>
+        <translation>Mostra l’òrgan actual com un cos elàstic que agafen els tiradors moguts, com un fantasma, i acoloreix l’òrgan segons la distància a aquest; els altres tiradors el sostenen. Triga uns segons després de cada arrossegament</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::DeformPage</name>
@@ -1068,6 +1391,18 @@ N: noms, H: tiradors, X: paret, R: restableix, T: clar o fosc, Inici: principi</
         <source>all free handles</source>
         <translation>tots els lliures</translation>
     </message>
+    <message>
+        <source>Elasticity</source>
+        <translation>Elasticitat</translation>
+    </message>
+    <message>
+        <source>Median distance</source>
+        <translation>Distància mediana</translation>
+    </message>
+    <message>
+        <source>Largest distance</source>
+        <translation>Distància màxima</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::DifferenceMap</name>
@@ -1117,6 +1452,37 @@ N: noms, H: tiradors, X: paret, R: restableix, T: clar o fosc, Inici: principi</
     <message>
         <source>Move by</source>
         <translation>Mou</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::ElasticGhost</name>
+    <message>
+        <source>There is no organ to compare.</source>
+        <translation>No hi ha cap òrgan per comparar.</translation>
+    </message>
+    <message>
+        <source>Move a handle: at rest there is nothing to compare.</source>
+        <translation>Moveu un tirador: en repòs no hi ha res per comparar.</translation>
+    </message>
+    <message>
+        <source>The elastic organ is being computed.</source>
+        <translation>S’està calculant l’òrgan elàstic.</translation>
+    </message>
+    <message>
+        <source>Only an organ that follows the handles can be compared.</source>
+        <translation>Només es pot comparar un òrgan que segueix els tiradors.</translation>
+    </message>
+    <message>
+        <source>Elastic organ</source>
+        <translation>Òrgan elàstic</translation>
+    </message>
+    <message>
+        <source>The comparison was cancelled. Move a handle, or switch it off and on again.</source>
+        <translation>La comparació s’ha cancel·lat. Moveu un tirador, o desactiveu-la i torneu-la a activar.</translation>
+    </message>
+    <message>
+        <source>Distance from elasticity</source>
+        <translation>Distància a l’elasticitat</translation>
     </message>
 </context>
 <context>
@@ -1324,10 +1690,6 @@ N: noms, H: tiradors, X: paret, R: restableix, T: clar o fosc, Inici: principi</
     <message>
         <source>, %1 mm thick</source>
         <translation>, %1 mm de gruix</translation>
-    </message>
-    <message>
-        <source>Date</source>
-        <translation>Data</translation>
     </message>
     <message numerus="yes">
         <source>%n phases in %1 s</source>
@@ -3530,6 +3892,33 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
     </message>
 </context>
 <context>
+    <name>viscera::app::PasswordDialog</name>
+    <message>
+        <source>Keep it in the system&apos;s key ring</source>
+        <translation>Desa-la a l&apos;anell de claus del sistema</translation>
+    </message>
+    <message>
+        <source>Password</source>
+        <translation>Contrasenya</translation>
+    </message>
+    <message>
+        <source>Password of %1 at %2</source>
+        <translation>Contrasenya de %1 a %2</translation>
+    </message>
+    <message>
+        <source>Else Viscera asks again after the next start</source>
+        <translation>Si no, Viscera torna a preguntar després del pròxim inici</translation>
+    </message>
+    <message>
+        <source>There is no key ring; Viscera asks again after the next start</source>
+        <translation>No hi ha anell de claus; Viscera torna a preguntar després del pròxim inici</translation>
+    </message>
+    <message>
+        <source>The archive refuses the user name or the password.</source>
+        <translation>L&apos;arxiu rebutja el nom d&apos;usuari o la contrasenya.</translation>
+    </message>
+</context>
+<context>
     <name>viscera::app::PatientOffer</name>
     <message>
         <source>Searching beside %1</source>
@@ -4758,6 +5147,10 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
         <source>If you discard them, the changes since the last saving are lost.</source>
         <translation>Si els descarteu, es perden els canvis des de l’últim desament.</translation>
     </message>
+    <message>
+        <source>Fetch it from %1</source>
+        <translation>Obtén-ho de %1</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::SessionView</name>
@@ -5740,6 +6133,13 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
     <message>
         <source>Done</source>
         <translation>Fet</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::Value</name>
+    <message>
+        <source>No password was given.</source>
+        <translation>No s&apos;ha donat cap contrasenya.</translation>
     </message>
 </context>
 <context>

@@ -447,6 +447,202 @@ N: Namen, H: Griffe, X: Wand, R: zurück, T: hell oder dunkel, Pos1: Anfang</tra
     </message>
 </context>
 <context>
+    <name>viscera::app::ArchiveActions</name>
+    <message>
+        <source>From the &amp;archive...</source>
+        <translation>Aus dem &amp;Archiv...</translation>
+    </message>
+    <message>
+        <source>Search a hospital&apos;s archive (PACS) for a patient and open a series</source>
+        <translation>Im Archiv einer Klinik (PACS) einen Patienten suchen und eine Serie öffnen</translation>
+    </message>
+    <message>
+        <source>No archive is called %1 here. Add it, then open the session again.</source>
+        <translation>Kein Archiv heißt hier %1. Fügen Sie es hinzu, und öffnen Sie die Sitzung noch einmal.</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::ArchiveClient</name>
+    <message>
+        <source>Forgetting the password</source>
+        <translation>Passwort wird vergessen</translation>
+    </message>
+    <message>
+        <source>Testing %1</source>
+        <translation>%1 wird getestet</translation>
+    </message>
+    <message>
+        <source>Searching %1</source>
+        <translation>%1 wird durchsucht</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::ArchiveDialog</name>
+    <message>
+        <source>The beginning of the name; * stands for any letters</source>
+        <translation>Der Anfang des Namens; * steht für beliebige Buchstaben</translation>
+    </message>
+    <message>
+        <source>The beginning of the number of the patient</source>
+        <translation>Der Anfang der Nummer des Patienten</translation>
+    </message>
+    <message>
+        <source>The first day of the study, as 2024-03-01</source>
+        <translation>Der erste Tag der Studie, etwa 2024-03-01</translation>
+    </message>
+    <message>
+        <source>The last day of the study, as 2024-03-31</source>
+        <translation>Der letzte Tag der Studie, etwa 2024-03-31</translation>
+    </message>
+    <message>
+        <source>From the archive</source>
+        <translation>Aus dem Archiv</translation>
+    </message>
+    <message>
+        <source>Fetch what is chosen and open it</source>
+        <translation>Holen und öffnen, was gewählt ist</translation>
+    </message>
+    <message>
+        <source>Archive</source>
+        <translation>Archiv</translation>
+    </message>
+    <message>
+        <source>The archive to search</source>
+        <translation>Das Archiv, das durchsucht wird</translation>
+    </message>
+    <message>
+        <source>Add...</source>
+        <translation>Hinzufügen...</translation>
+    </message>
+    <message>
+        <source>Name another archive</source>
+        <translation>Ein weiteres Archiv nennen</translation>
+    </message>
+    <message>
+        <source>Edit...</source>
+        <translation>Bearbeiten...</translation>
+    </message>
+    <message>
+        <source>Change the address and the titles of this archive</source>
+        <translation>Adresse und Titel dieses Archivs ändern</translation>
+    </message>
+    <message>
+        <source>Forget this archive and its password</source>
+        <translation>Dieses Archiv und sein Passwort vergessen</translation>
+    </message>
+    <message>
+        <source>Test</source>
+        <translation>Testen</translation>
+    </message>
+    <message>
+        <source>Ask whether the archive answers</source>
+        <translation>Fragen, ob das Archiv antwortet</translation>
+    </message>
+    <message>
+        <source>Any</source>
+        <translation>Jede</translation>
+    </message>
+    <message>
+        <source>Only studies with images of this kind</source>
+        <translation>Nur Studien mit Bildern dieser Art</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>Suchen</translation>
+    </message>
+    <message>
+        <source>List the studies that match (Return)</source>
+        <translation>Die passenden Studien auflisten (Eingabetaste)</translation>
+    </message>
+    <message>
+        <source>Patient&apos;s name</source>
+        <translation>Name des Patienten</translation>
+    </message>
+    <message>
+        <source>Patient&apos;s number</source>
+        <translation>Nummer des Patienten</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>Von</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>Bis</translation>
+    </message>
+    <message>
+        <source>Modality</source>
+        <translation>Modalität</translation>
+    </message>
+    <message>
+        <source>YYYY-MM-DD</source>
+        <translation>JJJJ-MM-TT</translation>
+    </message>
+    <message>
+        <source>Studies and series</source>
+        <translation>Studien und Serien</translation>
+    </message>
+    <message>
+        <source>Description</source>
+        <translation>Beschreibung</translation>
+    </message>
+    <message>
+        <source>Images</source>
+        <translation>Bilder</translation>
+    </message>
+    <message>
+        <source>Stop; nothing incomplete is kept</source>
+        <translation>Anhalten; nichts Unvollständiges bleibt</translation>
+    </message>
+    <message>
+        <source>Cancelled. Nothing was kept.</source>
+        <translation>Abgebrochen. Nichts wurde behalten.</translation>
+    </message>
+    <message>
+        <source>No archive is named yet. Add one: its address, and for the classic services its title.</source>
+        <translation>Noch ist kein Archiv genannt. Fügen Sie eines hinzu: seine Adresse, und für die klassischen Dienste seinen Titel.</translation>
+    </message>
+    <message>
+        <source>Remove the archive?</source>
+        <translation>Archiv entfernen?</translation>
+    </message>
+    <message>
+        <source>Forget %1 and its password?</source>
+        <translation>%1 und sein Passwort vergessen?</translation>
+    </message>
+    <message>
+        <source>%1 answers.</source>
+        <translation>%1 antwortet.</translation>
+    </message>
+    <message>
+        <source>%1 is no day. Write it as 2024-03-01.</source>
+        <translation>%1 ist kein Tag. Schreiben Sie ihn als 2024-03-01.</translation>
+    </message>
+    <message>
+        <source>No study matches.</source>
+        <translation>Keine Studie passt.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n studies. Open one to see its series.</source>
+        <translation>
+            <numerusform>%n Studie. Klappen Sie sie auf, um ihre Serien zu sehen.</numerusform>
+            <numerusform>%n Studien. Klappen Sie eine auf, um ihre Serien zu sehen.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Series %1</source>
+        <translation>Serie %1</translation>
+    </message>
+    <message>
+        <source>This study has no series.</source>
+        <translation>Diese Studie hat keine Serien.</translation>
+    </message>
+    <message>
+        <source>Open the study</source>
+        <translation>Studie öffnen</translation>
+    </message>
+</context>
+<context>
     <name>viscera::app::AxisPicker</name>
     <message>
         <source>Axes of the heart, from which segments count: set by clicks</source>
@@ -782,6 +978,125 @@ N: Namen, H: Griffe, X: Wand, R: zurück, T: hell oder dunkel, Pos1: Anfang</tra
     </message>
 </context>
 <context>
+    <name>viscera::app::ConnectionDialog</name>
+    <message>
+        <source>Secure connection (TLS)</source>
+        <translation>Sichere Verbindung (TLS)</translation>
+    </message>
+    <message>
+        <source>Add an archive</source>
+        <translation>Archiv hinzufügen</translation>
+    </message>
+    <message>
+        <source>Edit an archive</source>
+        <translation>Archiv bearbeiten</translation>
+    </message>
+    <message>
+        <source>DICOMweb</source>
+        <translation>DICOMweb</translation>
+    </message>
+    <message>
+        <source>Classic DICOM services (DIMSE)</source>
+        <translation>Klassische DICOM-Dienste (DIMSE)</translation>
+    </message>
+    <message>
+        <source>The name under which you choose the archive</source>
+        <translation>Der Name, unter dem Sie das Archiv wählen</translation>
+    </message>
+    <message>
+        <source>Leave it empty where the archive asks for no password</source>
+        <translation>Leer lassen, wo das Archiv kein Passwort verlangt</translation>
+    </message>
+    <message>
+        <source>The title (AE title) of the archive, at most 16 characters</source>
+        <translation>Der Titel (AE Title) des Archivs, höchstens 16 Zeichen</translation>
+    </message>
+    <message>
+        <source>The title by which the archive knows this program</source>
+        <translation>Der Titel, unter dem das Archiv dieses Programm kennt</translation>
+    </message>
+    <message>
+        <source>How long the archive may be silent</source>
+        <translation>Wie lange das Archiv schweigen darf</translation>
+    </message>
+    <message>
+        <source>Address</source>
+        <translation>Adresse</translation>
+    </message>
+    <message>
+        <source>User</source>
+        <translation>Benutzer</translation>
+    </message>
+    <message>
+        <source>Port</source>
+        <translation>Port</translation>
+    </message>
+    <message>
+        <source>Title of the archive</source>
+        <translation>Titel des Archivs</translation>
+    </message>
+    <message>
+        <source>Title of this program</source>
+        <translation>Titel dieses Programms</translation>
+    </message>
+    <message>
+        <source>Trusted certificates</source>
+        <translation>Vertraute Zertifikate</translation>
+    </message>
+    <message>
+        <source>Patience</source>
+        <translation>Geduld</translation>
+    </message>
+    <message>
+        <source>Those of the system</source>
+        <translation>Die des Systems</translation>
+    </message>
+    <message>
+        <source>A file with the certificate of the archive&apos;s issuer (.pem)</source>
+        <translation>Eine Datei mit dem Zertifikat des Ausstellers des Archivs (.pem)</translation>
+    </message>
+    <message>
+        <source>Choose...</source>
+        <translation>Wählen...</translation>
+    </message>
+    <message>
+        <source>Choose the file with the certificates</source>
+        <translation>Die Datei mit den Zertifikaten wählen</translation>
+    </message>
+    <message>
+        <source>Certificates (*.pem *.crt);;All files (*)</source>
+        <translation>Zertifikate (*.pem *.crt);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Give the archive a name.</source>
+        <translation>Geben Sie dem Archiv einen Namen.</translation>
+    </message>
+    <message>
+        <source>Another archive has this name.</source>
+        <translation>Ein anderes Archiv heißt so.</translation>
+    </message>
+    <message>
+        <source>Type the address of the archive.</source>
+        <translation>Geben Sie die Adresse des Archivs ein.</translation>
+    </message>
+    <message>
+        <source>The address of DICOMweb begins with http:// or https://.</source>
+        <translation>Die Adresse von DICOMweb beginnt mit http:// oder https://.</translation>
+    </message>
+    <message>
+        <source>The address holds no user and no password.</source>
+        <translation>Die Adresse enthält weder Benutzer noch Passwort.</translation>
+    </message>
+    <message>
+        <source>A title has 1 to 16 plain characters.</source>
+        <translation>Ein Titel hat 1 bis 16 einfache Zeichen.</translation>
+    </message>
+    <message>
+        <source>Images travel readable for others in the network, and so does a password.</source>
+        <translation>Bilder sind unterwegs für andere im Netz lesbar, ein Passwort auch.</translation>
+    </message>
+</context>
+<context>
     <name>viscera::app::ContourCorrector</name>
     <message>
         <source>Only contours of a motion that was found in images can be corrected.</source>
@@ -997,6 +1312,14 @@ N: Namen, H: Griffe, X: Wand, R: zurück, T: hell oder dunkel, Pos1: Anfang</tra
         <source>Handles that you do not drag go to where the elastic energy of the organs&apos; tissue is least; locked handles hold it, else it moves as a whole. Locked volumes stay exact. The first drag takes about a second, the next ones a tenth of a second a step</source>
         <translation>Griffe, die Sie nicht ziehen, gehen dorthin, wo die elastische Energie des Gewebes der Organe am kleinsten ist; gesperrte Griffe halten es fest, sonst bewegt es sich als Ganzes. Gesperrte Volumen bleiben exakt. Der erste Zug dauert etwa eine Sekunde, die nächsten eine Zehntelsekunde je Schritt</translation>
     </message>
+    <message>
+        <source>&amp;Beside elasticity</source>
+        <translation>&amp;Neben der Elastizität</translation>
+    </message>
+    <message>
+        <source>Show the current organ as an elastic body that the moved handles grip, as a ghost, and colour the organ by the distance from it; the other handles hold it. It takes some seconds after each drag</source>
+        <translation>Zeigt das aktuelle Organ als elastischen Körper, den die bewegten Griffe fassen, als Geisterbild und färbt das Organ nach dem Abstand davon; die anderen Griffe halten es. Das dauert nach jedem Ziehen einige Sekunden</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::DeformPage</name>
@@ -1068,6 +1391,18 @@ N: Namen, H: Griffe, X: Wand, R: zurück, T: hell oder dunkel, Pos1: Anfang</tra
         <source>all free handles</source>
         <translation>alle freien Griffe</translation>
     </message>
+    <message>
+        <source>Elasticity</source>
+        <translation>Elastizität</translation>
+    </message>
+    <message>
+        <source>Median distance</source>
+        <translation>Mittlerer Abstand (Median)</translation>
+    </message>
+    <message>
+        <source>Largest distance</source>
+        <translation>Größter Abstand</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::DifferenceMap</name>
@@ -1117,6 +1452,37 @@ N: Namen, H: Griffe, X: Wand, R: zurück, T: hell oder dunkel, Pos1: Anfang</tra
     <message>
         <source>Move by</source>
         <translation>Verschieben um</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::ElasticGhost</name>
+    <message>
+        <source>There is no organ to compare.</source>
+        <translation>Es gibt kein Organ zum Vergleichen.</translation>
+    </message>
+    <message>
+        <source>Move a handle: at rest there is nothing to compare.</source>
+        <translation>Bewegen Sie einen Griff: in Ruhe gibt es nichts zu vergleichen.</translation>
+    </message>
+    <message>
+        <source>The elastic organ is being computed.</source>
+        <translation>Das elastische Organ wird berechnet.</translation>
+    </message>
+    <message>
+        <source>Only an organ that follows the handles can be compared.</source>
+        <translation>Nur ein Organ, das den Griffen folgt, kann verglichen werden.</translation>
+    </message>
+    <message>
+        <source>Elastic organ</source>
+        <translation>Elastisches Organ</translation>
+    </message>
+    <message>
+        <source>The comparison was cancelled. Move a handle, or switch it off and on again.</source>
+        <translation>Der Vergleich wurde abgebrochen. Bewegen Sie einen Griff, oder schalten Sie ihn aus und wieder ein.</translation>
+    </message>
+    <message>
+        <source>Distance from elasticity</source>
+        <translation>Abstand von der Elastizität</translation>
     </message>
 </context>
 <context>
@@ -1324,10 +1690,6 @@ N: Namen, H: Griffe, X: Wand, R: zurück, T: hell oder dunkel, Pos1: Anfang</tra
     <message>
         <source>, %1 mm thick</source>
         <translation>, %1 mm dick</translation>
-    </message>
-    <message>
-        <source>Date</source>
-        <translation>Datum</translation>
     </message>
     <message numerus="yes">
         <source>%n phases in %1 s</source>
@@ -3530,6 +3892,33 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
     </message>
 </context>
 <context>
+    <name>viscera::app::PasswordDialog</name>
+    <message>
+        <source>Keep it in the system&apos;s key ring</source>
+        <translation>Im Schlüsselbund des Systems behalten</translation>
+    </message>
+    <message>
+        <source>Password</source>
+        <translation>Passwort</translation>
+    </message>
+    <message>
+        <source>Password of %1 at %2</source>
+        <translation>Passwort von %1 bei %2</translation>
+    </message>
+    <message>
+        <source>Else Viscera asks again after the next start</source>
+        <translation>Sonst fragt Viscera nach dem nächsten Start wieder</translation>
+    </message>
+    <message>
+        <source>There is no key ring; Viscera asks again after the next start</source>
+        <translation>Es gibt keinen Schlüsselbund; Viscera fragt nach dem nächsten Start wieder</translation>
+    </message>
+    <message>
+        <source>The archive refuses the user name or the password.</source>
+        <translation>Das Archiv lehnt Benutzername oder Passwort ab.</translation>
+    </message>
+</context>
+<context>
     <name>viscera::app::PatientOffer</name>
     <message>
         <source>Searching beside %1</source>
@@ -4758,6 +5147,10 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
         <source>If you discard them, the changes since the last saving are lost.</source>
         <translation>Verwerfen Sie sie, so gehen die Änderungen seit dem letzten Speichern verloren.</translation>
     </message>
+    <message>
+        <source>Fetch it from %1</source>
+        <translation>Von %1 holen</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::SessionView</name>
@@ -5740,6 +6133,13 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
     <message>
         <source>Done</source>
         <translation>Fertig</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::Value</name>
+    <message>
+        <source>No password was given.</source>
+        <translation>Kein Passwort wurde eingegeben.</translation>
     </message>
 </context>
 <context>

@@ -2,6 +2,16 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="en" sourcelanguage="en">
 <context>
+    <name>viscera::app::ArchiveDialog</name>
+    <message numerus="yes">
+        <source>%n studies. Open one to see its series.</source>
+        <translation>
+            <numerusform>%n study. Open it to see its series.</numerusform>
+            <numerusform>%n studies. Open one to see its series.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>viscera::app::BindingMessages</name>
     <message numerus="yes">
         <source>%n vertices of %1 have no coordinates in the cage.</source>

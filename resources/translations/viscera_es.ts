@@ -447,6 +447,202 @@ N: nombres, H: tiradores, X: pared, R: restablecer, T: claro u oscuro, Inicio: p
     </message>
 </context>
 <context>
+    <name>viscera::app::ArchiveActions</name>
+    <message>
+        <source>From the &amp;archive...</source>
+        <translation>Del &amp;archivo de imágenes...</translation>
+    </message>
+    <message>
+        <source>Search a hospital&apos;s archive (PACS) for a patient and open a series</source>
+        <translation>Buscar un paciente en el archivo de imágenes de un hospital (PACS) y abrir una serie</translation>
+    </message>
+    <message>
+        <source>No archive is called %1 here. Add it, then open the session again.</source>
+        <translation>Ningún archivo de imágenes se llama %1 aquí. Añádalo y abra la sesión de nuevo.</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::ArchiveClient</name>
+    <message>
+        <source>Forgetting the password</source>
+        <translation>Olvidando la contraseña</translation>
+    </message>
+    <message>
+        <source>Testing %1</source>
+        <translation>Probando %1</translation>
+    </message>
+    <message>
+        <source>Searching %1</source>
+        <translation>Buscando en %1</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::ArchiveDialog</name>
+    <message>
+        <source>The beginning of the name; * stands for any letters</source>
+        <translation>El principio del nombre; * vale por letras cualesquiera</translation>
+    </message>
+    <message>
+        <source>The beginning of the number of the patient</source>
+        <translation>El principio del número del paciente</translation>
+    </message>
+    <message>
+        <source>The first day of the study, as 2024-03-01</source>
+        <translation>El primer día del estudio, como 2024-03-01</translation>
+    </message>
+    <message>
+        <source>The last day of the study, as 2024-03-31</source>
+        <translation>El último día del estudio, como 2024-03-31</translation>
+    </message>
+    <message>
+        <source>From the archive</source>
+        <translation>Del archivo de imágenes</translation>
+    </message>
+    <message>
+        <source>Fetch what is chosen and open it</source>
+        <translation>Traer lo elegido y abrirlo</translation>
+    </message>
+    <message>
+        <source>Archive</source>
+        <translation>Archivo de imágenes</translation>
+    </message>
+    <message>
+        <source>The archive to search</source>
+        <translation>El archivo de imágenes en el que buscar</translation>
+    </message>
+    <message>
+        <source>Add...</source>
+        <translation>Añadir...</translation>
+    </message>
+    <message>
+        <source>Name another archive</source>
+        <translation>Nombrar otro archivo de imágenes</translation>
+    </message>
+    <message>
+        <source>Edit...</source>
+        <translation>Editar...</translation>
+    </message>
+    <message>
+        <source>Change the address and the titles of this archive</source>
+        <translation>Cambiar la dirección y los títulos de este archivo de imágenes</translation>
+    </message>
+    <message>
+        <source>Forget this archive and its password</source>
+        <translation>Olvidar este archivo de imágenes y su contraseña</translation>
+    </message>
+    <message>
+        <source>Test</source>
+        <translation>Probar</translation>
+    </message>
+    <message>
+        <source>Ask whether the archive answers</source>
+        <translation>Preguntar si el archivo de imágenes responde</translation>
+    </message>
+    <message>
+        <source>Any</source>
+        <translation>Cualquiera</translation>
+    </message>
+    <message>
+        <source>Only studies with images of this kind</source>
+        <translation>Solo estudios con imágenes de este tipo</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>Buscar</translation>
+    </message>
+    <message>
+        <source>List the studies that match (Return)</source>
+        <translation>Listar los estudios que coinciden (Intro)</translation>
+    </message>
+    <message>
+        <source>Patient&apos;s name</source>
+        <translation>Nombre del paciente</translation>
+    </message>
+    <message>
+        <source>Patient&apos;s number</source>
+        <translation>Número del paciente</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>Desde</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>Hasta</translation>
+    </message>
+    <message>
+        <source>Modality</source>
+        <translation>Modalidad</translation>
+    </message>
+    <message>
+        <source>YYYY-MM-DD</source>
+        <translation>AAAA-MM-DD</translation>
+    </message>
+    <message>
+        <source>Studies and series</source>
+        <translation>Estudios y series</translation>
+    </message>
+    <message>
+        <source>Description</source>
+        <translation>Descripción</translation>
+    </message>
+    <message>
+        <source>Images</source>
+        <translation>Imágenes</translation>
+    </message>
+    <message>
+        <source>Stop; nothing incomplete is kept</source>
+        <translation>Parar; no se guarda nada incompleto</translation>
+    </message>
+    <message>
+        <source>Cancelled. Nothing was kept.</source>
+        <translation>Cancelado. No se ha guardado nada.</translation>
+    </message>
+    <message>
+        <source>No archive is named yet. Add one: its address, and for the classic services its title.</source>
+        <translation>Aún no hay ningún archivo de imágenes. Añada uno: su dirección y, para los servicios clásicos, su título.</translation>
+    </message>
+    <message>
+        <source>Remove the archive?</source>
+        <translation>¿Quitar el archivo de imágenes?</translation>
+    </message>
+    <message>
+        <source>Forget %1 and its password?</source>
+        <translation>¿Olvidar %1 y su contraseña?</translation>
+    </message>
+    <message>
+        <source>%1 answers.</source>
+        <translation>%1 responde.</translation>
+    </message>
+    <message>
+        <source>%1 is no day. Write it as 2024-03-01.</source>
+        <translation>%1 no es un día. Escríbalo como 2024-03-01.</translation>
+    </message>
+    <message>
+        <source>No study matches.</source>
+        <translation>Ningún estudio coincide.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n studies. Open one to see its series.</source>
+        <translation>
+            <numerusform>%n estudio. Despliéguelo para ver sus series.</numerusform>
+            <numerusform>%n estudios. Despliegue uno para ver sus series.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Series %1</source>
+        <translation>Serie %1</translation>
+    </message>
+    <message>
+        <source>This study has no series.</source>
+        <translation>Este estudio no tiene series.</translation>
+    </message>
+    <message>
+        <source>Open the study</source>
+        <translation>Abrir el estudio</translation>
+    </message>
+</context>
+<context>
     <name>viscera::app::AxisPicker</name>
     <message>
         <source>Axes of the heart, from which segments count: set by clicks</source>
@@ -782,6 +978,125 @@ N: nombres, H: tiradores, X: pared, R: restablecer, T: claro u oscuro, Inicio: p
     </message>
 </context>
 <context>
+    <name>viscera::app::ConnectionDialog</name>
+    <message>
+        <source>Secure connection (TLS)</source>
+        <translation>Conexión segura (TLS)</translation>
+    </message>
+    <message>
+        <source>Add an archive</source>
+        <translation>Añadir un archivo de imágenes</translation>
+    </message>
+    <message>
+        <source>Edit an archive</source>
+        <translation>Editar un archivo de imágenes</translation>
+    </message>
+    <message>
+        <source>DICOMweb</source>
+        <translation>DICOMweb</translation>
+    </message>
+    <message>
+        <source>Classic DICOM services (DIMSE)</source>
+        <translation>Servicios DICOM clásicos (DIMSE)</translation>
+    </message>
+    <message>
+        <source>The name under which you choose the archive</source>
+        <translation>El nombre con el que se elige el archivo de imágenes</translation>
+    </message>
+    <message>
+        <source>Leave it empty where the archive asks for no password</source>
+        <translation>Déjelo vacío si el archivo de imágenes no pide contraseña</translation>
+    </message>
+    <message>
+        <source>The title (AE title) of the archive, at most 16 characters</source>
+        <translation>El título (AE title) del archivo de imágenes, 16 caracteres como máximo</translation>
+    </message>
+    <message>
+        <source>The title by which the archive knows this program</source>
+        <translation>El título con el que el archivo de imágenes conoce este programa</translation>
+    </message>
+    <message>
+        <source>How long the archive may be silent</source>
+        <translation>Cuánto tiempo puede callar el archivo de imágenes</translation>
+    </message>
+    <message>
+        <source>Address</source>
+        <translation>Dirección</translation>
+    </message>
+    <message>
+        <source>User</source>
+        <translation>Usuario</translation>
+    </message>
+    <message>
+        <source>Port</source>
+        <translation>Puerto</translation>
+    </message>
+    <message>
+        <source>Title of the archive</source>
+        <translation>Título del archivo de imágenes</translation>
+    </message>
+    <message>
+        <source>Title of this program</source>
+        <translation>Título de este programa</translation>
+    </message>
+    <message>
+        <source>Trusted certificates</source>
+        <translation>Certificados de confianza</translation>
+    </message>
+    <message>
+        <source>Patience</source>
+        <translation>Paciencia</translation>
+    </message>
+    <message>
+        <source>Those of the system</source>
+        <translation>Los del sistema</translation>
+    </message>
+    <message>
+        <source>A file with the certificate of the archive&apos;s issuer (.pem)</source>
+        <translation>Un archivo con el certificado del emisor del archivo de imágenes (.pem)</translation>
+    </message>
+    <message>
+        <source>Choose...</source>
+        <translation>Elegir...</translation>
+    </message>
+    <message>
+        <source>Choose the file with the certificates</source>
+        <translation>Elegir el archivo con los certificados</translation>
+    </message>
+    <message>
+        <source>Certificates (*.pem *.crt);;All files (*)</source>
+        <translation>Certificados (*.pem *.crt);;Todos los archivos (*)</translation>
+    </message>
+    <message>
+        <source>Give the archive a name.</source>
+        <translation>Dé un nombre al archivo de imágenes.</translation>
+    </message>
+    <message>
+        <source>Another archive has this name.</source>
+        <translation>Otro archivo de imágenes tiene este nombre.</translation>
+    </message>
+    <message>
+        <source>Type the address of the archive.</source>
+        <translation>Escriba la dirección del archivo de imágenes.</translation>
+    </message>
+    <message>
+        <source>The address of DICOMweb begins with http:// or https://.</source>
+        <translation>La dirección de DICOMweb empieza por http:// o https://.</translation>
+    </message>
+    <message>
+        <source>The address holds no user and no password.</source>
+        <translation>La dirección no contiene usuario ni contraseña.</translation>
+    </message>
+    <message>
+        <source>A title has 1 to 16 plain characters.</source>
+        <translation>Un título tiene de 1 a 16 caracteres simples.</translation>
+    </message>
+    <message>
+        <source>Images travel readable for others in the network, and so does a password.</source>
+        <translation>Las imágenes viajan legibles para otros en la red, y también una contraseña.</translation>
+    </message>
+</context>
+<context>
     <name>viscera::app::ContourCorrector</name>
     <message>
         <source>Only contours of a motion that was found in images can be corrected.</source>
@@ -997,6 +1312,14 @@ N: nombres, H: tiradores, X: pared, R: restablecer, T: claro u oscuro, Inicio: p
         <source>Handles that you do not drag go to where the elastic energy of the organs&apos; tissue is least; locked handles hold it, else it moves as a whole. Locked volumes stay exact. The first drag takes about a second, the next ones a tenth of a second a step</source>
         <translation>Los tiradores que no arrastra van adonde la energía elástica del tejido de los órganos es mínima; los bloqueados lo sujetan, si no se mueve en bloque. Los volúmenes bloqueados se mantienen exactos. El primer arrastre tarda alrededor de un segundo, los siguientes una décima de segundo por paso</translation>
     </message>
+    <message>
+        <source>&amp;Beside elasticity</source>
+        <translation>&amp;Junto a la elasticidad</translation>
+    </message>
+    <message>
+        <source>Show the current organ as an elastic body that the moved handles grip, as a ghost, and colour the organ by the distance from it; the other handles hold it. It takes some seconds after each drag</source>
+        <translation>Muestra el órgano actual como un cuerpo elástico que sujetan los tiradores movidos, como un fantasma, y colorea el órgano según la distancia a él; los demás tiradores lo sostienen. Tarda unos segundos tras cada arrastre</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::DeformPage</name>
@@ -1068,6 +1391,18 @@ N: nombres, H: tiradores, X: pared, R: restablecer, T: claro u oscuro, Inicio: p
         <source>all free handles</source>
         <translation>todos los libres</translation>
     </message>
+    <message>
+        <source>Elasticity</source>
+        <translation>Elasticidad</translation>
+    </message>
+    <message>
+        <source>Median distance</source>
+        <translation>Distancia mediana</translation>
+    </message>
+    <message>
+        <source>Largest distance</source>
+        <translation>Distancia máxima</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::DifferenceMap</name>
@@ -1117,6 +1452,37 @@ N: nombres, H: tiradores, X: pared, R: restablecer, T: claro u oscuro, Inicio: p
     <message>
         <source>Move by</source>
         <translation>Mover</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::ElasticGhost</name>
+    <message>
+        <source>There is no organ to compare.</source>
+        <translation>No hay ningún órgano que comparar.</translation>
+    </message>
+    <message>
+        <source>Move a handle: at rest there is nothing to compare.</source>
+        <translation>Mueva un tirador: en reposo no hay nada que comparar.</translation>
+    </message>
+    <message>
+        <source>The elastic organ is being computed.</source>
+        <translation>Se está calculando el órgano elástico.</translation>
+    </message>
+    <message>
+        <source>Only an organ that follows the handles can be compared.</source>
+        <translation>Solo se puede comparar un órgano que sigue los tiradores.</translation>
+    </message>
+    <message>
+        <source>Elastic organ</source>
+        <translation>Órgano elástico</translation>
+    </message>
+    <message>
+        <source>The comparison was cancelled. Move a handle, or switch it off and on again.</source>
+        <translation>La comparación se canceló. Mueva un tirador, o desactívela y vuelva a activarla.</translation>
+    </message>
+    <message>
+        <source>Distance from elasticity</source>
+        <translation>Distancia a la elasticidad</translation>
     </message>
 </context>
 <context>
@@ -1324,10 +1690,6 @@ N: nombres, H: tiradores, X: pared, R: restablecer, T: claro u oscuro, Inicio: p
     <message>
         <source>, %1 mm thick</source>
         <translation>, %1 mm de grosor</translation>
-    </message>
-    <message>
-        <source>Date</source>
-        <translation>Fecha</translation>
     </message>
     <message numerus="yes">
         <source>%n phases in %1 s</source>
@@ -3530,6 +3892,33 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
     </message>
 </context>
 <context>
+    <name>viscera::app::PasswordDialog</name>
+    <message>
+        <source>Keep it in the system&apos;s key ring</source>
+        <translation>Guardarla en el depósito de claves del sistema</translation>
+    </message>
+    <message>
+        <source>Password</source>
+        <translation>Contraseña</translation>
+    </message>
+    <message>
+        <source>Password of %1 at %2</source>
+        <translation>Contraseña de %1 en %2</translation>
+    </message>
+    <message>
+        <source>Else Viscera asks again after the next start</source>
+        <translation>Si no, Viscera vuelve a preguntar tras el próximo inicio</translation>
+    </message>
+    <message>
+        <source>There is no key ring; Viscera asks again after the next start</source>
+        <translation>No hay depósito de claves; Viscera vuelve a preguntar tras el próximo inicio</translation>
+    </message>
+    <message>
+        <source>The archive refuses the user name or the password.</source>
+        <translation>El archivo de imágenes rechaza el usuario o la contraseña.</translation>
+    </message>
+</context>
+<context>
     <name>viscera::app::PatientOffer</name>
     <message>
         <source>Searching beside %1</source>
@@ -4758,6 +5147,10 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
         <source>If you discard them, the changes since the last saving are lost.</source>
         <translation>Si los descarta, se pierden los cambios desde el último guardado.</translation>
     </message>
+    <message>
+        <source>Fetch it from %1</source>
+        <translation>Traer de %1</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::SessionView</name>
@@ -5740,6 +6133,13 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
     <message>
         <source>Done</source>
         <translation>Listo</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::Value</name>
+    <message>
+        <source>No password was given.</source>
+        <translation>No se ha dado ninguna contraseña.</translation>
     </message>
 </context>
 <context>

@@ -447,6 +447,202 @@ N&#xa0;: noms, H&#xa0;: poignées, X&#xa0;: paroi, R&#xa0;: rétablir, T&#xa0;: 
     </message>
 </context>
 <context>
+    <name>viscera::app::ArchiveActions</name>
+    <message>
+        <source>From the &amp;archive...</source>
+        <translation>Depuis l&apos;&amp;archive...</translation>
+    </message>
+    <message>
+        <source>Search a hospital&apos;s archive (PACS) for a patient and open a series</source>
+        <translation>Chercher un patient dans l&apos;archive d&apos;un hôpital (PACS) et ouvrir une série</translation>
+    </message>
+    <message>
+        <source>No archive is called %1 here. Add it, then open the session again.</source>
+        <translation>Aucune archive ne s&apos;appelle %1 ici. Ajoutez-la, puis rouvrez la session.</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::ArchiveClient</name>
+    <message>
+        <source>Forgetting the password</source>
+        <translation>Oubli du mot de passe</translation>
+    </message>
+    <message>
+        <source>Testing %1</source>
+        <translation>Test de %1</translation>
+    </message>
+    <message>
+        <source>Searching %1</source>
+        <translation>Recherche dans %1</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::ArchiveDialog</name>
+    <message>
+        <source>The beginning of the name; * stands for any letters</source>
+        <translation>Le début du nom ; * remplace des lettres quelconques</translation>
+    </message>
+    <message>
+        <source>The beginning of the number of the patient</source>
+        <translation>Le début du numéro du patient</translation>
+    </message>
+    <message>
+        <source>The first day of the study, as 2024-03-01</source>
+        <translation>Le premier jour de l&apos;étude, comme 2024-03-01</translation>
+    </message>
+    <message>
+        <source>The last day of the study, as 2024-03-31</source>
+        <translation>Le dernier jour de l&apos;étude, comme 2024-03-31</translation>
+    </message>
+    <message>
+        <source>From the archive</source>
+        <translation>Depuis l&apos;archive</translation>
+    </message>
+    <message>
+        <source>Fetch what is chosen and open it</source>
+        <translation>Récupérer ce qui est choisi et l&apos;ouvrir</translation>
+    </message>
+    <message>
+        <source>Archive</source>
+        <translation>Archive</translation>
+    </message>
+    <message>
+        <source>The archive to search</source>
+        <translation>L&apos;archive où chercher</translation>
+    </message>
+    <message>
+        <source>Add...</source>
+        <translation>Ajouter...</translation>
+    </message>
+    <message>
+        <source>Name another archive</source>
+        <translation>Nommer une autre archive</translation>
+    </message>
+    <message>
+        <source>Edit...</source>
+        <translation>Modifier...</translation>
+    </message>
+    <message>
+        <source>Change the address and the titles of this archive</source>
+        <translation>Modifier l&apos;adresse et les titres de cette archive</translation>
+    </message>
+    <message>
+        <source>Forget this archive and its password</source>
+        <translation>Oublier cette archive et son mot de passe</translation>
+    </message>
+    <message>
+        <source>Test</source>
+        <translation>Tester</translation>
+    </message>
+    <message>
+        <source>Ask whether the archive answers</source>
+        <translation>Demander si l&apos;archive répond</translation>
+    </message>
+    <message>
+        <source>Any</source>
+        <translation>Toutes</translation>
+    </message>
+    <message>
+        <source>Only studies with images of this kind</source>
+        <translation>Seulement les études avec des images de ce type</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>Rechercher</translation>
+    </message>
+    <message>
+        <source>List the studies that match (Return)</source>
+        <translation>Lister les études qui correspondent (Entrée)</translation>
+    </message>
+    <message>
+        <source>Patient&apos;s name</source>
+        <translation>Nom du patient</translation>
+    </message>
+    <message>
+        <source>Patient&apos;s number</source>
+        <translation>Numéro du patient</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>Du</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>Au</translation>
+    </message>
+    <message>
+        <source>Modality</source>
+        <translation>Modalité</translation>
+    </message>
+    <message>
+        <source>YYYY-MM-DD</source>
+        <translation>AAAA-MM-JJ</translation>
+    </message>
+    <message>
+        <source>Studies and series</source>
+        <translation>Études et séries</translation>
+    </message>
+    <message>
+        <source>Description</source>
+        <translation>Description</translation>
+    </message>
+    <message>
+        <source>Images</source>
+        <translation>Images</translation>
+    </message>
+    <message>
+        <source>Stop; nothing incomplete is kept</source>
+        <translation>Arrêter ; rien d&apos;incomplet n&apos;est conservé</translation>
+    </message>
+    <message>
+        <source>Cancelled. Nothing was kept.</source>
+        <translation>Annulé. Rien n&apos;a été conservé.</translation>
+    </message>
+    <message>
+        <source>No archive is named yet. Add one: its address, and for the classic services its title.</source>
+        <translation>Aucune archive n&apos;est encore nommée. Ajoutez-en une : son adresse, et son titre pour les services classiques.</translation>
+    </message>
+    <message>
+        <source>Remove the archive?</source>
+        <translation>Retirer l&apos;archive ?</translation>
+    </message>
+    <message>
+        <source>Forget %1 and its password?</source>
+        <translation>Oublier %1 et son mot de passe ?</translation>
+    </message>
+    <message>
+        <source>%1 answers.</source>
+        <translation>%1 répond.</translation>
+    </message>
+    <message>
+        <source>%1 is no day. Write it as 2024-03-01.</source>
+        <translation>%1 n&apos;est pas un jour. Écrivez-le sous la forme 2024-03-01.</translation>
+    </message>
+    <message>
+        <source>No study matches.</source>
+        <translation>Aucune étude ne correspond.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n studies. Open one to see its series.</source>
+        <translation>
+            <numerusform>%n étude. Dépliez-la pour voir ses séries.</numerusform>
+            <numerusform>%n études. Dépliez-en une pour voir ses séries.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Series %1</source>
+        <translation>Série %1</translation>
+    </message>
+    <message>
+        <source>This study has no series.</source>
+        <translation>Cette étude n&apos;a pas de série.</translation>
+    </message>
+    <message>
+        <source>Open the study</source>
+        <translation>Ouvrir l&apos;étude</translation>
+    </message>
+</context>
+<context>
     <name>viscera::app::AxisPicker</name>
     <message>
         <source>Axes of the heart, from which segments count: set by clicks</source>
@@ -782,6 +978,125 @@ N&#xa0;: noms, H&#xa0;: poignées, X&#xa0;: paroi, R&#xa0;: rétablir, T&#xa0;: 
     </message>
 </context>
 <context>
+    <name>viscera::app::ConnectionDialog</name>
+    <message>
+        <source>Secure connection (TLS)</source>
+        <translation>Connexion sécurisée (TLS)</translation>
+    </message>
+    <message>
+        <source>Add an archive</source>
+        <translation>Ajouter une archive</translation>
+    </message>
+    <message>
+        <source>Edit an archive</source>
+        <translation>Modifier une archive</translation>
+    </message>
+    <message>
+        <source>DICOMweb</source>
+        <translation>DICOMweb</translation>
+    </message>
+    <message>
+        <source>Classic DICOM services (DIMSE)</source>
+        <translation>Services DICOM classiques (DIMSE)</translation>
+    </message>
+    <message>
+        <source>The name under which you choose the archive</source>
+        <translation>Le nom sous lequel vous choisissez l&apos;archive</translation>
+    </message>
+    <message>
+        <source>Leave it empty where the archive asks for no password</source>
+        <translation>À laisser vide si l&apos;archive ne demande pas de mot de passe</translation>
+    </message>
+    <message>
+        <source>The title (AE title) of the archive, at most 16 characters</source>
+        <translation>Le titre (AE title) de l&apos;archive, 16 caractères au plus</translation>
+    </message>
+    <message>
+        <source>The title by which the archive knows this program</source>
+        <translation>Le titre sous lequel l&apos;archive connaît ce programme</translation>
+    </message>
+    <message>
+        <source>How long the archive may be silent</source>
+        <translation>Combien de temps l&apos;archive peut se taire</translation>
+    </message>
+    <message>
+        <source>Address</source>
+        <translation>Adresse</translation>
+    </message>
+    <message>
+        <source>User</source>
+        <translation>Utilisateur</translation>
+    </message>
+    <message>
+        <source>Port</source>
+        <translation>Port</translation>
+    </message>
+    <message>
+        <source>Title of the archive</source>
+        <translation>Titre de l&apos;archive</translation>
+    </message>
+    <message>
+        <source>Title of this program</source>
+        <translation>Titre de ce programme</translation>
+    </message>
+    <message>
+        <source>Trusted certificates</source>
+        <translation>Certificats de confiance</translation>
+    </message>
+    <message>
+        <source>Patience</source>
+        <translation>Patience</translation>
+    </message>
+    <message>
+        <source>Those of the system</source>
+        <translation>Ceux du système</translation>
+    </message>
+    <message>
+        <source>A file with the certificate of the archive&apos;s issuer (.pem)</source>
+        <translation>Un fichier avec le certificat de l&apos;émetteur de l&apos;archive (.pem)</translation>
+    </message>
+    <message>
+        <source>Choose...</source>
+        <translation>Choisir...</translation>
+    </message>
+    <message>
+        <source>Choose the file with the certificates</source>
+        <translation>Choisir le fichier des certificats</translation>
+    </message>
+    <message>
+        <source>Certificates (*.pem *.crt);;All files (*)</source>
+        <translation>Certificats (*.pem *.crt);;Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>Give the archive a name.</source>
+        <translation>Donnez un nom à l&apos;archive.</translation>
+    </message>
+    <message>
+        <source>Another archive has this name.</source>
+        <translation>Une autre archive porte ce nom.</translation>
+    </message>
+    <message>
+        <source>Type the address of the archive.</source>
+        <translation>Saisissez l&apos;adresse de l&apos;archive.</translation>
+    </message>
+    <message>
+        <source>The address of DICOMweb begins with http:// or https://.</source>
+        <translation>L&apos;adresse de DICOMweb commence par http:// ou https://.</translation>
+    </message>
+    <message>
+        <source>The address holds no user and no password.</source>
+        <translation>L&apos;adresse ne contient ni utilisateur ni mot de passe.</translation>
+    </message>
+    <message>
+        <source>A title has 1 to 16 plain characters.</source>
+        <translation>Un titre a de 1 à 16 caractères simples.</translation>
+    </message>
+    <message>
+        <source>Images travel readable for others in the network, and so does a password.</source>
+        <translation>Les images voyagent lisibles pour d&apos;autres sur le réseau, un mot de passe aussi.</translation>
+    </message>
+</context>
+<context>
     <name>viscera::app::ContourCorrector</name>
     <message>
         <source>Only contours of a motion that was found in images can be corrected.</source>
@@ -997,6 +1312,14 @@ N&#xa0;: noms, H&#xa0;: poignées, X&#xa0;: paroi, R&#xa0;: rétablir, T&#xa0;: 
         <source>Handles that you do not drag go to where the elastic energy of the organs&apos; tissue is least; locked handles hold it, else it moves as a whole. Locked volumes stay exact. The first drag takes about a second, the next ones a tenth of a second a step</source>
         <translation>Les poignées que vous ne tirez pas vont là où l&apos;énergie élastique du tissu des organes est minimale ; les poignées verrouillées le retiennent, sinon il se déplace d&apos;un bloc. Les volumes verrouillés restent exacts. Le premier déplacement prend environ une seconde, les suivants un dixième de seconde par pas</translation>
     </message>
+    <message>
+        <source>&amp;Beside elasticity</source>
+        <translation>À côté de l’&amp;élasticité</translation>
+    </message>
+    <message>
+        <source>Show the current organ as an elastic body that the moved handles grip, as a ghost, and colour the organ by the distance from it; the other handles hold it. It takes some seconds after each drag</source>
+        <translation>Montre l’organe actuel comme un corps élastique que saisissent les poignées déplacées, en fantôme, et colore l’organe selon la distance à celui-ci ; les autres poignées le tiennent. Cela prend quelques secondes après chaque déplacement</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::DeformPage</name>
@@ -1068,6 +1391,18 @@ N&#xa0;: noms, H&#xa0;: poignées, X&#xa0;: paroi, R&#xa0;: rétablir, T&#xa0;: 
         <source>all free handles</source>
         <translation>toutes les poignées libres</translation>
     </message>
+    <message>
+        <source>Elasticity</source>
+        <translation>Élasticité</translation>
+    </message>
+    <message>
+        <source>Median distance</source>
+        <translation>Distance médiane</translation>
+    </message>
+    <message>
+        <source>Largest distance</source>
+        <translation>Plus grande distance</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::DifferenceMap</name>
@@ -1117,6 +1452,37 @@ N&#xa0;: noms, H&#xa0;: poignées, X&#xa0;: paroi, R&#xa0;: rétablir, T&#xa0;: 
     <message>
         <source>Move by</source>
         <translation>Déplacer de</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::ElasticGhost</name>
+    <message>
+        <source>There is no organ to compare.</source>
+        <translation>Il n’y a pas d’organe à comparer.</translation>
+    </message>
+    <message>
+        <source>Move a handle: at rest there is nothing to compare.</source>
+        <translation>Déplacez une poignée : au repos, il n’y a rien à comparer.</translation>
+    </message>
+    <message>
+        <source>The elastic organ is being computed.</source>
+        <translation>L’organe élastique est en cours de calcul.</translation>
+    </message>
+    <message>
+        <source>Only an organ that follows the handles can be compared.</source>
+        <translation>Seul un organe qui suit les poignées peut être comparé.</translation>
+    </message>
+    <message>
+        <source>Elastic organ</source>
+        <translation>Organe élastique</translation>
+    </message>
+    <message>
+        <source>The comparison was cancelled. Move a handle, or switch it off and on again.</source>
+        <translation>La comparaison a été annulée. Déplacez une poignée, ou désactivez-la puis réactivez-la.</translation>
+    </message>
+    <message>
+        <source>Distance from elasticity</source>
+        <translation>Distance à l’élasticité</translation>
     </message>
 </context>
 <context>
@@ -1324,10 +1690,6 @@ N&#xa0;: noms, H&#xa0;: poignées, X&#xa0;: paroi, R&#xa0;: rétablir, T&#xa0;: 
     <message>
         <source>, %1 mm thick</source>
         <translation>, épaisseur %1 mm</translation>
-    </message>
-    <message>
-        <source>Date</source>
-        <translation>Date</translation>
     </message>
     <message numerus="yes">
         <source>%n phases in %1 s</source>
@@ -3530,6 +3892,33 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     </message>
 </context>
 <context>
+    <name>viscera::app::PasswordDialog</name>
+    <message>
+        <source>Keep it in the system&apos;s key ring</source>
+        <translation>Le conserver dans le trousseau du système</translation>
+    </message>
+    <message>
+        <source>Password</source>
+        <translation>Mot de passe</translation>
+    </message>
+    <message>
+        <source>Password of %1 at %2</source>
+        <translation>Mot de passe de %1 chez %2</translation>
+    </message>
+    <message>
+        <source>Else Viscera asks again after the next start</source>
+        <translation>Sinon Viscera demande de nouveau au prochain démarrage</translation>
+    </message>
+    <message>
+        <source>There is no key ring; Viscera asks again after the next start</source>
+        <translation>Il n&apos;y a pas de trousseau ; Viscera demande de nouveau au prochain démarrage</translation>
+    </message>
+    <message>
+        <source>The archive refuses the user name or the password.</source>
+        <translation>L&apos;archive refuse le nom d&apos;utilisateur ou le mot de passe.</translation>
+    </message>
+</context>
+<context>
     <name>viscera::app::PatientOffer</name>
     <message>
         <source>Searching beside %1</source>
@@ -4758,6 +5147,10 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
         <source>If you discard them, the changes since the last saving are lost.</source>
         <translation>Si vous ne les gardez pas, les modifications depuis le dernier enregistrement sont perdues.</translation>
     </message>
+    <message>
+        <source>Fetch it from %1</source>
+        <translation>Récupérer depuis %1</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::SessionView</name>
@@ -5740,6 +6133,13 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     <message>
         <source>Done</source>
         <translation>Terminé</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::Value</name>
+    <message>
+        <source>No password was given.</source>
+        <translation>Aucun mot de passe n&apos;a été donné.</translation>
     </message>
 </context>
 <context>

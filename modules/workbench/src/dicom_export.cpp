@@ -365,7 +365,7 @@ std::vector<DicomFile> writeDicomExport(const std::filesystem::path& folder, con
     throw DataError("There is no organ to write");
   if (kinds.document && what.withoutIdentity && !what.pdfNamesNobody)
     throw DataError("The report names the patient or the files, and identity is to be removed", {},
-                    "leave the report out, or make one that names nobody");
+                    "leave the report out, or make one without the patient");
   return Exporter(folder, what, progress).write();
 }
 
