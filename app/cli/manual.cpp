@@ -34,7 +34,8 @@ constexpr std::pair<const char*, const char*> kEnvironment[] = {
     {"VISCERA_VECTOR_BITS",
      "The widest vectors that inner loops may use: 128, 256 or 512 bits; else the processor's widest."},
     {"XDG_CONFIG_HOME, XDG_STATE_HOME, XDG_CACHE_HOME",
-     "Below them, in a folder viscera: settings and archives, recovery files, generated surfaces and fetched series."},
+     "Below them, in a folder viscera: settings and archives, recovery files, generated surfaces and fetched "
+     "series."},
 };
 
 /// Text as roff prints it: a hyphen that can be copied, no line that begins with a request.

@@ -124,7 +124,8 @@ void Menus::fill(QMenu* menu, const std::vector<const char*>& ids) const {
 
 void Menus::makeFileMenu() {
   QMenu* file = bar_.addMenu(tr("&File"));
-  fill(file, {"file.new", "file.open", "file.openFolder", "file.openScan", "file.openSeries", "file.fromArchive", "file.check"});
+  fill(file, {"file.new", "file.open", "file.openFolder", "file.openScan", "file.openSeries",
+              "file.fromArchive", "file.check"});
   recent_ = file->addMenu(tr("Open &recent"));
   samples_ = file->addMenu(icon("heart"), tr("Sample &organs"));
   fill(file, {"", "file.save", "file.saveAs", "file.recover", "", "handles.save", "file.export",

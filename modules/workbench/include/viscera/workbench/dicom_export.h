@@ -83,9 +83,9 @@ std::string withoutPrivateWords(const std::string& text, const clinic::StudyIden
 
 /// Writes the objects into a folder, which is made where it is not there; all or, when it throws, none.
 /// Without identity, also the organs' names and notes lose what names the patient, the date of making is that
-/// that says nothing (1900-01-01), and a report that is not made for it is refused. Throws `UsageError` when nothing
-/// is chosen, `DataError` as the objects' writers, and for such a report, `CannotCreateError` for a file that
-/// is there already, `Cancelled`. O(phases x voxels x organs).
+/// that says nothing (1900-01-01), and a report that is not made for it is refused. Throws `UsageError` when
+/// nothing is chosen, `DataError` as the objects' writers, and for such a report, `CannotCreateError` for a
+/// file that is there already, `Cancelled`. O(phases x voxels x organs).
 std::vector<DicomFile> writeDicomExport(const std::filesystem::path& folder, const DicomExport& what,
                                         Progress& progress);
 
