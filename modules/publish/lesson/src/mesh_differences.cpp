@@ -5,14 +5,14 @@
 namespace viscera::lesson {
 namespace {
 
-constexpr int kCorners = 3;
+constexpr int kMeshCorners = 3;
 
 /// Calls `take(vertex, other)` for each pair of a triangle's corners with `other < vertex`.
 template <class Take>
 void forEachPair(const Triangles& triangles, const Take& take) {
   for (const auto& corners : triangles.rowwise())
-    for (int a = 0; a < kCorners; ++a)
-      for (int b = 0; b < kCorners; ++b)
+    for (int a = 0; a < kMeshCorners; ++a)
+      for (int b = 0; b < kMeshCorners; ++b)
         if (corners[b] < corners[a])
           take(static_cast<std::size_t>(corners[a]), static_cast<std::size_t>(corners[b]));
 }
