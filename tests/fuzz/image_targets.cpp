@@ -108,9 +108,10 @@ void readAnyLabels(Bytes bytes) {
 /// Squares on three slices, the middle one with a hole, and a point.
 std::string structureSeed() {
   const auto square = [](double half, double z) {
-    Points corners(4, 3);
-    corners << -half, -half, z, half, -half, z, half, half, z, -half, half, z;
-    return tests::DrawnContour{corners};
+    tests::DrawnContour contour;
+    contour.corners.resize(4, 3);
+    contour.corners << -half, -half, z, half, -half, z, half, half, z, -half, half, z;
+    return contour;
   };
   Points point(1, 3);
   point << 1, 2, 3;
