@@ -27,17 +27,12 @@ function integers({at, count, width, stride}) {
 }
 /** Fields over some vertices from their differences to the mean of the neighbours before, or to the vertex before. */
 function overMesh(array, count, components) {
-  const out = integers(array), first = new Uint32Array(count + 1), pair = take => { for (let t = 0; t < organTriangles.length; t += 3) for (let a = 0; a < 3; ++a) for (let b = 0; b < 3; ++b) if (organTriangles[t + b] < organTriangles[t + a]) take(organTriangles[t + a], organTriangles[t + b]); };
-  pair(v => ++first[v + 1]);
-  for (let v = 0; v < count; ++v) first[v + 1] += first[v];
-  const next = first.slice(), before = new Uint32Array(first[count]);
-  pair((v, other) => { before[next[v]++] = other; });
-  for (let field = 0; field < out.length; field += count * components)
-    for (let v = 0; v < count; ++v) for (let c = 0, n = first[v + 1] - first[v]; c < components; ++c) {
-      let sum = 0;
-      for (let i = first[v]; i < first[v + 1]; ++i) sum += out[field + components * before[i] + c];
-      out[field + components * v + c] += n ? Math.floor(sum / n + 0.5) : v ? out[field + components * (v - 1) + c] : 0;
-    }
+  const out = integers(array), before = Array.from({length: count}, () => []);
+  organTriangles.forEach((v, i) => { for (let corner = i - i % 3, end = corner + 3; corner < end; ++corner) if (organTriangles[corner] < v) before[v].push(organTriangles[corner]); });
+  for (let at = 0; at < out.length; ++at) {
+    const v = Math.floor(at / components) % count, near = before[v];
+    out[at] += near.length ? Math.floor(near.reduce((sum, other) => sum + out[at + components * (other - v)], 0) / near.length + 0.5) : v ? out[at - components] : 0;
+  }
   return Float32Array.from(out, x => x * array.step);
 }
 const numbers = array => array.step === 0 ? new Float32Array(bytes.slice(array.at, array.at + 4 * array.count).buffer) : Float32Array.from(integers(array), v => v * array.step);

@@ -258,7 +258,9 @@ TEST(Page, IsShortEnoughToRead) {
         ++counted;
     }
   EXPECT_GT(lines, 300u);
-  EXPECT_LE(lines, 820u); // The bull's eye of strain has 30, the places where an opened heart joins in 27.
+  // The bull's eye of strain has 30, the places where an opened heart joins in 27, differences along the
+  // mesh 10.
+  EXPECT_LE(lines, 830u);
   EXPECT_GT(heart, 0u);
   EXPECT_LE(heart, 140u); // Only lessons of an opened heart have it.
 }
