@@ -178,7 +178,7 @@ void DicomExports::send(const clinic::ArchiveConnection& archive, std::shared_pt
       archive, {&window_.workspace.jobs(), Workspace::slotOf(name)},
       [room, made, material](Progress& progress) {
         if (!room->isValid())
-          throw CannotCreateError("The folder cannot be made", room->path().toStdString());
+          throw CannotCreateError("the folder cannot be made", room->path().toStdString());
         *made = make(*material, (room->path() + QStringLiteral("/dicom")).toStdString(), progress);
         std::vector<std::filesystem::path> files;
         for (const workbench::DicomFile& one : made->files)
