@@ -197,9 +197,9 @@ QString DicomDialog::whyNot() const {
   const Choice chosen = choice();
   const workbench::DicomKinds& kinds = chosen.kinds;
   if (!kinds.segmentation && !kinds.measurements && !kinds.surfaces && !kinds.contours)
-    return tr("Choose an object at least.");
+    return tr("Choose at least one object.");
   if (chosen.organs.empty())
-    return tr("Choose an organ at least; its surface has to be closed.");
+    return tr("Choose at least one organ; its surface has to be closed.");
   if (!toArchive() && chosen.folder.isEmpty())
     return tr("Choose a folder.");
   return {};
