@@ -14,6 +14,7 @@
 
 #include "window/archive/archive_actions.h"
 #include "window/deform/deform_mode.h"
+#include "window/export/dicom_exports.h"
 #include "window/export/export_actions.h"
 #include "window/export/lesson_export.h"
 #include "window/export/report_export.h"
@@ -91,6 +92,7 @@ MainWindow::MainWindow(Settings& settings, coordinates::Registry registry, live:
   archive_->addTo(actions_);
   exports_->addTo(actions_);
   (new WarpExport(workspace_, settings_, this))->addTo(actions_);
+  (new DicomExports({workspace_, playback_, archive_->client(), settings_}, this))->addTo(actions_);
   lessons_ = new LessonExport({workspace_, playback_, *picture_, view_, settings_}, this);
   lessons_->addTo(actions_);
   actions_.add("file.quit", {tr("&Quit"), nullptr, {QKeySequence::Quit}, {}}, [this] { close(); });

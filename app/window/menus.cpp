@@ -129,7 +129,7 @@ void Menus::makeFileMenu() {
   recent_ = file->addMenu(tr("Open &recent"));
   samples_ = file->addMenu(icon("heart"), tr("Sample &organs"));
   fill(file, {"", "file.save", "file.saveAs", "file.recover", "", "handles.save", "file.export",
-              "export.lesson", "file.report"});
+              "export.lesson", "file.report", "export.dicom"});
   fill(file->addMenu(icon("export"), tr("Export &more")),
        {"export.scan", "export.organs", "export.displacements", "export.transform", "export.table",
         "export.measurements", "", "stress.exportMap", "stress.exportPoints", "stress.exportHistogram",

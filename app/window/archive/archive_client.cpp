@@ -9,6 +9,7 @@ namespace {
 /// One may still wait for an archive that is silent, while the next wish begins.
 constexpr int kArchiveWorkers = 2;
 constexpr const char* kArchiveSlot = "archive";
+constexpr double kMade = 0.5; ///< Part of sending until the files are made.
 
 } // namespace
 
@@ -51,11 +52,12 @@ std::optional<ArchiveClient::Answer> ArchiveClient::askFor(const clinic::Archive
 
 template <class Value>
 void ArchiveClient::run(const clinic::ArchiveConnection& connection, const QString& name, Work<Value> work,
-                        std::function<void(Value)> then, std::optional<Answer> given) {
+                        std::function<void(Value)> then, std::optional<Answer> given, const JobPlace& place) {
   if (const auto known = answers_.find(connection.name); !given && known != answers_.end())
     given = known->second;
-  jobs_.submit<std::optional<Value>>(
-      name.toStdString(), kArchiveSlot,
+  JobQueue& jobs = place.jobs ? *place.jobs : jobs_;
+  jobs.submit<std::optional<Value>>(
+      name.toStdString(), place.jobs ? place.slot : kArchiveSlot,
       [connection, work, given, ring = ring_](Progress& progress) -> std::optional<Value> {
         std::optional<std::string> password;
         if (given)
@@ -71,11 +73,11 @@ void ArchiveClient::run(const clinic::ArchiveConnection& connection, const QStri
           ring->keep(connection, given->password, progress);
         return value;
       },
-      [this, connection, name, work, then, given](JobResult<std::optional<Value>> result) {
+      [this, connection, name, work, then, given, place](JobResult<std::optional<Value>> result) {
         const bool refused = result.error && result.error->exitCode() == clinic::kPasswordRefused;
         if (refused || (result.value && !*result.value)) {
           if (const auto answer = askFor(connection, refused))
-            return run<Value>(connection, name, work, then, answer);
+            return run<Value>(connection, name, work, then, answer, place);
           Q_EMIT failed(refused ? sentenceOf(*result.error) : tr("No password was given."));
         } else if (result.error) {
           Q_EMIT failed(sentenceOf(*result.error));
@@ -122,6 +124,23 @@ void ArchiveClient::retrieve(const clinic::ArchiveConnection& connection, const 
         return true;
       },
       [then = std::move(then)](bool) { then(); });
+}
+
+void ArchiveClient::send(const clinic::ArchiveConnection& connection, const JobPlace& place,
+                         std::function<std::vector<std::filesystem::path>(Progress&)> make,
+                         std::function<void()> then) {
+  using Files = std::vector<std::filesystem::path>;
+  run<bool>(
+      connection, tr("Sending to %1").arg(text(connection.name)),
+      [connection, make = std::move(make),
+       made = std::make_shared<std::optional<Files>>()](const std::string& password, Progress& progress) {
+        if (!*made) // Else the archive has refused a password, and there is another one now.
+          runPart(progress, 0, kMade, [&](Progress& part) { *made = make(part); });
+        runPart(progress, kMade, 1,
+                [&](Progress& part) { clinic::sendToArchive(connection, password, **made, part); });
+        return true;
+      },
+      [then = std::move(then)](bool) { then(); }, {}, place);
 }
 
 } // namespace viscera::app

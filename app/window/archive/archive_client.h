@@ -18,6 +18,12 @@
 
 namespace viscera::app {
 
+/// Where a wish to an archive waits and runs.
+struct JobPlace {
+  JobQueue* jobs = nullptr; ///< Null: the workers of the client itself. Wishes that are open end with it.
+  std::string slot;
+};
+
 /// Speaks with the archives that the user has named, on workers of its own, one wish at a time: a new one
 /// cancels the one before. Knows the list of archives and asks for passwords, which it keeps in memory, or
 /// in the system's key ring where the user wants that.
@@ -54,6 +60,11 @@ public:
   void retrieve(const clinic::ArchiveConnection& connection, const std::string& studyUid,
                 const std::string& seriesUid, const std::filesystem::path& folder,
                 std::function<void()> then);
+  /// Stores files in the archive. `make` makes them, once, on the same worker; the job belongs to `place`,
+  /// which shows its progress and cancels it.
+  void send(const clinic::ArchiveConnection& connection, const JobPlace& place,
+            std::function<std::vector<std::filesystem::path>(Progress&)> make, std::function<void()> then);
+  /// Cancels what runs on the workers of this object.
   void cancel() { jobs_.cancelAll(); }
 
   /// The wish that is being fulfilled; none while nothing is.
@@ -72,7 +83,7 @@ private:
   /// Runs it with the password that is known; asks, and runs it again, when there is none or it is wrong.
   template <class Value>
   void run(const clinic::ArchiveConnection& connection, const QString& name, Work<Value> work,
-           std::function<void(Value)> then, std::optional<Answer> given = {});
+           std::function<void(Value)> then, std::optional<Answer> given = {}, const JobPlace& place = {});
   std::optional<Answer> askFor(const clinic::ArchiveConnection& connection, bool refused);
 
   std::shared_ptr<clinic::KeyRing> ring_;
