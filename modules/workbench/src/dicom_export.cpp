@@ -8,6 +8,7 @@
 #include <system_error>
 #include <utility>
 
+#include "viscera/anatomy/part.h"
 #include "viscera/core/arrays.h"
 #include "viscera/core/error.h"
 #include "viscera/geometry/volume.h"
@@ -82,6 +83,12 @@ std::string withoutWords(std::string text, const std::vector<std::string>& words
     tidy.pop_back();
   tidy.erase(0, static_cast<std::size_t>(std::find_if(tidy.begin(), tidy.end(), isLetter) - tidy.begin()));
   return tidy;
+}
+
+/// The cavity of a ventricle, as the report has it: no wall and no muscle.
+bool isVentricle(const std::string& name) {
+  const std::optional<anatomy::Part> chamber = anatomy::chamberNamed(name);
+  return chamber == anatomy::kLeftVentricle || chamber == anatomy::kRightVentricle;
 }
 
 /// The folder, and the files in it: they go again unless `keep` is called.
@@ -276,12 +283,11 @@ private:
         clinic::writeMeasurementReport(file, identity_, at(base, phase, phase + 1), segmentation, measured));
   }
 
-  /// Largest and smallest volume of a ventricle over the phases, and what follows from them.
+  /// Largest and smallest volume of a ventricle's cavity over the phases, and what follows from them.
   void appendCycle(std::vector<clinic::MeasuredOrgan>& measured) const {
     const int count = static_cast<int>(what_.phases.size());
     for (std::size_t i = 0; count > 1 && i < names_.size(); ++i) {
-      const std::string name = asciiLowered(names_[i]);
-      if (name.find("ventricle") == std::string::npos && name != "lv" && name != "rv")
+      if (!isVentricle(what_.organs[i].name))
         continue;
       double largest = milliliters(0, i), smallest = largest;
       for (int phase = 1; phase < count; ++phase) {
@@ -289,6 +295,8 @@ private:
         largest = std::max(largest, ml);
         smallest = std::min(smallest, ml);
       }
+      if (!(smallest > 0))
+        continue;
       clinic::MeasuredOrgan cycle;
       cycle.name = names_[i];
       cycle.trackingUid = trackingUids_[i];

@@ -83,6 +83,8 @@ TEST_F(DicomExporter, WritesEveryObjectOfEveryPhaseWithoutAnError) {
   for (const DicomFile& one : files)
     expectValidDicom(one.file);
   EXPECT_EQ(files[0].object.seriesUid, files[2].object.seriesUid) << "phases are one series";
+  EXPECT_EQ(files[1].object.classUid, "1.2.840.10008.5.1.4.1.1.88.22")
+      << "Enhanced SR, as docs/clinic.md says";
   EXPECT_NE(files[0].object.instanceUid, files[2].object.instanceUid);
   const medical_io::LabelMap map = medical_io::readLabelMap(files[2].file, progress_);
   ASSERT_EQ(map.segments.size(), 2U);
@@ -96,6 +98,25 @@ TEST_F(DicomExporter, WritesEveryObjectOfEveryPhaseWithoutAnError) {
   EXPECT_THROW(writeDicomExport(folder_ / "out", what_, progress_), CannotCreateError)
       << "nothing is replaced";
   EXPECT_TRUE(std::filesystem::exists(files[0].file));
+}
+
+/// A wall gets thicker and thinner, and ejects nothing.
+TEST_F(DicomExporter, WritesAnEjectionFractionOfCavitiesOnly) {
+  for (const char* const name : {"lv_wall", "LV myocardium"}) {
+    what_.organs.push_back({name, {0.7, 0.4, 0.3}, what_.organs[1].mesh});
+    for (ExportedPhase& phase : what_.phases)
+      phase.points.push_back(phase.points[1]);
+  }
+  what_.kinds = {};
+  what_.kinds.measurements = true;
+  writeDicomExport(folder_ / "out", what_, progress_);
+  const std::string report = exportedBytes(folder_ / "out/measurements_phase_01.dcm");
+  std::size_t fractions = 0;
+  for (std::size_t at = report.find("70822001"); at != std::string::npos;
+       at = report.find("70822001", at + 1))
+    ++fractions;
+  EXPECT_EQ(fractions, 1U) << "of the left ventricle";
+  EXPECT_THAT(report, HasSubstr("LV myocardium")) << "its volume";
 }
 
 TEST_F(DicomExporter, WithoutIdentityLeavesNoneOfItsBytes) {
@@ -150,6 +171,8 @@ TEST(PrivateWords, AreTakenOutOfTexts) {
   EXPECT_EQ(withoutPrivateWords("johanna_4711", identity), "");
   EXPECT_EQ(withoutPrivateWords("Tumour Smith", identity, {"Smith, Bob"}), "Tumour");
   EXPECT_EQ(withoutPrivateWords("Left kidney", identity), "Left kidney");
+  EXPECT_EQ(withoutPrivateWords("Liver of JöRG, JÖRG", identity, {"Jörg"}), "Liver of , JÖRG")
+      << "only the case of A to Z does not matter";
 }
 
 } // namespace
