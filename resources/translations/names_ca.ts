@@ -8351,9 +8351,21 @@
         <source>give two sizes at least</source>
         <translation>indiqueu almenys dues mides</translation>
     </message>
+    <message>
+        <source>follow the motion over all of them with viscera track %1, or export a segmentation of each phase</source>
+        <translation>seguiu el moviment per totes amb viscera track %1, o exporteu una segmentació de cada fase</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app</name>
+    <message>
+        <source>Choose...</source>
+        <translation>Tria...</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exporta</translation>
+    </message>
     <message>
         <source>Fetching from %1</source>
         <translation>S&apos;està obtenint de %1</translation>

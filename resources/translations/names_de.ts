@@ -8351,9 +8351,21 @@
         <source>give two sizes at least</source>
         <translation>geben Sie mindestens zwei Größen an</translation>
     </message>
+    <message>
+        <source>follow the motion over all of them with viscera track %1, or export a segmentation of each phase</source>
+        <translation>Verfolgen Sie die Bewegung über alle mit viscera track %1, oder exportieren Sie eine Segmentierung je Phase</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app</name>
+    <message>
+        <source>Choose...</source>
+        <translation>Wählen...</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exportieren</translation>
+    </message>
     <message>
         <source>Fetching from %1</source>
         <translation>Wird von %1 geholt</translation>

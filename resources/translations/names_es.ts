@@ -8351,9 +8351,21 @@
         <source>give two sizes at least</source>
         <translation>indique al menos dos tamaños</translation>
     </message>
+    <message>
+        <source>follow the motion over all of them with viscera track %1, or export a segmentation of each phase</source>
+        <translation>siga el movimiento por todas con viscera track %1, o exporte una segmentación de cada fase</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app</name>
+    <message>
+        <source>Choose...</source>
+        <translation>Elegir...</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exportar</translation>
+    </message>
     <message>
         <source>Fetching from %1</source>
         <translation>Trayendo de %1</translation>

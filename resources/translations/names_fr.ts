@@ -8351,9 +8351,21 @@
         <source>give two sizes at least</source>
         <translation>donnez au moins deux tailles</translation>
     </message>
+    <message>
+        <source>follow the motion over all of them with viscera track %1, or export a segmentation of each phase</source>
+        <translation>suivez le mouvement sur toutes avec viscera track %1, ou exportez une segmentation de chaque phase</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app</name>
+    <message>
+        <source>Choose...</source>
+        <translation>Choisir...</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exporter</translation>
+    </message>
     <message>
         <source>Fetching from %1</source>
         <translation>Récupération depuis %1</translation>

@@ -475,6 +475,10 @@ N: noms, H: tiradors, X: paret, R: restableix, T: clar o fosc, Inici: principi</
         <source>Searching %1</source>
         <translation>S&apos;està cercant a %1</translation>
     </message>
+    <message>
+        <source>Sending to %1</source>
+        <translation>S’envia a %1</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::ArchiveDialog</name>
@@ -1056,10 +1060,6 @@ N: noms, H: tiradors, X: paret, R: restableix, T: clar o fosc, Inici: principi</
         <translation>Un fitxer amb el certificat de l&apos;emissor de l&apos;arxiu (.pem)</translation>
     </message>
     <message>
-        <source>Choose...</source>
-        <translation>Tria...</translation>
-    </message>
-    <message>
         <source>Choose the file with the certificates</source>
         <translation>Tria el fitxer amb els certificats</translation>
     </message>
@@ -1402,6 +1402,184 @@ N: noms, H: tiradors, X: paret, R: restableix, T: clar o fosc, Inici: principi</
     <message>
         <source>Largest distance</source>
         <translation>Distància màxima</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::DicomDialog</name>
+    <message>
+        <source>Segmentation (SEG)</source>
+        <translation>Segmentació (SEG)</translation>
+    </message>
+    <message>
+        <source>The organs as voxels on the grid of the scan, one file for each instant</source>
+        <translation>Els òrgans com a vòxels a la graella de l’exploració, un fitxer per a cada instant</translation>
+    </message>
+    <message>
+        <source>Measurements (SR)</source>
+        <translation>Mesures (SR)</translation>
+    </message>
+    <message>
+        <source>A structured report of volumes, distances and angles for each instant</source>
+        <translation>Un informe estructurat de volums, distàncies i angles per a cada instant</translation>
+    </message>
+    <message>
+        <source>Surfaces (STL)</source>
+        <translation>Superfícies (STL)</translation>
+    </message>
+    <message>
+        <source>The surface of each organ, one file for each</source>
+        <translation>La superfície de cada òrgan, un fitxer per a cadascun</translation>
+    </message>
+    <message>
+        <source>Contours (RTSTRUCT)</source>
+        <translation>Contorns (RTSTRUCT)</translation>
+    </message>
+    <message>
+        <source>Contours on the slices of the scan, for radiotherapy</source>
+        <translation>Contorns als talls de l’exploració, per a radioteràpia</translation>
+    </message>
+    <message>
+        <source>Without identity</source>
+        <translation>Sense identitat</translation>
+    </message>
+    <message>
+        <source>No name, number or date of the patient, and new identifiers of study and series</source>
+        <translation>Sense nom, número ni data del pacient, i amb nous identificadors d’estudi i sèrie</translation>
+    </message>
+    <message>
+        <source>Export as DICOM</source>
+        <translation>Exporta com a DICOM</translation>
+    </message>
+    <message>
+        <source>The pose that is shown</source>
+        <translation>La posa que es mostra</translation>
+    </message>
+    <message>
+        <source>So many instants of one cycle of the motion</source>
+        <translation>Tants instants d’un cicle del moviment</translation>
+    </message>
+    <message>
+        <source>No motion moves the organs</source>
+        <translation>Cap moviment mou els òrgans</translation>
+    </message>
+    <message>
+        <source>Instants</source>
+        <translation>Instants</translation>
+    </message>
+    <message>
+        <source>Whose they are</source>
+        <translation>De qui són</translation>
+    </message>
+    <message>
+        <source>Destination</source>
+        <translation>Destinació</translation>
+    </message>
+    <message>
+        <source>For research and teaching, not for diagnosis.</source>
+        <translation>Per a recerca i docència, no per a diagnòstic.</translation>
+    </message>
+    <message>
+        <source>The files of the scan are being read</source>
+        <translation>Es llegeixen els fitxers de l’exploració</translation>
+    </message>
+    <message>
+        <source>Objects</source>
+        <translation>Objectes</translation>
+    </message>
+    <message>
+        <source>Contours need the slices of a scan</source>
+        <translation>Els contorns necessiten els talls d’una exploració</translation>
+    </message>
+    <message>
+        <source>The organs that are written</source>
+        <translation>Els òrgans que s’escriuen</translation>
+    </message>
+    <message>
+        <source>%1 is open and has no inside</source>
+        <translation>%1 és obert i no té interior</translation>
+    </message>
+    <message>
+        <source>The elements of each file that say whose it is</source>
+        <translation>Els elements de cada fitxer que diuen de qui és</translation>
+    </message>
+    <message>
+        <source>A folder, or an archive that From the archive knows</source>
+        <translation>Una carpeta, o un arxiu que «De l’arxiu» coneix</translation>
+    </message>
+    <message>
+        <source>Folder</source>
+        <translation>Carpeta</translation>
+    </message>
+    <message>
+        <source>Made when it is not there; no file in it is replaced</source>
+        <translation>Es crea si no hi és; no s’hi substitueix cap fitxer</translation>
+    </message>
+    <message>
+        <source>Choose the folder</source>
+        <translation>Tria la carpeta</translation>
+    </message>
+    <message>
+        <source>No DICOM scan says whose they are: they get a study of their own.</source>
+        <translation>Cap exploració DICOM diu de qui són: reben un estudi propi.</translation>
+    </message>
+    <message>
+        <source>Choose at least one object.</source>
+        <translation>Trieu almenys un objecte.</translation>
+    </message>
+    <message>
+        <source>Choose at least one organ; its surface has to be closed.</source>
+        <translation>Trieu almenys un òrgan; la superfície ha de ser tancada.</translation>
+    </message>
+    <message>
+        <source>Choose a folder.</source>
+        <translation>Trieu una carpeta.</translation>
+    </message>
+    <message>
+        <source>Send</source>
+        <translation>Envia</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::DicomExports</name>
+    <message>
+        <source>Export as &amp;DICOM...</source>
+        <translation>Exporta com a &amp;DICOM...</translation>
+    </message>
+    <message>
+        <source>Write organs and measurements as DICOM files, or send them to an archive (PACS)</source>
+        <translation>Escriu òrgans i mesures com a fitxers DICOM, o envia’ls a un arxiu (PACS)</translation>
+    </message>
+    <message>
+        <source>Reading whose the scan is</source>
+        <translation>Es llegeix de qui és l’exploració</translation>
+    </message>
+    <message>
+        <source>segmentations</source>
+        <translation>segmentacions</translation>
+    </message>
+    <message>
+        <source>structured reports</source>
+        <translation>informes estructurats</translation>
+    </message>
+    <message>
+        <source>surfaces</source>
+        <translation>superfícies</translation>
+    </message>
+    <message>
+        <source>structure sets</source>
+        <translation>conjunts d’estructures</translation>
+    </message>
+    <message>
+        <source>Exporting as DICOM</source>
+        <translation>S’exporta com a DICOM</translation>
+    </message>
+    <message>
+        <source>Written to %1: %2</source>
+        <translation>Escrit a %1: %2</translation>
+    </message>
+    <message>
+        <source>Sent to %1: %2</source>
+        <translation>Enviat a %1: %2</translation>
     </message>
 </context>
 <context>
@@ -5699,10 +5877,6 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
     <message>
         <source>Numbers</source>
         <translation>Valors</translation>
-    </message>
-    <message>
-        <source>Export</source>
-        <translation>Exporta</translation>
     </message>
     <message>
         <source>Smooth: through the tetrahedra</source>

@@ -475,6 +475,10 @@ N: Namen, H: Griffe, X: Wand, R: zurück, T: hell oder dunkel, Pos1: Anfang</tra
         <source>Searching %1</source>
         <translation>%1 wird durchsucht</translation>
     </message>
+    <message>
+        <source>Sending to %1</source>
+        <translation>Wird an %1 gesendet</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::ArchiveDialog</name>
@@ -1056,10 +1060,6 @@ N: Namen, H: Griffe, X: Wand, R: zurück, T: hell oder dunkel, Pos1: Anfang</tra
         <translation>Eine Datei mit dem Zertifikat des Ausstellers des Archivs (.pem)</translation>
     </message>
     <message>
-        <source>Choose...</source>
-        <translation>Wählen...</translation>
-    </message>
-    <message>
         <source>Choose the file with the certificates</source>
         <translation>Die Datei mit den Zertifikaten wählen</translation>
     </message>
@@ -1402,6 +1402,184 @@ N: Namen, H: Griffe, X: Wand, R: zurück, T: hell oder dunkel, Pos1: Anfang</tra
     <message>
         <source>Largest distance</source>
         <translation>Größter Abstand</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::DicomDialog</name>
+    <message>
+        <source>Segmentation (SEG)</source>
+        <translation>Segmentierung (SEG)</translation>
+    </message>
+    <message>
+        <source>The organs as voxels on the grid of the scan, one file for each instant</source>
+        <translation>Die Organe als Voxel auf dem Gitter des Scans, eine Datei für jeden Zeitpunkt</translation>
+    </message>
+    <message>
+        <source>Measurements (SR)</source>
+        <translation>Messungen (SR)</translation>
+    </message>
+    <message>
+        <source>A structured report of volumes, distances and angles for each instant</source>
+        <translation>Ein strukturierter Befund mit Volumen, Abständen und Winkeln für jeden Zeitpunkt</translation>
+    </message>
+    <message>
+        <source>Surfaces (STL)</source>
+        <translation>Oberflächen (STL)</translation>
+    </message>
+    <message>
+        <source>The surface of each organ, one file for each</source>
+        <translation>Die Oberfläche jedes Organs, je eine Datei</translation>
+    </message>
+    <message>
+        <source>Contours (RTSTRUCT)</source>
+        <translation>Konturen (RTSTRUCT)</translation>
+    </message>
+    <message>
+        <source>Contours on the slices of the scan, for radiotherapy</source>
+        <translation>Konturen auf den Schichten des Scans, für die Strahlentherapie</translation>
+    </message>
+    <message>
+        <source>Without identity</source>
+        <translation>Ohne Identität</translation>
+    </message>
+    <message>
+        <source>No name, number or date of the patient, and new identifiers of study and series</source>
+        <translation>Kein Name, keine Nummer und kein Datum des Patienten, und neue Kennungen von Studie und Serie</translation>
+    </message>
+    <message>
+        <source>Export as DICOM</source>
+        <translation>Als DICOM exportieren</translation>
+    </message>
+    <message>
+        <source>The pose that is shown</source>
+        <translation>Die gezeigte Pose</translation>
+    </message>
+    <message>
+        <source>So many instants of one cycle of the motion</source>
+        <translation>So viele Zeitpunkte eines Zyklus der Bewegung</translation>
+    </message>
+    <message>
+        <source>No motion moves the organs</source>
+        <translation>Keine Bewegung bewegt die Organe</translation>
+    </message>
+    <message>
+        <source>Instants</source>
+        <translation>Zeitpunkte</translation>
+    </message>
+    <message>
+        <source>Whose they are</source>
+        <translation>Wessen sie sind</translation>
+    </message>
+    <message>
+        <source>Destination</source>
+        <translation>Ziel</translation>
+    </message>
+    <message>
+        <source>For research and teaching, not for diagnosis.</source>
+        <translation>Für Forschung und Lehre, nicht zur Diagnose.</translation>
+    </message>
+    <message>
+        <source>The files of the scan are being read</source>
+        <translation>Die Dateien des Scans werden gelesen</translation>
+    </message>
+    <message>
+        <source>Objects</source>
+        <translation>Objekte</translation>
+    </message>
+    <message>
+        <source>Contours need the slices of a scan</source>
+        <translation>Konturen brauchen die Schichten eines Scans</translation>
+    </message>
+    <message>
+        <source>The organs that are written</source>
+        <translation>Die Organe, die geschrieben werden</translation>
+    </message>
+    <message>
+        <source>%1 is open and has no inside</source>
+        <translation>%1 ist offen und hat kein Inneres</translation>
+    </message>
+    <message>
+        <source>The elements of each file that say whose it is</source>
+        <translation>Die Elemente jeder Datei, die sagen, wessen sie ist</translation>
+    </message>
+    <message>
+        <source>A folder, or an archive that From the archive knows</source>
+        <translation>Ein Ordner, oder ein Archiv, das „Aus dem Archiv“ kennt</translation>
+    </message>
+    <message>
+        <source>Folder</source>
+        <translation>Ordner</translation>
+    </message>
+    <message>
+        <source>Made when it is not there; no file in it is replaced</source>
+        <translation>Wird angelegt, wenn er fehlt; keine Datei darin wird ersetzt</translation>
+    </message>
+    <message>
+        <source>Choose the folder</source>
+        <translation>Den Ordner wählen</translation>
+    </message>
+    <message>
+        <source>No DICOM scan says whose they are: they get a study of their own.</source>
+        <translation>Kein DICOM-Scan sagt, wessen sie sind: Sie bekommen eine eigene Studie.</translation>
+    </message>
+    <message>
+        <source>Choose at least one object.</source>
+        <translation>Wählen Sie mindestens ein Objekt.</translation>
+    </message>
+    <message>
+        <source>Choose at least one organ; its surface has to be closed.</source>
+        <translation>Wählen Sie mindestens ein Organ; seine Oberfläche muss geschlossen sein.</translation>
+    </message>
+    <message>
+        <source>Choose a folder.</source>
+        <translation>Wählen Sie einen Ordner.</translation>
+    </message>
+    <message>
+        <source>Send</source>
+        <translation>Senden</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::DicomExports</name>
+    <message>
+        <source>Export as &amp;DICOM...</source>
+        <translation>Als &amp;DICOM exportieren...</translation>
+    </message>
+    <message>
+        <source>Write organs and measurements as DICOM files, or send them to an archive (PACS)</source>
+        <translation>Organe und Messungen als DICOM-Dateien schreiben oder an ein Archiv (PACS) senden</translation>
+    </message>
+    <message>
+        <source>Reading whose the scan is</source>
+        <translation>Es wird gelesen, wessen Scan es ist</translation>
+    </message>
+    <message>
+        <source>segmentations</source>
+        <translation>Segmentierungen</translation>
+    </message>
+    <message>
+        <source>structured reports</source>
+        <translation>strukturierte Befunde</translation>
+    </message>
+    <message>
+        <source>surfaces</source>
+        <translation>Oberflächen</translation>
+    </message>
+    <message>
+        <source>structure sets</source>
+        <translation>Struktursätze</translation>
+    </message>
+    <message>
+        <source>Exporting as DICOM</source>
+        <translation>Wird als DICOM exportiert</translation>
+    </message>
+    <message>
+        <source>Written to %1: %2</source>
+        <translation>Geschrieben nach %1: %2</translation>
+    </message>
+    <message>
+        <source>Sent to %1: %2</source>
+        <translation>Gesendet an %1: %2</translation>
     </message>
 </context>
 <context>
@@ -5699,10 +5877,6 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
     <message>
         <source>Numbers</source>
         <translation>Zahlen</translation>
-    </message>
-    <message>
-        <source>Export</source>
-        <translation>Exportieren</translation>
     </message>
     <message>
         <source>Smooth: through the tetrahedra</source>

@@ -475,6 +475,10 @@ N: nombres, H: tiradores, X: pared, R: restablecer, T: claro u oscuro, Inicio: p
         <source>Searching %1</source>
         <translation>Buscando en %1</translation>
     </message>
+    <message>
+        <source>Sending to %1</source>
+        <translation>Enviando a %1</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::ArchiveDialog</name>
@@ -1056,10 +1060,6 @@ N: nombres, H: tiradores, X: pared, R: restablecer, T: claro u oscuro, Inicio: p
         <translation>Un archivo con el certificado del emisor del archivo de imágenes (.pem)</translation>
     </message>
     <message>
-        <source>Choose...</source>
-        <translation>Elegir...</translation>
-    </message>
-    <message>
         <source>Choose the file with the certificates</source>
         <translation>Elegir el archivo con los certificados</translation>
     </message>
@@ -1402,6 +1402,184 @@ N: nombres, H: tiradores, X: pared, R: restablecer, T: claro u oscuro, Inicio: p
     <message>
         <source>Largest distance</source>
         <translation>Distancia máxima</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::DicomDialog</name>
+    <message>
+        <source>Segmentation (SEG)</source>
+        <translation>Segmentación (SEG)</translation>
+    </message>
+    <message>
+        <source>The organs as voxels on the grid of the scan, one file for each instant</source>
+        <translation>Los órganos como vóxeles en la cuadrícula del estudio, un archivo por instante</translation>
+    </message>
+    <message>
+        <source>Measurements (SR)</source>
+        <translation>Mediciones (SR)</translation>
+    </message>
+    <message>
+        <source>A structured report of volumes, distances and angles for each instant</source>
+        <translation>Un informe estructurado de volúmenes, distancias y ángulos por instante</translation>
+    </message>
+    <message>
+        <source>Surfaces (STL)</source>
+        <translation>Superficies (STL)</translation>
+    </message>
+    <message>
+        <source>The surface of each organ, one file for each</source>
+        <translation>La superficie de cada órgano, un archivo para cada uno</translation>
+    </message>
+    <message>
+        <source>Contours (RTSTRUCT)</source>
+        <translation>Contornos (RTSTRUCT)</translation>
+    </message>
+    <message>
+        <source>Contours on the slices of the scan, for radiotherapy</source>
+        <translation>Contornos en los cortes del estudio, para radioterapia</translation>
+    </message>
+    <message>
+        <source>Without identity</source>
+        <translation>Sin identidad</translation>
+    </message>
+    <message>
+        <source>No name, number or date of the patient, and new identifiers of study and series</source>
+        <translation>Sin nombre, número ni fecha del paciente, y con nuevos identificadores de estudio y serie</translation>
+    </message>
+    <message>
+        <source>Export as DICOM</source>
+        <translation>Exportar como DICOM</translation>
+    </message>
+    <message>
+        <source>The pose that is shown</source>
+        <translation>La pose que se muestra</translation>
+    </message>
+    <message>
+        <source>So many instants of one cycle of the motion</source>
+        <translation>Tantos instantes de un ciclo del movimiento</translation>
+    </message>
+    <message>
+        <source>No motion moves the organs</source>
+        <translation>Ningún movimiento mueve los órganos</translation>
+    </message>
+    <message>
+        <source>Instants</source>
+        <translation>Instantes</translation>
+    </message>
+    <message>
+        <source>Whose they are</source>
+        <translation>De quién son</translation>
+    </message>
+    <message>
+        <source>Destination</source>
+        <translation>Destino</translation>
+    </message>
+    <message>
+        <source>For research and teaching, not for diagnosis.</source>
+        <translation>Para investigación y docencia, no para diagnóstico.</translation>
+    </message>
+    <message>
+        <source>The files of the scan are being read</source>
+        <translation>Se leen los archivos del estudio</translation>
+    </message>
+    <message>
+        <source>Objects</source>
+        <translation>Objetos</translation>
+    </message>
+    <message>
+        <source>Contours need the slices of a scan</source>
+        <translation>Los contornos necesitan los cortes de un estudio</translation>
+    </message>
+    <message>
+        <source>The organs that are written</source>
+        <translation>Los órganos que se escriben</translation>
+    </message>
+    <message>
+        <source>%1 is open and has no inside</source>
+        <translation>%1 está abierto y no tiene interior</translation>
+    </message>
+    <message>
+        <source>The elements of each file that say whose it is</source>
+        <translation>Los elementos de cada archivo que dicen de quién es</translation>
+    </message>
+    <message>
+        <source>A folder, or an archive that From the archive knows</source>
+        <translation>Una carpeta, o un archivo de imágenes que «Del archivo de imágenes» conoce</translation>
+    </message>
+    <message>
+        <source>Folder</source>
+        <translation>Carpeta</translation>
+    </message>
+    <message>
+        <source>Made when it is not there; no file in it is replaced</source>
+        <translation>Se crea si no existe; no se reemplaza ningún archivo en ella</translation>
+    </message>
+    <message>
+        <source>Choose the folder</source>
+        <translation>Elegir la carpeta</translation>
+    </message>
+    <message>
+        <source>No DICOM scan says whose they are: they get a study of their own.</source>
+        <translation>Ninguna imagen DICOM dice de quién son: reciben un estudio propio.</translation>
+    </message>
+    <message>
+        <source>Choose at least one object.</source>
+        <translation>Elija al menos un objeto.</translation>
+    </message>
+    <message>
+        <source>Choose at least one organ; its surface has to be closed.</source>
+        <translation>Elija al menos un órgano; su superficie debe estar cerrada.</translation>
+    </message>
+    <message>
+        <source>Choose a folder.</source>
+        <translation>Elija una carpeta.</translation>
+    </message>
+    <message>
+        <source>Send</source>
+        <translation>Enviar</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::DicomExports</name>
+    <message>
+        <source>Export as &amp;DICOM...</source>
+        <translation>Exportar como &amp;DICOM...</translation>
+    </message>
+    <message>
+        <source>Write organs and measurements as DICOM files, or send them to an archive (PACS)</source>
+        <translation>Escribir órganos y mediciones como archivos DICOM, o enviarlos a un archivo de imágenes (PACS)</translation>
+    </message>
+    <message>
+        <source>Reading whose the scan is</source>
+        <translation>Leyendo de quién es el estudio</translation>
+    </message>
+    <message>
+        <source>segmentations</source>
+        <translation>segmentaciones</translation>
+    </message>
+    <message>
+        <source>structured reports</source>
+        <translation>informes estructurados</translation>
+    </message>
+    <message>
+        <source>surfaces</source>
+        <translation>superficies</translation>
+    </message>
+    <message>
+        <source>structure sets</source>
+        <translation>conjuntos de estructuras</translation>
+    </message>
+    <message>
+        <source>Exporting as DICOM</source>
+        <translation>Exportando como DICOM</translation>
+    </message>
+    <message>
+        <source>Written to %1: %2</source>
+        <translation>Escrito en %1: %2</translation>
+    </message>
+    <message>
+        <source>Sent to %1: %2</source>
+        <translation>Enviado a %1: %2</translation>
     </message>
 </context>
 <context>
@@ -5699,10 +5877,6 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
     <message>
         <source>Numbers</source>
         <translation>Valores</translation>
-    </message>
-    <message>
-        <source>Export</source>
-        <translation>Exportar</translation>
     </message>
     <message>
         <source>Smooth: through the tetrahedra</source>

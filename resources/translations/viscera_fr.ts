@@ -475,6 +475,10 @@ N&#xa0;: noms, H&#xa0;: poignées, X&#xa0;: paroi, R&#xa0;: rétablir, T&#xa0;: 
         <source>Searching %1</source>
         <translation>Recherche dans %1</translation>
     </message>
+    <message>
+        <source>Sending to %1</source>
+        <translation>Envoi à %1</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::ArchiveDialog</name>
@@ -1056,10 +1060,6 @@ N&#xa0;: noms, H&#xa0;: poignées, X&#xa0;: paroi, R&#xa0;: rétablir, T&#xa0;: 
         <translation>Un fichier avec le certificat de l&apos;émetteur de l&apos;archive (.pem)</translation>
     </message>
     <message>
-        <source>Choose...</source>
-        <translation>Choisir...</translation>
-    </message>
-    <message>
         <source>Choose the file with the certificates</source>
         <translation>Choisir le fichier des certificats</translation>
     </message>
@@ -1402,6 +1402,184 @@ N&#xa0;: noms, H&#xa0;: poignées, X&#xa0;: paroi, R&#xa0;: rétablir, T&#xa0;: 
     <message>
         <source>Largest distance</source>
         <translation>Plus grande distance</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::DicomDialog</name>
+    <message>
+        <source>Segmentation (SEG)</source>
+        <translation>Segmentation (SEG)</translation>
+    </message>
+    <message>
+        <source>The organs as voxels on the grid of the scan, one file for each instant</source>
+        <translation>Les organes en voxels sur la grille de l’examen, un fichier par instant</translation>
+    </message>
+    <message>
+        <source>Measurements (SR)</source>
+        <translation>Mesures (SR)</translation>
+    </message>
+    <message>
+        <source>A structured report of volumes, distances and angles for each instant</source>
+        <translation>Un compte rendu structuré des volumes, distances et angles par instant</translation>
+    </message>
+    <message>
+        <source>Surfaces (STL)</source>
+        <translation>Surfaces (STL)</translation>
+    </message>
+    <message>
+        <source>The surface of each organ, one file for each</source>
+        <translation>La surface de chaque organe, un fichier pour chacun</translation>
+    </message>
+    <message>
+        <source>Contours (RTSTRUCT)</source>
+        <translation>Contours (RTSTRUCT)</translation>
+    </message>
+    <message>
+        <source>Contours on the slices of the scan, for radiotherapy</source>
+        <translation>Contours sur les coupes de l’examen, pour la radiothérapie</translation>
+    </message>
+    <message>
+        <source>Without identity</source>
+        <translation>Sans identité</translation>
+    </message>
+    <message>
+        <source>No name, number or date of the patient, and new identifiers of study and series</source>
+        <translation>Ni nom, ni numéro, ni date du patient, et de nouveaux identifiants de l’étude et de la série</translation>
+    </message>
+    <message>
+        <source>Export as DICOM</source>
+        <translation>Exporter en DICOM</translation>
+    </message>
+    <message>
+        <source>The pose that is shown</source>
+        <translation>La pose affichée</translation>
+    </message>
+    <message>
+        <source>So many instants of one cycle of the motion</source>
+        <translation>Autant d’instants d’un cycle du mouvement</translation>
+    </message>
+    <message>
+        <source>No motion moves the organs</source>
+        <translation>Aucun mouvement n’anime les organes</translation>
+    </message>
+    <message>
+        <source>Instants</source>
+        <translation>Instants</translation>
+    </message>
+    <message>
+        <source>Whose they are</source>
+        <translation>À qui ils sont</translation>
+    </message>
+    <message>
+        <source>Destination</source>
+        <translation>Destination</translation>
+    </message>
+    <message>
+        <source>For research and teaching, not for diagnosis.</source>
+        <translation>Pour la recherche et l’enseignement, non pour le diagnostic.</translation>
+    </message>
+    <message>
+        <source>The files of the scan are being read</source>
+        <translation>Lecture des fichiers de l’examen</translation>
+    </message>
+    <message>
+        <source>Objects</source>
+        <translation>Objets</translation>
+    </message>
+    <message>
+        <source>Contours need the slices of a scan</source>
+        <translation>Les contours ont besoin des coupes d’un examen</translation>
+    </message>
+    <message>
+        <source>The organs that are written</source>
+        <translation>Les organes qui sont écrits</translation>
+    </message>
+    <message>
+        <source>%1 is open and has no inside</source>
+        <translation>%1 est ouvert et n’a pas d’intérieur</translation>
+    </message>
+    <message>
+        <source>The elements of each file that say whose it is</source>
+        <translation>Les éléments de chaque fichier qui disent à qui il est</translation>
+    </message>
+    <message>
+        <source>A folder, or an archive that From the archive knows</source>
+        <translation>Un dossier, ou une archive que «&#x202f;Depuis l’archive&#x202f;» connaît</translation>
+    </message>
+    <message>
+        <source>Folder</source>
+        <translation>Dossier</translation>
+    </message>
+    <message>
+        <source>Made when it is not there; no file in it is replaced</source>
+        <translation>Créé s’il manque&#x202f;; aucun fichier n’y est remplacé</translation>
+    </message>
+    <message>
+        <source>Choose the folder</source>
+        <translation>Choisir le dossier</translation>
+    </message>
+    <message>
+        <source>No DICOM scan says whose they are: they get a study of their own.</source>
+        <translation>Aucun examen DICOM ne dit à qui ils sont&#x202f;: ils reçoivent une étude à eux.</translation>
+    </message>
+    <message>
+        <source>Choose at least one object.</source>
+        <translation>Choisissez au moins un objet.</translation>
+    </message>
+    <message>
+        <source>Choose at least one organ; its surface has to be closed.</source>
+        <translation>Choisissez au moins un organe&#x202f;; sa surface doit être fermée.</translation>
+    </message>
+    <message>
+        <source>Choose a folder.</source>
+        <translation>Choisissez un dossier.</translation>
+    </message>
+    <message>
+        <source>Send</source>
+        <translation>Envoyer</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::DicomExports</name>
+    <message>
+        <source>Export as &amp;DICOM...</source>
+        <translation>Exporter en &amp;DICOM...</translation>
+    </message>
+    <message>
+        <source>Write organs and measurements as DICOM files, or send them to an archive (PACS)</source>
+        <translation>Écrire organes et mesures en fichiers DICOM, ou les envoyer à une archive (PACS)</translation>
+    </message>
+    <message>
+        <source>Reading whose the scan is</source>
+        <translation>Lecture de l’identité de l’examen</translation>
+    </message>
+    <message>
+        <source>segmentations</source>
+        <translation>segmentations</translation>
+    </message>
+    <message>
+        <source>structured reports</source>
+        <translation>comptes rendus structurés</translation>
+    </message>
+    <message>
+        <source>surfaces</source>
+        <translation>surfaces</translation>
+    </message>
+    <message>
+        <source>structure sets</source>
+        <translation>ensembles de structures</translation>
+    </message>
+    <message>
+        <source>Exporting as DICOM</source>
+        <translation>Exportation en DICOM</translation>
+    </message>
+    <message>
+        <source>Written to %1: %2</source>
+        <translation>Écrit dans %1&#x202f;: %2</translation>
+    </message>
+    <message>
+        <source>Sent to %1: %2</source>
+        <translation>Envoyé à %1&#x202f;: %2</translation>
     </message>
 </context>
 <context>
@@ -5699,10 +5877,6 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     <message>
         <source>Numbers</source>
         <translation>Valeurs</translation>
-    </message>
-    <message>
-        <source>Export</source>
-        <translation>Exporter</translation>
     </message>
     <message>
         <source>Smooth: through the tetrahedra</source>
