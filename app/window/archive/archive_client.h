@@ -18,13 +18,13 @@
 
 namespace viscera::app {
 
-/// Where a wish to an archive waits and runs.
+/// Where a request to an archive waits and runs.
 struct JobPlace {
-  JobQueue* jobs = nullptr; ///< Null: the workers of the client itself. Wishes that are open end with it.
+  JobQueue* jobs = nullptr; ///< Null: the workers of the client itself. Open requests end with it.
   std::string slot;
 };
 
-/// Speaks with the archives that the user has named, on workers of its own, one wish at a time: a new one
+/// Speaks with the archives that the user has named, on workers of its own, one request at a time: a new one
 /// cancels the one before. Knows the list of archives and asks for passwords, which it keeps in memory, or
 /// in the system's key ring where the user wants that.
 class ArchiveClient final : public QObject {
@@ -67,13 +67,13 @@ public:
   /// Cancels what runs on the workers of this object.
   void cancel() { jobs_.cancelAll(); }
 
-  /// The wish that is being fulfilled; none while nothing is.
+  /// The request that is being fulfilled; none while nothing is.
   std::optional<JobInfo> present() const;
 
 Q_SIGNALS:
   /// `present` has changed.
   void progressed();
-  /// A wish was not fulfilled, for the reason in this sentence.
+  /// A request was not fulfilled, for the reason in this sentence.
   void failed(const QString& sentence);
 
 private:
