@@ -169,9 +169,13 @@ std::vector<std::string> seriesSeeds() {
     tests::addBall(phases.back(), Vec3::Zero(), 4 + phase, 1);
   }
   const std::string nifti = tests::nifti4d(phases, 0.1, 8);
+  const tests::SegmentWriting overTime{
+      .names = {{1, "Ball"}}, .phases = 3, .later = {phases[1], phases[2]}, .stepSeconds = 0.04};
+  const std::string segmentation = tests::dicomBytes(tests::segmentationElements(phases.front(), overTime));
   return {chosen(0, nifti), chosen(1, tests::gzipped(nifti)), chosen(2, tests::sequenceNrrd(phases, "")),
           chosen(endingOf(".seq.nrrd"),
-                 tests::sequenceNrrd(phases, "axis 0 index unit:=ms\naxis 0 index values:=0 40 80\n"))};
+                 tests::sequenceNrrd(phases, "axis 0 index unit:=ms\naxis 0 index values:=0 40 80\n")),
+          chosen(0, segmentation)};
 }
 
 void checkScan(const std::filesystem::path& place) {

@@ -1,8 +1,11 @@
 #pragma once
 
+#include <bit>
+#include <cstdint>
 #include <map>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "dicom_slices.h"
@@ -23,6 +26,8 @@ struct SegmentWriting {
   std::string referencedInstance = {}; ///< Of the first frame's source; empty: none.
   std::set<int> slices = {};           ///< Those that are written; empty: all.
   int phases = 1;                      ///< So many times, each time with its temporal position.
+  std::vector<LabelImage> later = {};  ///< What the phases after the first show; empty: the same.
+  double stepSeconds = 0;              ///< Between temporal positions; 0: not stated.
 };
 
 inline std::set<int> labelsOf(const LabelImage& image) {
@@ -45,14 +50,17 @@ inline std::vector<SegmentFrame> segmentFrames(const LabelImage& image, const Se
     for (int k = 0; k < image.size[2]; ++k) {
       if (!writing.slices.empty() && !writing.slices.contains(k))
         continue;
-      SegmentFrame frame{std::vector<int>(pixels), k, label};
-      for (std::size_t p = 0; p < pixels; ++p) {
-        const int voxel = image.voxels[std::size_t(k) * pixels + p];
-        frame.values[p] =
-            isLabelMap ? (voxel == 0 ? writing.background : voxel) : (voxel == label ? writing.inside : 0);
+      for (int phase = 1; phase <= writing.phases; ++phase) {
+        const LabelImage& shown =
+            phase == 1 || writing.later.empty() ? image : writing.later[std::size_t(phase) - 2];
+        SegmentFrame frame{std::vector<int>(pixels), k, label, phase};
+        for (std::size_t p = 0; p < pixels; ++p) {
+          const int voxel = shown.voxels[std::size_t(k) * pixels + p];
+          frame.values[p] =
+              isLabelMap ? (voxel == 0 ? writing.background : voxel) : (voxel == label ? writing.inside : 0);
+        }
+        frames.push_back(std::move(frame));
       }
-      for (frame.phase = 1; frame.phase <= writing.phases; ++frame.phase)
-        frames.push_back(frame);
     }
   return frames;
 }
@@ -85,6 +93,11 @@ inline DicomElements segmentationHeader(const LabelImage& image, const SegmentWr
     if (writing.phases > 1)
       groups[0x00209111] =
           "SQ" + dicomItem({{0x00209128, "UL" + littleEndian(std::uint64_t(frame.phase), 4)}});
+    if (writing.stepSeconds > 0)
+      groups[0x00209310] =
+          "SQ" + dicomItem({{0x0020930D, "FD" + littleEndian(std::bit_cast<std::uint64_t>(
+                                                                 writing.stepSeconds * (frame.phase - 1)),
+                                                             8)}});
     if (frame.segment > 0)
       groups[0x0062000A] = "SQ" + dicomItem({{0x0062000B, us(frame.segment)}});
     if (count == 0 && !writing.referencedInstance.empty())

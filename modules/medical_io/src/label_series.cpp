@@ -91,6 +91,32 @@ SeriesTimes timesOf(const RawTimes& stated, std::size_t count) {
   return times;
 }
 
+/// The phases of a DICOM segmentation; those that do not follow each other in time have no times.
+SeriesTimes readDicomSeries(FileBytes& file, Progress& progress,
+                            const std::function<void(std::size_t, LabelMap&&)>& visit) {
+  file = readRestOfFile(file);
+  const std::vector<DicomPhase> phases =
+      readDicomSegmentations(file, [&](std::size_t phase, std::size_t count, RawImage&& image) {
+        progress.report(static_cast<double>(phase) / static_cast<double>(count),
+                        named("volume " + std::to_string(phase + 1)));
+        progress.throwIfCancelled();
+        if (phase > 0)
+          image.warnings.clear();
+        Progress quiet;
+        LabelMap map = labelMapOf(std::move(image), file, quiet);
+        nameByTable(map, file.file);
+        completeSegments(map);
+        visit(phase, std::move(map));
+      });
+  progress.report(1);
+  SeriesTimes times = medical_io::timesOf(phases);
+  const auto isBack = [](double before, double after) { return !(after > before); };
+  if (std::adjacent_find(times.seconds.begin(), times.seconds.end(), isBack) != times.seconds.end() ||
+      !std::isfinite(times.periodSeconds.value_or(0)))
+    return {};
+  return times;
+}
+
 } // namespace
 
 std::size_t volumesIn(const std::filesystem::path& file) {
@@ -104,6 +130,8 @@ SeriesTimes readLabelSeries(const std::filesystem::path& file, Progress& progres
                             const std::function<void(std::size_t, LabelMap&&)>& visit) {
   FileBytes bytes = readBeginOfFile(file, kMostHeaderBytes);
   try {
+    if (dicomKind(file) == DicomKind::segmentation)
+      return readDicomSeries(bytes, progress, visit);
     Progress reading;
     const RawImage raw = rawSeriesOf(bytes, reading);
     const auto count = static_cast<std::size_t>(raw.layers);

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "beating_labels.h"
+#include "dicom_segments.h"
 #include "temporary_folder.h"
 #include "viscera/core/error.h"
 #include "viscera/live/series_contents.h"
@@ -50,6 +51,27 @@ TEST(LookIntoSeries, KnowsChambersByTheirNamesAndLeavesTheRestOut) {
   EXPECT_THROW(chosenSurfaces(contents, "Heart"), UsageError);
   contents.items[0].part = SeriesPart::cavity;
   EXPECT_EQ(chosenSurfaces(contents, "Heart").size(), 1U) << "one cavity needs no outside";
+}
+
+TEST(LookIntoSeries, TakesADicomSegmentationOverTime) {
+  tests::SegmentWriting writing{
+      .names = {{1, "left ventricle of heart"}, {2, "right ventricle of heart"}, {3, "myocardium"}},
+      .phases = 6,
+      .stepSeconds = 0.15};
+  for (int phase = 1; phase < writing.phases; ++phase)
+    writing.later.push_back(tests::beatingLabels(phase / 6.0, Vec3(4, 4, 8)));
+  tests::TemporaryFolder folder;
+  const auto file = folder.put("seg.dcm", tests::dicomBytes(tests::segmentationElements(
+                                              tests::beatingLabels(0, Vec3(4, 4, 8)), writing)));
+  Progress progress;
+  const SeriesContents contents = lookIntoSeries({file}, progress);
+  EXPECT_TRUE(contents.labels);
+  EXPECT_EQ(contents.phases, 6U);
+  ASSERT_TRUE(contents.periodSeconds);
+  EXPECT_NEAR(*contents.periodSeconds, 0.9, 1e-6);
+  ASSERT_EQ(contents.items.size(), 3U);
+  EXPECT_EQ(contents.items[0].part, SeriesPart::cavity);
+  EXPECT_EQ(contents.items[2].part, SeriesPart::tissue);
 }
 
 TEST(LookIntoSeries, SaysThatAPeriodIsDoubtful) {

@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <string>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -8,6 +10,7 @@
 #include "temporary_folder.h"
 #include "viscera/core/error.h"
 #include "viscera/medical_io/label_map.h"
+#include "viscera/medical_io/label_series.h"
 
 /// Segmentations as programs other than DCMTK write them.
 namespace viscera::medical_io {
@@ -90,6 +93,46 @@ TEST_F(DicomSegments, OverTimeAreRefusedWithASentence) {
         EXPECT_THAT(error.what(), testing::HasSubstr("over time"));
       }
     }
+}
+
+/// Three phases: as at first, with a larger liver, and with nothing.
+TEST_F(DicomSegments, OverTimeAreASeriesOfLabelMapsWithTheirSeconds) {
+  LabelImage larger = liverAndTumour(), nothing = liverAndTumour();
+  larger.fill({1, 1, 5}, {8, 5, 5}, 1);
+  std::fill(nothing.voxels.begin(), nothing.voxels.end(), std::int16_t(0));
+  for (const char* type : {"BINARY", "LABELMAP"})
+    for (const double step : {0.0, 0.25}) {
+      SCOPED_TRACE(type);
+      const auto file =
+          folder_.put("a.dcm", tests::dicomBytes(tests::segmentationElements(
+                                   liverAndTumour(), {.type = type,
+                                                      .bits = std::string(type) == "LABELMAP" ? 8 : 1,
+                                                      .names = {{1, "Liver"}, {2, "Tumour"}},
+                                                      .phases = 3,
+                                                      .later = {larger, nothing},
+                                                      .stepSeconds = step})));
+      std::vector<LabelMap> maps;
+      Progress progress;
+      const SeriesTimes times = readLabelSeries(file, progress, [&](std::size_t phase, LabelMap&& map) {
+        EXPECT_EQ(phase, maps.size());
+        maps.push_back(std::move(map));
+      });
+      ASSERT_EQ(maps.size(), 3U);
+      expectOrgans(maps[0], liverAndTumour());
+      expectOrgans(maps[1], larger);
+      EXPECT_TRUE(maps[2].segments.empty());
+      EXPECT_EQ(maps[2].size, maps[0].size);
+      EXPECT_EQ(times.seconds, step > 0 ? (std::vector<double>{0, 0.25, 0.5}) : std::vector<double>());
+      EXPECT_EQ(times.periodSeconds.has_value(), step > 0);
+      EXPECT_NEAR(times.periodSeconds.value_or(0.75), 0.75, 1e-9);
+    }
+}
+
+TEST_F(DicomSegments, OfOneInstantAreNoSeries) {
+  const auto file = folder_.put("a.dcm", tests::dicomBytes(tests::segmentationElements(
+                                             liverAndTumour(), {.names = {{1, "Liver"}, {2, "Tumour"}}})));
+  Progress progress;
+  EXPECT_THROW(readLabelSeries(file, progress, [](std::size_t, LabelMap&&) {}), DataError);
 }
 
 TEST_F(DicomSegments, AreReadFromALabelMapWhoseBackgroundIsItsPadding) {

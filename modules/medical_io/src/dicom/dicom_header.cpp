@@ -324,10 +324,11 @@ private:
     if (!header_.window)
       readFrameWindow(items);
     frame.temporalPosition = items.number(DCM_FrameContentSequence, DCM_TemporalPositionIndex);
-    if (isSegmentation_)
+    if (isSegmentation_) {
       frame.segment = static_cast<int>(
           items.number(DCM_SegmentIdentificationSequence, DCM_ReferencedSegmentNumber).value_or(0));
-    else
+      readPhaseTime(items, frame);
+    } else
       readTimes(items, frame);
     header_.frames.push_back(std::move(frame));
   }
@@ -353,6 +354,20 @@ private:
                width = items.number(DCM_FrameVOILUTSequence, DCM_WindowWidth);
     if (level && width && *width > 0)
       header_.window = ValueWindow{*level, *width};
+  }
+
+  /// A segmentation counts the time from its first phase, or from the R wave.
+  static void readPhaseTime(const FrameItems& items, DicomFrame& frame) {
+    frame.triggerMs = items.number(DCM_TemporalPositionSequence, DCM_TemporalPositionTimeOffset);
+    if (frame.triggerMs)
+      *frame.triggerMs *= 1000; // It is in seconds.
+    else
+      frame.triggerMs = items.number(DCM_CardiacSynchronizationSequence, DCM_NominalCardiacTriggerDelayTime);
+    if (frame.triggerMs && !std::isfinite(*frame.triggerMs))
+      frame.triggerMs.reset();
+    frame.intervalMs = items.number(DCM_CardiacSynchronizationSequence, DCM_RRIntervalTimeNominal);
+    if (!frame.temporalPosition)
+      frame.temporalPosition = frame.triggerMs;
   }
 
   static void readTimes(const FrameItems& items, DicomFrame& frame) {

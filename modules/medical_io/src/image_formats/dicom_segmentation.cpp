@@ -2,6 +2,7 @@
 #include <bit>
 #include <map>
 #include <memory>
+#include <numeric>
 #include <optional>
 #include <string>
 #include <utility>
@@ -30,6 +31,13 @@ namespace viscera::medical_io {
 namespace {
 
 constexpr int kMostSegmentNumber = 65535;
+/// Empty frames may be left out, but phases of more voxels than this a byte are an error.
+constexpr double kMostPhaseVoxelsPerByte = 4096;
+
+[[noreturn]] void failAsOneInstant(const FileBytes& file) {
+  file.fail("It is not a file with several phases",
+            "name a 4D NIfTI, a .seq.nrrd of 3D Slicer, or one file for each phase");
+}
 
 /// What the segments' voxels are.
 enum class SegmentCoding { binary, fractional, labelMap };
@@ -46,14 +54,41 @@ public:
   explicit SegmentationReader(const FileBytes& file) : file_(file) {}
 
   RawImage run() {
+    prepare();
+    requireOneInstant();
+    frames_.resize(header_.frames.size());
+    std::iota(frames_.begin(), frames_.end(), std::size_t(0));
+    return imageOfFrames();
+  }
+
+  /// One image for each temporal position, in their order.
+  std::vector<DicomPhase> runPhases(const TakePhase& take) {
+    prepare();
+    const std::map<double, std::vector<std::size_t>> phases = framesOfPhases();
+    std::vector<DicomPhase> times;
+    for (const auto& [position, frames] : phases) {
+      const DicomFrame& first = header_.frames[frames.front()];
+      times.push_back({first.triggerMs, first.intervalMs, std::nullopt});
+      frames_ = frames;
+      take(times.size() - 1, phases.size(), imageOfFrames());
+    }
+    return times;
+  }
+
+private:
+  void prepare() {
     load();
     readSegments();
     grid_ = segmentationGrid(header_, file_);
-    requireOneInstant();
+    pixels_ = std::make_unique<DicomPixelReader>(header_, format_);
+  }
+
+  /// The image that `frames_` are slices of.
+  RawImage imageOfFrames() {
+    raw_ = {};
     raw_.size = grid_.size;
     raw_.indexToLps = grid_.indexToLps;
     raw_.space = "LPS";
-    pixels_ = std::make_unique<DicomPixelReader>(header_, format_);
     std::vector<LabelLayer> layers;
     if (coding_ == SegmentCoding::labelMap)
       layers.push_back(readLabels());
@@ -63,7 +98,25 @@ public:
     return std::move(raw_);
   }
 
-private:
+  std::map<double, std::vector<std::size_t>> framesOfPhases() const {
+    std::map<double, std::vector<std::size_t>> phases;
+    std::size_t without = 0;
+    for (std::size_t f = 0; f < header_.frames.size(); ++f)
+      if (const std::optional<double>& position = header_.frames[f].temporalPosition)
+        phases[*position].push_back(f);
+      else
+        ++without;
+    if (phases.size() < 2)
+      failAsOneInstant(file_);
+    if (without > 0)
+      file_.fail(diagnostic("a frame has no %1", "temporal position"));
+    const double voxels = double(grid_.size[0]) * grid_.size[1] * grid_.size[2];
+    const auto bytes = static_cast<double>(std::max<std::uint64_t>(file_.length, file_.bytes.size()));
+    if (!(voxels * double(phases.size()) <= kMostPhaseVoxelsPerByte * bytes))
+      file_.fail(diagnostic("its frames are too few for %1 phases", phases.size()));
+    return phases;
+  }
+
   void load() {
     const std::string known = dicomClass(file_.file);
     if (kindOfDicomClass(known) == DicomKind::other)
@@ -116,8 +169,11 @@ private:
       const auto [at, first] =
           seen.emplace(std::pair(frame.segment, grid_.layers[f]), frame.temporalPosition);
       if (!first && at->second != frame.temporalPosition)
-        file_.fail("It is a segmentation over time: its frames show several phases at one place",
-                   "export a segmentation of each phase");
+        file_.fail(
+            "It is a segmentation over time: its frames show several phases at one place",
+            phrase("follow the motion over all of them with viscera track %1, or export a segmentation "
+                   "of each phase",
+                   file_.file.filename().string()));
     }
   }
 
@@ -147,7 +203,7 @@ private:
     LabelLayer layer(voxels);
     bool zeroFound = false;
     const int zeroAs = background != 0 && segments_.contains(0) ? freeNumber() : 0;
-    for (std::size_t f = 0; f < header_.frames.size(); ++f)
+    for (const std::size_t f : frames_)
       visitFrame(f, [&](std::uint16_t value, std::size_t voxel) {
         if (value == background)
           return;
@@ -178,7 +234,7 @@ private:
   /// One mask after the other, in as few layers as their overlaps allow.
   std::vector<LabelLayer> readMasks() {
     std::map<int, std::vector<std::size_t>> frames;
-    for (std::size_t f = 0; f < header_.frames.size(); ++f)
+    for (const std::size_t f : frames_)
       frames[segmentOf(f)].push_back(f);
     int least = coding_ == SegmentCoding::fractional ? threshold_ : 1;
     if (least > 1 && isMaskOfOnes()) {
@@ -211,12 +267,16 @@ private:
     return number;
   }
 
-  /// Some programs write masks of 0 and 1 as fractions of 255, because only those may be packed.
+  /// Some programs write masks of 0 and 1 as fractions of 255, because only those may be packed. All phases
+  /// are alike.
   bool isMaskOfOnes() {
+    if (ones_)
+      return *ones_;
     std::uint16_t largest = 0;
     for (std::size_t f = 0; f < header_.frames.size() && largest <= 1; ++f)
       visitFrame(f, [&](std::uint16_t value, std::size_t) { largest = std::max(largest, value); });
-    return largest == 1;
+    ones_ = largest == 1;
+    return *ones_;
   }
 
   const FileBytes& file_;
@@ -224,7 +284,9 @@ private:
   DicomHeader header_;
   std::unique_ptr<DicomPixelReader> pixels_;
   SegmentationGrid grid_;
+  std::vector<std::size_t> frames_; ///< Those that are read.
   RawImage raw_;
+  std::optional<bool> ones_; ///< Whether its fractions are masks of ones; none: not known yet.
   SegmentCoding coding_ = SegmentCoding::binary;
   int threshold_ = 128;                   ///< Fractions from here on are inside: one half.
   std::map<int, StatedSegment> segments_; ///< By their numbers.
@@ -236,6 +298,12 @@ RawImage readDicomSegmentation(FileBytes& file) {
   if (isStructureSetClass(dicomClass(file.file)))
     return readStructureLabels(file);
   return SegmentationReader(file).run();
+}
+
+std::vector<DicomPhase> readDicomSegmentations(const FileBytes& file, const TakePhase& take) {
+  if (isStructureSetClass(dicomClass(file.file)))
+    failAsOneInstant(file);
+  return SegmentationReader(file).runPhases(take);
 }
 
 } // namespace viscera::medical_io

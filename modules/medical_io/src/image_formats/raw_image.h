@@ -3,6 +3,7 @@
 #include <array>
 #include <bit>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -12,6 +13,7 @@
 #include "scalar.h"
 #include "viscera/core/phrase.h"
 #include "viscera/medical_io/label_map.h"
+#include "viscera/medical_io/label_series.h"
 
 namespace viscera::medical_io {
 
@@ -68,6 +70,13 @@ void requireUsableGrid(const RawImage& raw, const FileBytes& file);
 
 /// Parses with DCMTK; of a structure set fills the contours.
 RawImage readDicomSegmentation(FileBytes& file);
+
+/// Takes a phase of `count`.
+using TakePhase = std::function<void(std::size_t phase, std::size_t count, RawImage&& image)>;
+
+/// Reads a DICOM segmentation of several temporal positions, each as an image on the grid of all, and says
+/// their times as far as the file states them. Throws `DataError` for one of a single instant, too.
+std::vector<DicomPhase> readDicomSegmentations(const FileBytes& file, const TakePhase& take);
 
 /// The contours of a DICOM RT Structure Set, filled on a grid of their own (`structureGrid`).
 RawImage readStructureLabels(const FileBytes& file);

@@ -20,15 +20,16 @@ struct SeriesTimes {
   Text doubt; ///< An assumption that was made, as a sentence; empty for none.
 };
 
-/// The number of label maps that an image file has over time: 1 for a single one, and for every other file.
-/// Reads the header. Throws as `readLabelMap`.
+/// The number of label maps that an image file has over time: 1 for a single one, and for every other file,
+/// DICOM too. Reads the header. Throws as `readLabelMap`.
 std::size_t volumesIn(const std::filesystem::path& file);
 
 /// Reads a file with several label maps, one for each phase (a 4D NIfTI or MetaImage with time last; 3D
-/// Slicer's .seq.nrrd, whose list axis comes first or last; FreeSurfer's frames), and hands them to `visit`
-/// in order. Names and colours as in `readLabelMap`; a phase may be empty. Returns the times that the file
-/// states: of NIfTI the step and unit of the fourth axis, of NRRD `axis N index values` and its unit. Throws
-/// as `readLabelMap`.
+/// Slicer's .seq.nrrd, whose list axis comes first or last; FreeSurfer's frames; DICOM-SEG with several
+/// temporal positions), and hands them to `visit` in order. Names and colours as in `readLabelMap`; a phase
+/// may be empty. Returns the times that the file states: of NIfTI the step and unit of the fourth axis, of
+/// NRRD `axis N index values` and its unit, of DICOM-SEG the offset of each temporal position, else the
+/// trigger delay. Throws as `readLabelMap`.
 SeriesTimes readLabelSeries(const std::filesystem::path& file, Progress& progress,
                             const std::function<void(std::size_t phase, LabelMap&& map)>& visit);
 
