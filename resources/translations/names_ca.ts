@@ -8132,10 +8132,6 @@
         <translation>És una segmentació en el temps: les seves imatges mostren diverses fases en un mateix lloc</translation>
     </message>
     <message>
-        <source>export a segmentation of each phase</source>
-        <translation>exporteu una segmentació de cada fase</translation>
-    </message>
-    <message>
         <source>The archive %1 cannot be reached</source>
         <translation>No es pot accedir a l&apos;arxiu %1</translation>
     </message>

@@ -8132,10 +8132,6 @@
         <translation>Es ist eine Segmentierung über die Zeit: Ihre Bilder zeigen mehrere Phasen an einem Ort</translation>
     </message>
     <message>
-        <source>export a segmentation of each phase</source>
-        <translation>eine Segmentierung je Phase exportieren</translation>
-    </message>
-    <message>
         <source>The archive %1 cannot be reached</source>
         <translation>Das Archiv %1 ist nicht erreichbar</translation>
     </message>

@@ -8132,10 +8132,6 @@
         <translation>Es una segmentación en el tiempo: sus imágenes muestran varias fases en un mismo lugar</translation>
     </message>
     <message>
-        <source>export a segmentation of each phase</source>
-        <translation>exporte una segmentación de cada fase</translation>
-    </message>
-    <message>
         <source>The archive %1 cannot be reached</source>
         <translation>No se puede acceder al archivo %1</translation>
     </message>

@@ -8132,10 +8132,6 @@
         <translation>C&apos;est une segmentation dans le temps : ses images montrent plusieurs phases à un même endroit</translation>
     </message>
     <message>
-        <source>export a segmentation of each phase</source>
-        <translation>exportez une segmentation de chaque phase</translation>
-    </message>
-    <message>
         <source>The archive %1 cannot be reached</source>
         <translation>L&apos;archive %1 est injoignable</translation>
     </message>
