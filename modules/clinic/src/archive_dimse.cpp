@@ -109,11 +109,15 @@ public:
     if (connection_.tls)
       secure();
     if (initNetwork().bad())
-      throw unreachable(connection_);
+      throwUnreached();
     const OFCondition found = negotiateAssociation();
     if (found.good())
       return;
     throwFor(found, true);
+  }
+
+  [[noreturn]] void throwUnreached() const {
+    throw hasAddress(connection_.address) ? unreachable(connection_) : unknownHost(connection_);
   }
 
   /// The sentence for a failure. While a connection is made, it is not there; later it was cut.
@@ -132,7 +136,7 @@ public:
       throw silent(connection_);
     if (opening && (found == DUL_REQUESTASSOCIATIONFAILED || text.find("TCP") != std::string::npos ||
                     text.find("unknown host") != std::string::npos))
-      throw hasAddress(connection_.address) ? unreachable(connection_) : unknownHost(connection_);
+      throwUnreached();
     throw cut(connection_);
   }
 
