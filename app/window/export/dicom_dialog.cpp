@@ -14,6 +14,8 @@
 #include <QSpinBox>
 #include <QVBoxLayout>
 
+#include "viscera/presentation/presenter.h"
+#include "window/style/language.h"
 #include "window/widgets/ready_made.h"
 #include "window/widgets/wrapped_label.h"
 #include "window/work/workspace.h"
@@ -116,9 +118,9 @@ QWidget* DicomDialog::makeOrgans(const document::OrganList& organs) {
   organs_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   organs_->setMinimumHeight(kOrgansHeight);
   for (const auto& organ : organs) {
-    auto* item = new QListWidgetItem(text(organ->name), organs_);
-    item->setToolTip(organ->closed() ? text(organ->name)
-                                     : tr("%1 is open and has no inside").arg(text(organ->name)));
+    const QString name = inWords(presentation::labelOf(*organ));
+    auto* item = new QListWidgetItem(name, organs_);
+    item->setToolTip(organ->closed() ? name : tr("%1 is open and has no inside").arg(name));
     item->setFlags(organ->closed() ? Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsUserCheckable
                                    : Qt::NoItemFlags);
     item->setCheckState(organ->closed() ? Qt::Checked : Qt::Unchecked);
