@@ -1,4 +1,6 @@
 #include "cli_test.h"
+#include "shapes.h"
+#include "viscera/medical_io/surface_file.h"
 
 namespace viscera::app::cli {
 
@@ -54,7 +56,11 @@ TEST_F(CliElasticity, ComparesThePoseThatFreeHandlesFollow) {
 }
 
 TEST_F(CliElasticity, SaysHowFarEachMeshIsFromTheFinest) {
-  const json result = runJson(elasticity({"--meshes", "400", "100"}));
+  // All vertices of the cube are gripped; those of a ball are not.
+  const std::string ball = path("ball.off");
+  medical_io::writeSurface(ball, viscera::tests::sphere(2, 10));
+  const json result = runJson({"elasticity", ball, "--handles", rest_, "--pose", pose_, "--tetrahedra", "200",
+                               "--meshes", "400", "100"});
   ASSERT_EQ(result["meshes"].size(), 2U);
   const json &coarse = result["meshes"][0], &fine = result["meshes"][1];
   EXPECT_LT(coarse["tetrahedra"], fine["tetrahedra"]);
