@@ -20,7 +20,7 @@ packages_to_run_if_there() {
 packages_to_test() {
   printf '%s\n' libgtest-dev libgmock-dev libbenchmark-dev libcgal-dev libavcodec-dev \
     calculix-ccx dicom3tools orthanc orthanc-dicomweb openssl xvfb xauth xdotool poppler-utils python3 python3-jsonschema chromium \
-    python3-scipy python3-matplotlib python3-meshio python3-vtk9 python3-mpi4py openmpi-bin libopenmpi-dev
+    python3-scipy python3-matplotlib python3-meshio python3-pydicom python3-vtk9 python3-mpi4py openmpi-bin libopenmpi-dev
 }
 
 # Packages that tests do without where there are none: they say so and are skipped.

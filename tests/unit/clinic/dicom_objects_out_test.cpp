@@ -1,6 +1,8 @@
 #include <cmath>
 #include <fstream>
 #include <iterator>
+#include <map>
+#include <sstream>
 #include <string>
 
 #include <gmock/gmock.h>
@@ -35,6 +37,31 @@ void expectNoError(const std::filesystem::path& file) {
   const test::ProcessResult found = test::runProcess({program, file.string()});
   EXPECT_THAT(found.err + found.out, Not(HasSubstr("Error - "))) << file;
 }
+
+/// Prints what pydicom reads of the objects in a folder: milliliters of each segment, how far the contours'
+/// points are from the spheres that they are of (mm, on average), numbers of the report.
+constexpr const char* kReadByPydicom = R"(
+import sys, numpy, pydicom
+folder, spheres = sys.argv[1], {'Liver': (-20, 5, 3, 40), 'Left kidney': (50, 10, -8, 18)}
+seg = pydicom.dcmread(folder + '/seg.dcm')
+measures = seg.SharedFunctionalGroupsSequence[0].PixelMeasuresSequence[0]
+voxel = float(numpy.prod(measures.PixelSpacing)) * float(measures.SpacingBetweenSlices) / 1000
+of = [f.SegmentIdentificationSequence[0].ReferencedSegmentNumber for f in seg.PerFrameFunctionalGroupsSequence]
+for one in seg.SegmentSequence:
+    frames = seg.pixel_array[[n == one.SegmentNumber for n in of]]
+    print(one.SegmentLabel + '=' + str(frames.sum() * voxel))
+contours = pydicom.dcmread(folder + '/rs.dcm')
+for roi, drawn in zip(contours.StructureSetROISequence, contours.ROIContourSequence):
+    x, y, z, radius = spheres[roi.ROIName]
+    points = numpy.concatenate([numpy.reshape(c.ContourData, (-1, 3)) for c in drawn.ContourSequence]).astype(float)
+    print(roi.ROIName + ' mm=' + str(numpy.abs(numpy.linalg.norm(points - (x, y, z), axis=1) - radius).mean()))
+def numbers(items):
+    for item in items:
+        for value in getattr(item, 'MeasuredValueSequence', []):
+            print(item.ConceptNameCodeSequence[0].CodeMeaning + '=' + str(value.NumericValue))
+        numbers(getattr(item, 'ContentSequence', []))
+numbers(pydicom.dcmread(folder + '/sr.dcm').ContentSequence)
+)";
 
 std::string bytesOf(const std::filesystem::path& file) {
   std::ifstream in(file, std::ios::binary);
@@ -178,6 +205,38 @@ TEST_F(ObjectsOut, AsReportHaveTheirNumbersWithCodesUnitsAndSegments) {
   EXPECT_THROW(
       writeMeasurementReport(file, identity_, series("x"), segmentation, {{"Liver", newUid(), 1, "", {}}}),
       DataError);
+}
+
+TEST_F(ObjectsOut, AreOnePatientsForOtherProgramsWhichReadTheSameNumbers) {
+  const std::string entities = "/usr/bin/dcentvfy", python = "/usr/bin/python3";
+  if (!std::filesystem::exists(entities) ||
+      test::runProcess({python, "-c", "import pydicom, numpy"}).exitCode != 0)
+    GTEST_SKIP() << "there is no dcentvfy (dicom3tools), or no python3-pydicom";
+  const auto seg = folder_ / "seg.dcm", rs = folder_ / "rs.dcm", sr = folder_ / "sr.dcm",
+             stl = folder_ / "stl.dcm";
+  const WrittenObject segmentation =
+      writeSegmentation(seg, identity_, series("Organs"), gridOfImages(identity_), organs_, progress_);
+  writeStructureSet(rs, identity_, series("Contours"), organs_, progress_);
+  writeSurfaceObject(stl, identity_, series("Surface"), organs_[0]);
+  writeMeasurementReport(
+      sr, identity_, series("Numbers"), segmentation,
+      {{"Liver", newUid(), 1, "", {{quantities::kVolume, 267.5, "ml", "milliliter", ""}}}});
+  const test::ProcessResult belong = test::runProcess(
+      {entities, seg.string(), rs.string(), stl.string(), sr.string(), (folder_ / "ct" / "0").string()});
+  EXPECT_THAT(belong.err + belong.out, Not(HasSubstr("Error"))) << "one patient, one study";
+
+  const test::ProcessResult read = test::runProcess({python, "-c", kReadByPydicom, folder_.path().string()});
+  ASSERT_EQ(read.exitCode, 0) << read.err;
+  std::map<std::string, double> numbers;
+  std::istringstream lines(read.out);
+  for (std::string line; std::getline(lines, line);)
+    numbers[line.substr(0, line.find('='))] = std::stod(line.substr(line.find('=') + 1));
+  const medical_io::LabelMap map = medical_io::readLabelMap(seg, progress_);
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_NEAR(numbers.at(organs_[i].name), map.volumeMl(map.segments[i]), 1e-6);
+    EXPECT_LT(numbers.at(organs_[i].name + " mm"), 0.5) << "a quarter of a pixel";
+  }
+  EXPECT_EQ(numbers.at("Volume"), 267.5) << read.out;
 }
 
 TEST_F(ObjectsOut, WithoutIdentityHoldNoneOfItsValuesAndBelongTogether) {
