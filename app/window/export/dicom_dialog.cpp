@@ -120,6 +120,7 @@ QWidget* DicomDialog::makeOrgans(const document::OrganList& organs) {
   for (const auto& organ : organs) {
     const QString name = inWords(presentation::labelOf(*organ));
     auto* item = new QListWidgetItem(name, organs_);
+    item->setData(Qt::UserRole, text(organ->name)); // As the document has it.
     item->setToolTip(organ->closed() ? name : tr("%1 is open and has no inside").arg(name));
     item->setFlags(organ->closed() ? Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsUserCheckable
                                    : Qt::NoItemFlags);
@@ -226,7 +227,7 @@ DicomDialog::Choice DicomDialog::choice() const {
   chosen.kinds.contours = contours_->isEnabled() && contours_->isChecked();
   for (int row = 0; row < organs_->count(); ++row)
     if (organs_->item(row)->checkState() == Qt::Checked)
-      chosen.organs.push_back(organs_->item(row)->text().toStdString());
+      chosen.organs.push_back(organs_->item(row)->data(Qt::UserRole).toString().toStdString());
   chosen.phases = phases_->value();
   chosen.withoutIdentity = withoutIdentity_->isChecked();
   if (toArchive())
