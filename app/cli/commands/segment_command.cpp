@@ -6,7 +6,6 @@
 #include <filesystem>
 #include <optional>
 #include <set>
-#include <system_error>
 
 #include <CLI/CLI.hpp>
 
@@ -14,6 +13,7 @@
 #include "cli/number_bounds.h"
 #include "cli/patient_info.h"
 #include "viscera/core/error.h"
+#include "viscera/core/output_folder.h"
 #include "viscera/core/phrase.h"
 #include "viscera/medical_io/label_map.h"
 #include "viscera/medical_io/label_surfaces.h"
@@ -27,49 +27,6 @@ using nlohmann::ordered_json;
 constexpr int kMostSegmentTriangles = 2'000'000;
 constexpr double kSmoothest = 2;
 constexpr std::size_t kLongestName = 100;
-
-/// The output folder. Unless `keep` is called, the destructor removes the files that were written, and the
-/// folder if it was created.
-class OutputFolder {
-public:
-  explicit OutputFolder(std::filesystem::path folder) : folder_(std::move(folder)) {
-    std::error_code error;
-    made_ = std::filesystem::create_directories(folder_, error);
-    if (error || !std::filesystem::is_directory(folder_, error))
-      throw CannotCreateError("the folder cannot be made", folder_.string(), "choose another one");
-  }
-  ~OutputFolder() {
-    std::error_code ignored;
-    for (const std::filesystem::path& file : written_)
-      std::filesystem::remove(file, ignored);
-    if (made_ && !kept_)
-      std::filesystem::remove(folder_, ignored);
-  }
-  OutputFolder(const OutputFolder&) = delete;
-  OutputFolder& operator=(const OutputFolder&) = delete;
-
-  std::filesystem::path write(const std::string& name, const geometry::TriangleMesh& mesh,
-                              const std::string& organ) {
-    const std::filesystem::path file = folder_ / name;
-    std::error_code ignored;
-    const bool isNew = !std::filesystem::exists(file, ignored);
-    medical_io::writeSurface(file, mesh, {.name = organ});
-    if (isNew)
-      written_.push_back(file);
-    return file;
-  }
-
-  void keep() {
-    written_.clear();
-    kept_ = true;
-  }
-
-private:
-  std::filesystem::path folder_;
-  std::vector<std::filesystem::path> written_;
-  bool made_ = false;
-  bool kept_ = false;
-};
 
 /// "left_kidney" for "Left kidney / lower": names that work in every file system and shell, and are unique.
 class FileNames {
@@ -178,7 +135,8 @@ public:
       medical_io::LabelSurface& surface = surfaces[i];
       const medical_io::Segment& segment = map.segments[surface.segment];
       paint(surface.mesh, segment.color);
-      const auto file = folder.write(names.of(segment.name, format_), surface.mesh, segment.name);
+      const auto file = folder.place(names.of(segment.name, format_));
+      medical_io::writeSurface(file, surface.mesh, {.name = segment.name});
       organs.push_back(rowOf(segment, surface, file));
       listing.add(segment.name, std::to_string(surface.mesh.triangles.rows()) + " triangles, " +
                                     fixed(surface.volumeMm3 / kMm3PerMl, 2) + " ml, " + file.string());

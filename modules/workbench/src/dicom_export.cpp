@@ -5,19 +5,19 @@
 #include <cmath>
 #include <optional>
 #include <set>
-#include <system_error>
 #include <utility>
 
 #include "viscera/anatomy/part.h"
 #include "viscera/core/arrays.h"
 #include "viscera/core/error.h"
+#include "viscera/core/output_folder.h"
 #include "viscera/geometry/volume.h"
 
 namespace viscera::workbench {
 namespace {
 
 constexpr std::size_t kShortestPart = 4; ///< Letters of a name that is taken out of longer words, too.
-constexpr const char* kNobodysDate = "19000101000000";
+constexpr const char* kDateOfNothing = "19000101000000";
 constexpr double kMsOfSecond = 1000;
 
 /// One series for each kind of object.
@@ -91,49 +91,11 @@ bool isVentricle(const std::string& name) {
   return chamber == anatomy::kLeftVentricle || chamber == anatomy::kRightVentricle;
 }
 
-/// The folder, and the files in it: they go again unless `keep` is called.
-class ExportFolder {
-public:
-  explicit ExportFolder(std::filesystem::path folder) : folder_(std::move(folder)) {
-    std::error_code error;
-    made_ = std::filesystem::create_directories(folder_, error);
-    if (error || !std::filesystem::is_directory(folder_, error))
-      throw CannotCreateError("the folder cannot be made", folder_.string(), "choose another one");
-  }
-  ~ExportFolder() {
-    if (kept_)
-      return;
-    std::error_code ignored;
-    for (const std::filesystem::path& file : files_)
-      std::filesystem::remove(file, ignored);
-    if (made_)
-      std::filesystem::remove(folder_, ignored);
-  }
-  ExportFolder(const ExportFolder&) = delete;
-  ExportFolder& operator=(const ExportFolder&) = delete;
-
-  std::filesystem::path file(const std::string& name) {
-    const std::filesystem::path file = folder_ / name;
-    std::error_code ignored;
-    if (std::filesystem::exists(file, ignored))
-      throw CannotCreateError("the file is there already", file.string(), "choose an empty folder");
-    files_.push_back(file);
-    return file;
-  }
-  void keep() { kept_ = true; }
-
-private:
-  std::filesystem::path folder_;
-  std::vector<std::filesystem::path> files_;
-  bool made_ = false;
-  bool kept_ = false;
-};
-
 class Exporter {
 public:
   Exporter(const std::filesystem::path& folder, const DicomExport& what, Progress& progress)
       : what_(what), progress_(progress), folder_(folder), identity_(what.identity),
-        dateTime_(what.withoutIdentity || what.dateTime.empty() ? kNobodysDate : what.dateTime) {
+        dateTime_(what.withoutIdentity || what.dateTime.empty() ? kDateOfNothing : what.dateTime) {
     if (what.withoutIdentity) {
       words_ = privateWords(what.identity, what.alsoPrivate);
       identity_ =
@@ -168,7 +130,7 @@ public:
     if (kinds.surfaces)
       writeSurfaces();
     if (kinds.contours) {
-      const auto file = folder_.file("contours.dcm");
+      const auto file = place("contours.dcm");
       add(file, "contours", 0,
           clinic::writeStructureSet(file, identity_, at(series(kContours, "Contours of Viscera"), 0),
                                     organs(0), progress_));
@@ -182,6 +144,15 @@ public:
   }
 
 private:
+  /// No object takes the place of a file.
+  std::filesystem::path place(const std::string& name) {
+    const bool taken = folder_.has(name);
+    std::filesystem::path file = folder_.place(name);
+    if (taken)
+      throw CannotCreateError("the file is there already", file.string(), "choose an empty folder");
+    return file;
+  }
+
   void nameOrgans() {
     std::set<std::string> taken;
     for (std::size_t i = 0; i < what_.organs.size(); ++i) {
@@ -248,7 +219,7 @@ private:
   }
 
   clinic::WrittenObject writeSegments(const clinic::ObjectSeries& base, int phase, Progress& progress) {
-    const auto file = folder_.file(fileName("segmentation", phase));
+    const auto file = place(fileName("segmentation", phase));
     const clinic::WrittenObject object = clinic::writeSegmentation(
         file, identity_, at(base, phase, phase + 1), grid_, organs(phase), progress);
     add(file, "segmentation", phase, object);
@@ -278,7 +249,7 @@ private:
         measured.push_back(std::move(finding));
       }
     }
-    const auto file = folder_.file(fileName("measurements", phase));
+    const auto file = place(fileName("measurements", phase));
     add(file, "measurements", phase,
         clinic::writeMeasurementReport(file, identity_, at(base, phase, phase + 1), segmentation, measured));
   }
@@ -316,7 +287,7 @@ private:
     const std::vector<clinic::WrittenOrgan> list = organs(0);
     for (std::size_t i = 0; i < list.size(); ++i) {
       progress_.throwIfCancelled();
-      const auto file = folder_.file("surface_" + std::to_string(i + 1) + ".dcm");
+      const auto file = place("surface_" + std::to_string(i + 1) + ".dcm");
       add(file, "surface", 0,
           clinic::writeSurfaceObject(file, identity_, at(base, 0, static_cast<int>(i) + 1), list[i]));
       files_.back().organ = list[i].name;
@@ -331,7 +302,7 @@ private:
     std::string title = withoutWords(what_.pdfTitle, words_);
     if (title.empty())
       title = "Report";
-    const auto file = folder_.file("report.dcm");
+    const auto file = place("report.dcm");
     add(file, "document", 0,
         clinic::writeDocumentObject(file, identity_, at(series(kDocuments, "Report of Viscera"), 0), title,
                                     what_.pdf));
@@ -348,7 +319,7 @@ private:
 
   const DicomExport& what_;
   Progress& progress_;
-  ExportFolder folder_;
+  OutputFolder folder_;
   clinic::StudyIdentity identity_;
   std::string dateTime_;
   std::vector<std::string> words_, names_, trackingUids_;
@@ -371,7 +342,7 @@ std::vector<DicomFile> writeDicomExport(const std::filesystem::path& folder, con
     throw UsageError("No DICOM object is chosen", {}, "choose one at least");
   if (what.organs.empty() || what.phases.empty())
     throw DataError("There is no organ to write");
-  if (kinds.document && what.withoutIdentity && !what.pdfNamesNobody)
+  if (kinds.document && what.withoutIdentity && !what.pdfIsAnonymous)
     throw DataError("The report names the patient or the files, and identity is to be removed", {},
                     "leave the report out, or make one without the patient");
   return Exporter(folder, what, progress).write();

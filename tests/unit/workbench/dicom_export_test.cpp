@@ -6,7 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "dicom_slices.h"
+#include "identified_slices.h"
 #include "run_process.h"
 #include "session_fixture.h"
 #include "shapes.h"
@@ -48,15 +48,7 @@ protected:
     image.indexToLps.translation() = Vec3(-96, -96, -60);
     std::filesystem::create_directories(folder_ / "ct");
     for (int k = 0; k < image.size[2]; ++k) {
-      tests::DicomElements slice = tests::dicomSlice(image, k, "1.2.840.4711.2");
-      slice[0x00080020] = "DA20240301";
-      slice[0x00080050] = "SHACC4711";
-      slice[0x0020000D] = "UI1.2.840.4711.1";
-      slice[0x00081030] = "LOAbdomen of Jane";
-      slice[0x00100020] = "LOPID0815";
-      slice[0x00100030] = "DA19700131";
-      slice[0x00200052] = "UI1.2.840.4711.9";
-      folder_.put("ct/" + std::to_string(k), tests::dicomBytes(slice));
+      folder_.put("ct/" + std::to_string(k), tests::dicomBytes(tests::identifiedSlice(image, k)));
     }
     what_.identity = studyIdentityOf(folder_ / "ct", {}, progress_);
     const geometry::TriangleMesh liver = tests::sphere(4, 40, {-40, 5, 3}),
@@ -137,7 +129,7 @@ TEST_F(DicomExporter, RefusesAReportThatNamesThePatient) {
   what_.kinds.document = true;
   what_.pdf = "%PDF-1.4\nof jane\n";
   EXPECT_THROW(writeDicomExport(folder_ / "out", what_, progress_), DataError);
-  what_.pdfNamesNobody = true;
+  what_.pdfIsAnonymous = true;
   EXPECT_THROW(writeDicomExport(folder_ / "out", what_, progress_), DataError) << "it says Jane";
   EXPECT_FALSE(std::filesystem::exists(folder_ / "out")) << "nothing is left";
   what_.kinds = {};

@@ -47,7 +47,7 @@ struct DicomExport {
   std::string dateTime;                        ///< When it is made: "20240301143000".
   std::string pdf;                             ///< Bytes of the report.
   std::string pdfTitle = "Report";             ///< What it is called.
-  bool pdfNamesNobody = false;                 ///< It was made without patient and file names.
+  bool pdfIsAnonymous = false;                 ///< It was made without patient and file names.
   bool withoutIdentity = false;                ///< Basic profile of PS3.15, annex E.
   std::string secret;                          ///< Of the new UIDs; empty: one of this export alone.
   std::vector<std::string> alsoPrivate;        ///< Further names of the patient that no text may have.
@@ -82,10 +82,10 @@ std::string withoutPrivateWords(const std::string& text, const clinic::StudyIden
                                 const std::vector<std::string>& alsoPrivate = {});
 
 /// Writes the objects into a folder, which is made where it is not there; all or, when it throws, none.
-/// Without identity, also the organs' names and notes lose what names the patient, the date of making is that
-/// that says nothing (1900-01-01), and a report that is not made for it is refused. Throws `UsageError` when
-/// nothing is chosen, `DataError` as the objects' writers, and for such a report, `CannotCreateError` for a
-/// file that is there already, `Cancelled`. O(phases x voxels x organs).
+/// `withoutIdentity` removes from the organs' names and notes what names the patient, makes 1900-01-01 the
+/// date of making, and refuses a report that is not made for it. Throws `UsageError` when nothing is chosen,
+/// `DataError` as the objects' writers, and for such a report, `CannotCreateError` for a file that is there
+/// already, `Cancelled`. O(phases x voxels x organs).
 std::vector<DicomFile> writeDicomExport(const std::filesystem::path& folder, const DicomExport& what,
                                         Progress& progress);
 
