@@ -16,7 +16,7 @@
 
 #include <gmock/gmock.h>
 
-#include "dicom_slices.h"
+#include "identified_slices.h"
 #include "temporary_folder.h"
 #include "viscera/document/scan_item.h"
 #include "window/widgets/wrapped_label.h"
@@ -35,10 +35,7 @@ protected:
     for (std::size_t i = 0; i < image.voxels.size(); ++i)
       image.voxels[i] = std::int16_t(i % 977);
     for (int k = 0; k < image.size[2]; ++k) {
-      DicomElements slice = dicomSlice(image, k, "1.2.840.4711.2");
-      slice[0x00100020] = "LOPID0815";
-      slice[0x00200052] = "UI1.2.840.4711.9";
-      ct_.put("slice" + std::to_string(k), dicomBytes(slice));
+      ct_.put("slice" + std::to_string(k), dicomBytes(identifiedSlice(image, k)));
     }
     open(text(ct_.path()));
     ASSERT_TRUE(waitUntil([this] { return document().state().scan != nullptr; })) << message().toStdString();

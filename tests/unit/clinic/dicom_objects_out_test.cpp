@@ -8,7 +8,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "dicom_slices.h"
+#include "identified_slices.h"
 #include "run_process.h"
 #include "shapes.h"
 #include "temporary_folder.h"
@@ -78,19 +78,8 @@ protected:
     std::filesystem::create_directories(folder_ / "ct");
     std::vector<std::filesystem::path> files;
     for (int k = 0; k < image.size[2]; ++k) {
-      tests::DicomElements slice = tests::dicomSlice(image, k, "1.2.840.4711.2");
-      slice[0x00080020] = "DA20240301";
-      slice[0x00080030] = "TM093017";
-      slice[0x00080050] = "SHACC4711";
-      slice[0x0020000D] = "UI1.2.840.4711.1";
-      slice[0x00080090] = "PNHouse^Gregory";
-      slice[0x00081030] = "LOAbdomen of Jane";
-      slice[0x00100020] = "LOPID0815";
-      slice[0x00100030] = "DA19700131";
-      slice[0x00100040] = "CSF";
-      slice[0x00200010] = "SHS1";
-      slice[0x00200052] = "UI1.2.840.4711.9";
-      files.push_back(folder_.put("ct/" + std::to_string(k), tests::dicomBytes(slice)));
+      files.push_back(
+          folder_.put("ct/" + std::to_string(k), tests::dicomBytes(tests::identifiedSlice(image, k))));
     }
     identity_ = readStudyIdentity(files, progress_);
     liver_ = tests::sphere(5, 40, {-20, 5, 3});
