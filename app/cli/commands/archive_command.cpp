@@ -40,7 +40,7 @@ std::string askedPassword(const ArchiveConnection& connection) {
   return password;
 }
 
-/// From the environment, the system's key ring, or the terminal.
+/// Takes the password from the environment, else from the system's key ring, else from the terminal.
 std::string passwordFor(const ArchiveConnection& connection, Progress& progress) {
   if (!clinic::wantsPassword(connection))
     return {};

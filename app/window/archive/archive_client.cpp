@@ -6,7 +6,7 @@
 namespace viscera::app {
 namespace {
 
-/// One may still wait for an archive that is silent, while the next wish begins.
+/// One may still wait for an archive that is silent, while the next request begins.
 constexpr int kArchiveWorkers = 2;
 constexpr const char* kArchiveSlot = "archive";
 constexpr double kMade = 0.5; ///< Part of sending until the files are made.

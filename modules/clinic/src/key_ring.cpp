@@ -37,7 +37,7 @@ bool isInPath(const std::string& program) {
   return false;
 }
 
-/// Without a bus there is no ring, and asking would start one.
+/// The ring answers on the session's bus; asking where there is none would start one.
 bool hasSessionBus() {
   std::error_code ignored;
   return !variable("DBUS_SESSION_BUS_ADDRESS").empty() ||
