@@ -16,6 +16,8 @@
 #include <gmock/gmock.h>
 
 #include "orthanc.h"
+#include "viscera/document/scan_item.h"
+#include "viscera/medical_io/archive_origin.h"
 #include "viscera/medical_io/scan.h"
 #include "window/archive/archive_actions.h"
 #include "window/session/session_files.h"
@@ -140,6 +142,15 @@ TEST_F(FromTheArchive, ASeriesIsFoundFetchedOpenedAndFetchedAgainForItsSession) 
   offer(QStringLiteral("Fetch it from Ward"))->click();
   ASSERT_TRUE(waitUntil([&] { return hasScan(); })) << message().toStdString();
   settle();
+
+  const auto origin = medical_io::readArchiveOrigin(document().state().scan->file);
+  ASSERT_TRUE(origin);
+  QString fetched;
+  archive().fetchAgain(*origin, "..", [&](const QString& folder) { fetched = folder; });
+  ASSERT_TRUE(waitUntil([&] { return !fetched.isEmpty(); })) << message().toStdString();
+  EXPECT_EQ(std::filesystem::path(fetched.toStdString()),
+            clinic::archiveFolder() / "sessions" / origin->seriesUid)
+      << "a session names no folder above";
 }
 
 } // namespace

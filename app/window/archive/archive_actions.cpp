@@ -95,8 +95,9 @@ void ArchiveActions::fetchAgain(const medical_io::ArchiveOrigin& origin, const s
   // The session looks for a file in the folder, or for a folder of that name.
   const bool isFile = std::filesystem::path(name).extension() == kDicomEnding;
   const std::string own = origin.seriesUid.empty() ? origin.studyUid : origin.seriesUid;
+  const bool isName = !name.empty() && name != "." && name != ".."; // A session comes from strangers.
   const std::filesystem::path folder =
-      clinic::archiveFolder() / "sessions" / (isFile || name.empty() ? own : name);
+      clinic::archiveFolder() / "sessions" / (isFile || !isName ? own : name);
   say(tr("Fetching from %1").arg(text(origin.archive)), false);
   client_.retrieve(*found, origin.studyUid, origin.seriesUid, folder,
                    [folder, then = std::move(then)] { then(text(folder.string())); });
